@@ -126,12 +126,11 @@ inline Values with_estimated_normals(const Extraordinary_net& net, const Graph& 
     for (const auto& [i, j] : corners) face.emplace_back(larger.vertex(s, i, j));
     mesh.add_face(face);
   }
-  const auto normals = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:n").first;
-  CGAL::PN_subdivision_3::estimate_control_normals(mesh, normals);
+  const auto normals = CGAL::PN_subdivision_3::estimate_control_normals(mesh);
   Values values = sampled(net, graph);
   for (Index v = 0; v < net.number_of_vertices(); ++v) {
     const auto& [s, i, j] = net.place(v);
-    const Kernel::Vector_3& n = normals[Mesh::Vertex_index(larger.vertex(s, i, j))];
+    const Kernel::Vector_3 n = normals[Mesh::Vertex_index(larger.vertex(s, i, j))];
     values[v].normal = {n.x(), n.y(), n.z()};
   }
   return values;

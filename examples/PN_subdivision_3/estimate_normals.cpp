@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Control normals for a mesh without any: estimated from the points, then corrected where the shape
-// is known, and left out where the surface is to be that of the linear scheme.
+// Control normals for a mesh without any: estimated from the points, with the roundness at each vertex, and left out where the
+// surface is to be that of the linear scheme.
 //
 //   estimate_normals [MESH [OUTPUT]]
 
@@ -23,7 +23,6 @@
 #include <string>
 
 using Kernel = CGAL::Simple_cartesian<double>;
-using Vector = Kernel::Vector_3;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
@@ -41,17 +40,20 @@ int main(int argc, char** argv)
   std::cout << "Input: " << num_vertices(mesh) << " vertices, " << num_faces(mesh) << " faces"
             << std::endl;
 
-  auto normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
-  PN::estimate_control_normals(mesh, normals);
+  auto normals = PN::estimate_control_normals(mesh);
 
   // At the border an estimated normal sees one side only. The zero vector means "no control
-  // normal".
-  std::size_t without = 0;
+  // normal". Elsewhere the normals keep the roundness of the estimate.
+  std::size_t without = 0, round = 0;
   for (Mesh::Vertex_index v : mesh.vertices()) {
-    if (mesh.is_border(v)) normals[v] = CGAL::NULL_VECTOR;
-    if (normals[v] == CGAL::NULL_VECTOR) ++without;
+    if (mesh.is_border(v)) put(normals, v, CGAL::NULL_VECTOR);
+    if (normals[v] == CGAL::NULL_VECTOR)
+      ++without;
+    else if (get(normals.roundness_map(), v) > 0.5)
+      ++round;
   }
-  std::cout << without << " vertices without a control normal" << std::endl;
+  std::cout << without << " vertices without a control normal, " << round << " that are round"
+            << std::endl;
 
   CGAL::Real_timer timer;
   timer.start();
@@ -60,7 +62,6 @@ int main(int argc, char** argv)
   std::cout << "Output: " << num_vertices(mesh) << " vertices, " << num_faces(mesh) << " faces in "
             << timer.time() << " s" << std::endl;
 
-  // A PLY file holds the normals of the property map "v:normal".
   return CGAL::IO::write_polygon_mesh(output, mesh, params::stream_precision(17)) ? EXIT_SUCCESS
                                                                                   : EXIT_FAILURE;
 }

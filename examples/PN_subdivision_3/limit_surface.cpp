@@ -40,8 +40,7 @@ int main(int argc, char** argv)
     std::cerr << "Invalid input: " << filename << std::endl;
     return EXIT_FAILURE;
   }
-  auto normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
-  PN::estimate_control_normals(mesh, normals);
+  auto normals = PN::estimate_control_normals(mesh);
 
   const PN::CatmullClark_scheme scheme;
   PN::subdivide(mesh, scheme, params::number_of_iterations(3).vertex_normal_map(normals));
@@ -62,8 +61,10 @@ int main(int argc, char** argv)
             << sum / static_cast<double>(mesh.number_of_vertices()) << " degrees in the mean"
             << std::endl;
 
-  // Or the vertices go there, and get the normals of the surface.
-  const PN::Limit_report report = PN::subdivide_to_limit(mesh, scheme, np.number_of_iterations(0));
+  // Or the vertices go there, and get the normals of the surface, which a PLY file holds.
+  auto shading = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  const PN::Limit_report report =
+    PN::subdivide_to_limit(mesh, scheme, np.limit_normal_map(shading).number_of_iterations(0));
   std::cout << "Limit points: estimated error " << report.error << ", normals "
             << report.normal_error << ", " << report.depth << " rounds at most" << std::endl;
   if (!report.is_within_tolerance())

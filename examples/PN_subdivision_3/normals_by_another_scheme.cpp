@@ -44,8 +44,7 @@ int main(int argc, char** argv)
   }
   std::cout << "Input: " << num_vertices(mesh) << " vertices, " << num_faces(mesh) << " faces"
             << std::endl;
-  auto normals = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
-  PN::estimate_control_normals(mesh, normals);
+  auto normals = PN::estimate_control_normals(mesh);
   const Mesh control = mesh;
 
   const auto scheme = PN::with_normal_scheme(PN::Kobbelt_scheme(), PN::CatmullClark_scheme());
@@ -57,7 +56,7 @@ int main(int argc, char** argv)
             << timer.time() << " s" << std::endl;
 
   Mesh one_scheme = control;
-  auto own = one_scheme.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
+  auto own = PN::estimate_control_normals(one_scheme);
   PN::Kobbelt_subdivision(one_scheme, params::number_of_iterations(3).vertex_normal_map(own));
   double squared = 0;
   for (Mesh::Vertex_index v : mesh.vertices())

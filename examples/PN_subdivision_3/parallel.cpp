@@ -40,7 +40,7 @@ struct Progress
 template <class Concurrency_tag>
 Mesh refined(Mesh mesh, unsigned rounds)
 {
-  auto normals = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
+  auto normals = PN::estimate_control_normals(mesh);
   CGAL::Real_timer timer;
   timer.start();
   PN::CatmullClark_subdivision<Concurrency_tag>(
@@ -62,8 +62,6 @@ int main(int argc, char** argv)
   }
   std::cout << "Input: " << num_vertices(mesh) << " vertices, " << num_faces(mesh) << " faces"
             << std::endl;
-  auto normals = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
-  PN::estimate_control_normals(mesh, normals);
 
   std::cout << "One thread\n";
   const Mesh sequential = refined<CGAL::Sequential_tag>(mesh, rounds);

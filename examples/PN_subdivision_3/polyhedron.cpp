@@ -7,7 +7,7 @@
 // Author(s): PN_subdivision_3 developers
 
 // Any model of MutableFaceGraph, here a Polyhedron_3 with EPICK. Its control normals are in a map
-// of their own, outside the polyhedron.
+// of their own, outside the polyhedron, and grow with it.
 //
 //   polyhedron [MESH [OUTPUT]]
 
@@ -18,15 +18,11 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <cstdlib>
 #include <iostream>
-#include <map>
 #include <string>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Vector = Kernel::Vector_3;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Vertex = boost::graph_traits<Polyhedron>::vertex_descriptor;
 namespace PN = CGAL::PN_subdivision_3;
@@ -44,9 +40,7 @@ int main(int argc, char** argv)
   std::cout << "Input: " << num_vertices(polyhedron) << " vertices, " << num_faces(polyhedron)
             << " faces" << std::endl;
 
-  std::map<Vertex, Vector> vectors;
-  const auto normals = boost::make_assoc_property_map(vectors);
-  PN::estimate_control_normals(polyhedron, normals);
+  const auto normals = PN::estimate_control_normals(polyhedron);
 
   CGAL::Real_timer timer;
   timer.start();
@@ -58,7 +52,7 @@ int main(int argc, char** argv)
 
   // now the map holds the normals of all vertices of the refined polyhedron
   for (Vertex v : vertices(polyhedron))
-    if (vectors.count(v) == 0) return EXIT_FAILURE;
+    if (normals[v] == CGAL::NULL_VECTOR) return EXIT_FAILURE;
   return CGAL::IO::write_polygon_mesh(output, polyhedron, params::stream_precision(17))
            ? EXIT_SUCCESS
            : EXIT_FAILURE;

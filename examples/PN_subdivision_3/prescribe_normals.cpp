@@ -32,7 +32,7 @@ using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Vertex = Mesh::Vertex_index;
-using Normals = Mesh::Property_map<Vertex, Vector>;
+using Normals = CGAL::PN_subdivision_3::Estimated_control_normals<Vertex, Kernel>;
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
 
@@ -52,14 +52,13 @@ struct Design
 
   explicit Design(Mesh m)
     : mesh(std::move(m))
-    , normals(mesh.add_property_map<Vertex, Vector>("v:normal").first)
+    , normals(PN::estimate_control_normals(mesh))
     , points_of_limit(mesh.add_property_map<Vertex, std::optional<Point>>("v:p").first)
     , normals_of_limit(mesh.add_property_map<Vertex, std::optional<Vector>>("v:n").first)
     , curvatures_of_limit(
         mesh.add_property_map<Vertex, std::optional<PN::Prescribed_curvature<Kernel>>>("v:c").first)
     , limits(mesh.add_property_map<Vertex, PN::Limit_point<Kernel>>("v:limit").first)
   {
-    PN::estimate_control_normals(mesh, normals);
     evaluate();
   }
 
@@ -85,14 +84,15 @@ struct Design
   // the refined mesh on its limit, with the surface's normals
   bool write(const std::string& file) const
   {
-    Design fine = *this;
-    const Normals map = fine.mesh.add_property_map<Vertex, Vector>("v:normal").first;
-    PN::subdivide(fine.mesh, scheme, params::number_of_iterations(4).vertex_normal_map(map));
-    PN::subdivide_to_limit(
-      fine.mesh, scheme,
-      PN::parameters::surface_normals(true).vertex_normal_map(map).number_of_iterations(0));
-    return CGAL::IO::write_polygon_mesh(file, fine.mesh,
-                                        params::stream_precision(17).vertex_normal_map(map));
+    Mesh fine = mesh;
+    const auto shading = fine.add_property_map<Vertex, Vector>("v:normal").first;
+    PN::subdivide_to_limit(fine, scheme,
+                           PN::parameters::surface_normals(true)
+                             .limit_normal_map(shading)
+                             .vertex_normal_map(normals.clone())
+                             .number_of_iterations(4));
+    return CGAL::IO::write_polygon_mesh(file, fine,
+                                        params::stream_precision(17).vertex_normal_map(shading));
   }
 };
 

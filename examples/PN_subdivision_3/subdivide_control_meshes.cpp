@@ -75,17 +75,11 @@ std::optional<Round_surface> surface_in_comments(const std::string& comments)
   return std::nullopt;
 }
 
-// The maps by name, because those of a copy are others. They are not written to files: what the rounds
-// leave in the normals are control normals, and viewers shade better by the faces.
+// The maps by name, because those of a copy are others. They are not written to files: normals of the
+// file are control normals, and viewers shade better by the faces.
 auto sharp_edges(Mesh& mesh)
 {
   return mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
-}
-auto corner_normals(Mesh& mesh)
-{
-  return mesh
-    .add_property_map<Mesh::Halfedge_index, Kernel::Vector_3>("h:normal", CGAL::NULL_VECTOR)
-    .first;
 }
 auto vertex_normals(Mesh& mesh)
 {
@@ -95,12 +89,12 @@ auto vertex_normals(Mesh& mesh)
 void remove_maps(Mesh& mesh)
 {
   auto sharp = sharp_edges(mesh);
-  auto of_corners = corner_normals(mesh);
   auto of_vertices = vertex_normals(mesh);
   mesh.remove_property_map(sharp);
-  mesh.remove_property_map(of_corners);
   mesh.remove_property_map(of_vertices);
 }
+
+using Corner_normals = PN::Estimated_control_normals<Mesh::Halfedge_index, Kernel>;
 
 // Parts have some sharp edges and hardly any that are nearly so. Of the control mesh of a smooth shape, and
 // of a scan, that is not true.
@@ -120,6 +114,7 @@ std::size_t find_sharp_edges(Mesh& mesh, bool has_normals, std::optional<double>
 struct Input
 {
   Mesh mesh; // with the maps above
+  Corner_normals normals;
   std::size_t sharp_edges = 0;
   std::optional<Round_surface> surface;
   std::string repairs;
@@ -134,6 +129,8 @@ Input input_of_part(const part_file::Part& part)
     edges[e] = part_file::is_between_surfaces(part, e);
     input.sharp_edges += edges[e];
   }
+  for (const Mesh::Halfedge_index h : input.mesh.halfedges())
+    put(input.normals, h, part.normals[h]);
   return input;
 }
 
@@ -147,14 +144,13 @@ Input read(const std::filesystem::path& file, std::optional<double> degrees)
   input.repairs = control.repairs;
   input.surface = surface_in_comments(control.comments);
   input.sharp_edges = find_sharp_edges(input.mesh, control.has_normals, degrees);
-  const auto corners = corner_normals(input.mesh);
   if (!control.has_normals || input.sharp_edges > 0)
-    PN::estimate_control_normals(
-      input.mesh, corners, CGAL::parameters::edge_is_constrained_map(sharp_edges(input.mesh)));
+    input.normals = PN::estimate_control_normals(
+      input.mesh, params::edge_is_constrained_map(sharp_edges(input.mesh)));
   else {
     const auto normals = vertex_normals(input.mesh);
     for (const Mesh::Halfedge_index h : input.mesh.halfedges())
-      corners[h] = normals[input.mesh.target(h)];
+      put(input.normals, h, normals[input.mesh.target(h)]);
   }
   return input;
 }
@@ -170,13 +166,13 @@ unsigned number_of_rounds(const Mesh& mesh)
 }
 
 template <class Scheme>
-double subdivide(Mesh& mesh, const Scheme& scheme, bool with_normals, unsigned rounds)
+double subdivide(Mesh& mesh, const Scheme& scheme, const Corner_normals* normals, unsigned rounds)
 {
   CGAL::Real_timer timer;
   timer.start();
   const auto np = params::number_of_iterations(rounds).edge_is_constrained_map(sharp_edges(mesh));
-  if (with_normals)
-    PN::subdivide(mesh, scheme, np.vertex_normal_map(corner_normals(mesh)));
+  if (normals != nullptr)
+    PN::subdivide(mesh, scheme, np.vertex_normal_map(*normals));
   else
     PN::subdivide(mesh, PN::linear(scheme), np);
   return timer.time() * 1e3;
@@ -216,9 +212,9 @@ void subdivide(const std::filesystem::path& file, const std::filesystem::path& f
   Mesh linear = input.mesh, point_normal = input.mesh;
   for (const bool with_normals : {false, true}) {
     Mesh& mesh = with_normals ? point_normal : linear;
-    const double time = triangles
-                          ? subdivide(mesh, PN::Loop_scheme(), with_normals, rounds)
-                          : subdivide(mesh, PN::CatmullClark_scheme(), with_normals, rounds);
+    const Corner_normals* const normals = with_normals ? &input.normals : nullptr;
+    const double time = triangles ? subdivide(mesh, PN::Loop_scheme(), normals, rounds)
+                                  : subdivide(mesh, PN::CatmullClark_scheme(), normals, rounds);
     if (!with_normals) std::cout << std::setw(9) << mesh.number_of_faces();
     std::cout << std::fixed << std::setprecision(1) << std::setw(9) << time << " ms" << std::flush;
   }

@@ -40,12 +40,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Exact_kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 using Exact_mesh = CGAL::Surface_mesh<Exact_kernel::Point_3>;
 
-template <class Kernel_, class M>
-auto normal_map(M& mesh)
-{
-  using Vector = typename Kernel_::Vector_3;
-  return mesh.template add_property_map<typename M::Vertex_index, Vector>("v:normal").first;
-}
+using Normals = PN::Estimated_control_normals<Mesh::Vertex_index, Kernel>;
 
 template <class M>
 double largest_distance(const Mesh& a, const M& b)
@@ -60,16 +55,16 @@ double largest_distance(const Mesh& a, const M& b)
 }
 
 template <class Tag, class Scheme>
-Mesh refined(Mesh mesh, const Scheme& scheme, unsigned rounds)
+Mesh refined(Mesh mesh, const Normals& normals, const Scheme& scheme, unsigned rounds)
 {
-  PN::subdivide<Tag>(
-    mesh, scheme, params::number_of_iterations(rounds).vertex_normal_map(normal_map<Kernel>(mesh)));
+  PN::subdivide<Tag>(mesh, scheme,
+                     params::number_of_iterations(rounds).vertex_normal_map(normals.clone()));
   return mesh;
 }
 
 // The largest distance between one round with double and one with exact numbers.
 template <class Scheme>
-double rounding_error(Mesh control, const Scheme& scheme)
+double rounding_error(const Mesh& control, const Normals& normals, const Scheme& scheme)
 {
   // with the same numbers of all elements
   Exact_mesh exact;
@@ -77,12 +72,14 @@ double rounding_error(Mesh control, const Scheme& scheme)
     exact.add_vertex(Exact_kernel::Point_3(p.x(), p.y(), p.z()));
   for (Mesh::Face_index f : control.faces())
     exact.add_face(CGAL::vertices_around_face(control.halfedge(f), control));
-  const auto normals = normal_map<Kernel>(control);
-  const auto exact_normals = normal_map<Exact_kernel>(exact);
-  for (Mesh::Vertex_index v : control.vertices())
-    exact_normals[v] = Exact_kernel::Vector_3(normals[v].x(), normals[v].y(), normals[v].z());
+  PN::Estimated_control_normals<Exact_mesh::Vertex_index, Exact_kernel> exact_normals;
+  for (Mesh::Vertex_index v : control.vertices()) {
+    const Kernel::Vector_3 n = normals[v];
+    put(exact_normals, v, Exact_kernel::Vector_3(n.x(), n.y(), n.z()));
+    put(exact_normals.roundness_map(), v, get(normals.roundness_map(), v));
+  }
   PN::subdivide(exact, scheme, params::vertex_normal_map(exact_normals));
-  return largest_distance(refined<CGAL::Sequential_tag>(control, scheme, 1), exact);
+  return largest_distance(refined<CGAL::Sequential_tag>(control, normals, scheme, 1), exact);
 }
 
 #if __has_include(<Eigen/Eigenvalues>)
@@ -139,13 +136,13 @@ bool try_scheme(const std::string& filename, const Scheme& scheme, const std::st
     std::cerr << "Invalid input: " << filename << std::endl;
     return false;
   }
-  PN::estimate_control_normals(control, normal_map<Kernel>(control));
+  const Normals normals = PN::estimate_control_normals(control);
   std::cout << "Input: " << num_vertices(control) << " vertices, " << num_faces(control) << " faces"
             << std::endl;
 
   CGAL::Real_timer timer;
   timer.start();
-  const Mesh mesh = refined<CGAL::Sequential_tag>(control, scheme, 3);
+  const Mesh mesh = refined<CGAL::Sequential_tag>(control, normals, scheme, 3);
   timer.stop();
   std::cout << "Output: " << num_vertices(mesh) << " vertices, " << num_faces(mesh) << " faces in "
             << timer.time() << " s" << std::endl;
@@ -155,12 +152,13 @@ bool try_scheme(const std::string& filename, const Scheme& scheme, const std::st
   std::cout << "Largest distance to the linear scheme: " << largest_distance(mesh, linear)
             << std::endl;
 
-  const double error = rounding_error(control, scheme);
+  const double error = rounding_error(control, normals, scheme);
   std::cout << "Largest distance of one round to an exact one: " << error << std::endl;
   bool agree = error < 1e-13;
 
 #ifdef CGAL_LINKED_WITH_TBB
-  const double difference = largest_distance(mesh, refined<CGAL::Parallel_tag>(control, scheme, 3));
+  const double difference =
+    largest_distance(mesh, refined<CGAL::Parallel_tag>(control, normals, scheme, 3));
   std::cout << "Largest distance to the result of several threads: " << difference << std::endl;
   agree = agree && difference == 0;
 #endif

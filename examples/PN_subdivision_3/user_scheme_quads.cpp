@@ -92,12 +92,12 @@ struct Tension_scheme
 };
 
 // Tension 0 is Catmull-Clark.
-bool is_generalization(Mesh control)
+bool is_generalization(const Mesh& control)
 {
-  PN::estimate_control_normals(control, normal_map<Kernel>(control));
-  return largest_distance(refined<CGAL::Sequential_tag>(control, Tension_scheme{0}, 2),
-                          refined<CGAL::Sequential_tag>(control, PN::CatmullClark_scheme(), 2)) <
-         1e-13;
+  const Normals normals = PN::estimate_control_normals(control);
+  return largest_distance(
+           refined<CGAL::Sequential_tag>(control, normals, Tension_scheme{0}, 2),
+           refined<CGAL::Sequential_tag>(control, normals, PN::CatmullClark_scheme(), 2)) < 1e-13;
 }
 
 int main(int argc, char** argv)

@@ -48,16 +48,17 @@ export function commandFor(editor: Editor): string {
   return words.map(quoted).join(" ");
 }
 
-/** For a mesh with normals that has been read. */
+/** For a mesh with normals, and their roundness where it was estimated, that has been read. */
 export function programFor(editor: Editor): string {
   const { settings, roundness } = editor;
   const isLinear = settings.layout === "linear";
   const scheme = `PN::${classes[settings.scheme] ?? settings.scheme}()`;
-  let parameters = `CGAL::parameters::number_of_iterations(${settings.rounds})`;
+  let parameters = "CGAL::parameters::";
+  if (!isLinear && roundness === undefined) parameters = "PN::parameters::vertex_roundness_map(roundness).";
+  else if (!isLinear && roundness !== 1) parameters = `PN::parameters::roundness(${roundness}).`;
+  parameters += `number_of_iterations(${settings.rounds})`;
   if (!isLinear) parameters += ".vertex_normal_map(normals)";
   if (editor.mesh.numberOfSharpEdges() > 0) parameters += ".edge_is_constrained_map(creases)";
-  if (!isLinear && roundness === undefined) parameters = `PN::parameters::join(PN::parameters::vertex_roundness_map(roundness), ${parameters})`;
-  else if (!isLinear && roundness !== 1) parameters = `PN::parameters::join(PN::parameters::roundness(${roundness}), ${parameters})`;
   return [
     "#include <CGAL/PN_subdivision_3.h>",
     "namespace PN = CGAL::PN_subdivision_3;",

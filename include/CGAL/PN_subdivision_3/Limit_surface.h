@@ -139,6 +139,8 @@ public:
   Limit_surface(const FaceGraph& mesh, const Scheme& scheme,
                 const NamedParameters& np = parameters::default_values())
   {
+    internal::check_are_read<NamedParameters, internal::Read_of_control_mesh, internal::tolerance_t,
+                             internal::normal_tolerance_t>();
     if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
       internal::with_scheme_of_call(
         scheme, np, [&](const auto& s, const auto& others) { this->read_any(mesh, s, others); });

@@ -99,6 +99,7 @@ public:
   template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
   void build_mesh(PolygonMesh& mesh, const NamedParameters& np = parameters::default_values()) const
   {
+    internal::check_are_read<NamedParameters, internal::attributes_t>();
     if constexpr (internal::check_build_arguments<PolygonMesh, NamedParameters>() &&
                   internal::check_attributes<PolygonMesh, NamedParameters>()) {
       using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;

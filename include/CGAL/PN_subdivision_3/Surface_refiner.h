@@ -142,6 +142,8 @@ public:
   Surface_refiner(const PolygonMesh& mesh, const Scheme& scheme,
                   const NamedParameters& np = parameters::default_values())
   {
+    internal::check_are_read<NamedParameters, internal::Read_of_control_mesh,
+                             internal::attributes_t>();
     if constexpr (internal::check_named_parameters<NamedParameters>()) {
       control_vertices_ = internal::Control_vertices<PolygonMesh>(mesh, np);
       if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
@@ -267,6 +269,7 @@ public:
   template <class RefinedMesh, class NamedParameters = parameters::Default_named_parameters>
   void build_mesh(RefinedMesh& mesh, const NamedParameters& np = parameters::default_values()) const
   {
+    internal::check_are_read<NamedParameters, internal::attributes_t>();
     if constexpr (internal::check_build_arguments<RefinedMesh, NamedParameters, true>() &&
                   internal::check_attributes<RefinedMesh, NamedParameters>()) {
       const Level_connectivity refined = connectivity();
@@ -301,6 +304,7 @@ public:
   void update_mesh(RefinedMesh& mesh,
                    const NamedParameters& np = parameters::default_values()) const
   {
+    internal::check_are_read<NamedParameters>();
     if constexpr (internal::check_build_arguments<RefinedMesh, NamedParameters>()) {
       using Parameters = internal::Surface_parameters<RefinedMesh, NamedParameters>;
       const auto map = Parameters::normal_map(np);
@@ -392,15 +396,19 @@ private:
                                          internal::normal_estimate(scheme),
                                          takes_corners || !creases.empty());
     if constexpr (takes_corners) {
-      std::vector<Value> slots(creases.number_of_slots);
-      internal::read_corner_normals<FT>(access, level, creases, normals, slots);
-      control_->set_slot_normals(slots);
+      std::vector<Value> slots;
+      const auto read = [&](const auto& creases_of_slots, std::vector<Value>& slots) {
+        slots.assign(creases_of_slots.number_of_slots, Value());
+        std::vector<bool> is_put(slots.size(), !internal::is_of_estimate_v<Normal_map>);
+        internal::read_corner_normals<FT>(access, level, creases_of_slots, normals, slots, &is_put);
+        return is_put;
+      };
+      std::vector<bool> is_put = read(creases, slots);
+      control_->set_slots(slots, std::move(is_put));
       if constexpr (internal::are_creases_v<Level_creases>)
         if (internal::has_fractions(creases)) {
-          const auto others = internal::Gone_creases<FT>(level, creases).creases;
-          slots.assign(others.number_of_slots, Value());
-          internal::read_corner_normals<FT>(access, level, others, normals, slots);
-          control_->set_slot_normals_without_fractions(slots);
+          is_put = read(internal::Gone_creases<FT>(level, creases).creases, slots);
+          control_->set_slots_without_fractions(slots, std::move(is_put));
         }
     }
     control_->set_roundness(roundness);

@@ -211,6 +211,7 @@ Comparison_with_linear compare_with_linear(const PolygonMesh& mesh, const Scheme
                                            const NamedParameters& np = parameters::default_values())
 {
   Comparison_with_linear comparison;
+  internal::check_are_read<NamedParameters, internal::Read_of_control_mesh>();
   if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
     return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
       return compare_with_linear<Concurrency_tag>(mesh, s, others);
@@ -267,6 +268,9 @@ compare_with_linear(const ControlMesh& control, const PolygonMesh& result,
                     const ResultParameters& np_result = parameters::default_values(),
                     const LinearParameters& np_linear = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters>();
+  internal::check_are_read<ResultParameters>();
+  internal::check_are_read<LinearParameters>();
   using Parameters = internal::Surface_parameters<ControlMesh, NamedParameters>;
   using FT = typename Parameters::FT;
   const auto read = [](const auto& mesh, const auto& parameters_of_mesh) {

@@ -275,7 +275,8 @@ auto limits_of_listed_masks(const Range& polygon, const std::vector<Mask>& masks
         "PN_subdivision_3: of the masks of the rounds some are primal and "
         "some dual, so that no limit belongs to a vertex or an edge");
   auto refined = subdivide_curve(polygon, masks.front(), end,
-                                 parameters::join(CGAL::parameters::number_of_iterations(0), np));
+                                 PN_subdivision_3::parameters::shared(parameters::join(
+                                   CGAL::parameters::number_of_iterations(0), np)));
   std::vector<Place_of_limit> places;
   for (std::size_t i = 0; i < refined.size(); ++i)
     places.push_back({static_cast<std::int64_t>(i), static_cast<double>(i)});
@@ -357,6 +358,9 @@ template <class Range, class Mask, class NamedParameters = parameters::Default_n
 auto curve_limit_points(const Range& polygon, const Mask& mask, Curve_end end,
                         const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters, internal::roundness_t, internal::tolerance_t,
+                           internal::normal_tolerance_t, internal::max_depth_t,
+                           internal::curve_normals_t, internal::curvatures_t>();
   using Parameters = internal::Curve_parameters<Range, NamedParameters>;
   if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {
     if constexpr (internal::Is_listed<Mask>::value)

@@ -129,6 +129,7 @@ template <class PolygonMesh, class EdgeMap,
 std::size_t detect_creases(const PolygonMesh& mesh, double degrees, EdgeMap edge_map,
                            const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters>();
   if constexpr (!internal::check_detection_arguments<PolygonMesh, EdgeMap, NamedParameters>())
     return 0;
   else {

@@ -110,6 +110,18 @@ Enclosure::Mesh mesh_of_intervals(const PolygonMesh& mesh, Point_map points,
   return result;
 }
 
+// of the same vertices in the same order
+template <class PolygonMesh, class Roundness_map>
+auto roundness_in_intervals(const PolygonMesh& mesh, Enclosure::Mesh& copy, Roundness_map roundness)
+{
+  using Vertex = Enclosure::Mesh::Vertex_index;
+  auto result = copy.add_property_map<Vertex, CGAL::Gmpfi>("v:roundness", 1).first;
+  Enclosure::Mesh::size_type i = 0;
+  for (auto v : vertices(mesh))
+    result[Vertex(i++)] = measure_number<CGAL::Gmpfi>(get(roundness, v));
+  return result;
+}
+
 inline double greatest_width(const Enclosure::Mesh& mesh)
 {
   double width = 0;
@@ -142,7 +154,8 @@ it.
 \param scheme the scheme
 \param rounds how many rounds
 \param width the largest width of a coordinate of a refined point
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `vertex_normal_map`, as in `subdivide()`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `vertex_normal_map`,
+  `vertex_roundness_map`, which is only read, and `roundness`, as in `subdivide()`
 \param most_bits the ceiling of the precision
 
 \throws std::domain_error if the ceiling is reached: the message tells how wide the intervals are then, or what is not decided
@@ -153,6 +166,8 @@ template <class PolygonMesh, class Scheme,
 Enclosure enclose(const PolygonMesh& mesh, const Scheme& scheme, unsigned rounds, double width,
                   const NamedParameters& np = parameters::default_values(), long most_bits = 4096)
 {
+  internal::check_are_read<NamedParameters, internal::roundness_t,
+                           internal::vertex_roundness_map_t>();
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
   if (!(width >= 0))
     throw std::invalid_argument(
@@ -168,11 +183,23 @@ Enclosure enclose(const PolygonMesh& mesh, const Scheme& scheme, unsigned rounds
         result.mesh
           .add_property_map<Enclosure::Mesh::Vertex_index, Enclosure::Kernel::Vector_3>("v:normal")
           .first;
-      const auto iterations = parameters::number_of_iterations(rounds);
-      if constexpr (std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>)
-        subdivide(result.mesh, scheme, iterations);
+
+      const auto refine = [&](const auto& call) {
+        if constexpr (std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>)
+          subdivide(result.mesh, scheme, call);
+        else
+          subdivide(result.mesh, scheme, call.vertex_normal_map(normals));
+      };
+      if constexpr (internal::is_given_roundness_v<typename Parameters::Roundness_map>)
+        refine(PN_subdivision_3::parameters::vertex_roundness_map(
+                 internal::roundness_in_intervals(mesh, result.mesh, Parameters::roundness_map(np)))
+                 .number_of_iterations(rounds));
+      else if constexpr (internal::is_given_roundness_v<typename Parameters::Roundness>)
+        refine(PN_subdivision_3::parameters::roundness(
+                 internal::measure_number<CGAL::Gmpfi>(Parameters::roundness(np)))
+                 .number_of_iterations(rounds));
       else
-        subdivide(result.mesh, scheme, iterations.vertex_normal_map(normals));
+        refine(parameters::number_of_iterations(rounds));
       result.bits = bits;
       result.width = internal::greatest_width(result.mesh);
       if (result.width <= width) return result;

@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ESTIMATE_CONTROL_NORMALS_H
 #define CGAL_PN_SUBDIVISION_3_ESTIMATE_CONTROL_NORMALS_H
 
+#include <CGAL/PN_subdivision_3/Estimated_control_normals.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/creases/estimate_corner_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
@@ -33,20 +34,65 @@ struct Estimated_values
   using Value = Point_normal_roundness<FT, 3>;
 };
 
-template <class Map, class Vertex, class FT>
-void put_roundness(Map map, Vertex v, const FT& w)
+// puts normals and roundness of vertices into maps
+template <class Access, class PolygonMesh, class Normal_map, class Roundness_map,
+          class NamedParameters>
+void estimate_vertex_normals(const Access& access, const PolygonMesh& mesh,
+                             const Normal_map& normals, const Roundness_map& roundness,
+                             const NamedParameters& np)
 {
-  if constexpr (!std::is_same_v<Map, No_roundness>)
-    put(map, v, roundness_as<std::decay_t<typename boost::property_traits<Map>::value_type>>(w));
+  using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
+  using FT = typename Parameters::FT;
+  using Normal = typename boost::property_traits<Normal_map>::value_type;
+  const Level_connectivity level = checked_level(access);
+  const Control_normal_estimate estimate =
+    parameter_or<control_normal_estimate_t>(np, Control_normal_estimate::coherent);
+  const auto values = read_values<Estimated_values<FT>>(
+    access, level, Parameters::const_point_map(mesh, np), No_normal_map(), estimate);
+  for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v) {
+    const Coordinates<FT, 3>& n = values[v].normal;
+    put(normals, access.vertex(v), Normal(n[0], n[1], n[2]));
+    put_roundness(roundness, access.vertex(v), values[v].roundness);
+  }
 }
+
+// into maps of vertices or of half-edges; of an estimate both
+template <class PolygonMesh, class Normal_map, class Roundness_map, class NamedParameters>
+void estimate_into(const PolygonMesh& mesh, const Normal_map& normals,
+                   const Roundness_map& roundness, const NamedParameters& np)
+{
+  if constexpr (check_estimation_arguments<PolygonMesh, Normal_map, NamedParameters>())
+    with_mesh_access(mesh, [&](const auto& access) {
+      if constexpr (is_of_halfedges_v<std::decay_t<decltype(access)>, Normal_map>)
+        estimate_corner_normals(access, mesh, normals, roundness, np);
+      else
+        estimate_vertex_normals(access, mesh, normals, roundness, np);
+    });
+}
+
+// the estimate of a call: of corners where it tells what is sharp
+template <class PolygonMesh, class NamedParameters>
+using Estimate_of_call = Estimated_control_normals<
+  std::conditional_t<is_given_v<internal_np::edge_is_constrained_t, NamedParameters> ||
+                       is_given_v<internal_np::vertex_is_constrained_t, NamedParameters> ||
+                       is_given_v<border_t, NamedParameters>,
+                     typename boost::graph_traits<PolygonMesh>::halfedge_descriptor,
+                     typename boost::graph_traits<PolygonMesh>::vertex_descriptor>,
+  typename Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits>;
 
 } // namespace internal
 
 /*!
 \ingroup PkgPNSubdivision3Functions
 
-estimates control normals from the points of a mesh, and how round it is at each of its vertices. The normals
-are exact, up to rounding, for points on a sphere in any arrangement that turns by less than 36 degrees from vertex
+estimates control normals from the points of a mesh, and how round it is at each of its vertices. Where they are passed on as they are, the
+surface is the one without a `vertex_normal_map`; where one is put in their place, the surface goes there.
+\code{.cpp}
+auto normals = PN::estimate_control_normals(mesh);
+put(normals, v, Vector(0, 0, 1));
+PN::subdivide(mesh, scheme, params::vertex_normal_map(normals));
+\endcode
+The normals are exact, up to rounding, for points on a sphere in any arrangement that turns by less than 36 degrees from vertex
 to face, and for points on a cylinder, a cone or a torus at the crossings of parallels and straight or circular
 meridians, as quads or triangulated. \ref PN_subdivision_3_control_normals "The manual" compares the estimates.
 
@@ -132,7 +178,7 @@ would have none if their coordinates were not rounded.
 
 A vertex without faces, or one at which the sum vanishes, gets the zero vector, "no control normal".
 
-<b>Corners.</b> A map of half-edges gets a normal for every corner of a face, for meshes with creases: those that `subdivide()`
+<b>Corners.</b> For meshes with creases there is a normal for every corner of a face: those that `subdivide()`
 takes for the wedges of vertices between sharp edges where none are given. The normals of a wedge are estimated from its
 faces alone, then made orthogonal to the tangents of the creases beside it, which come from the points along the creases.
 Corners of one wedge get the same normal. With all edges of a straight prism sharp but those along its sides, the normals
@@ -144,6 +190,41 @@ the type, as are angle-weighted ones where the type has its own `atan2()` (`Gmpf
 between the two, its weights, borders, areas, angles, roundness) is computed in `double` from the differences of the points; `float` is widened to `double`.
 
 \tparam PolygonMesh a model of `FaceListGraph`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh an oriented 2-manifold with border
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `geom_traits`,
+  `edge_is_constrained_map`, `vertex_is_constrained_map` and `border` as in `subdivide()`, and `control_normal_estimate`
+
+\returns an `Estimated_control_normals`, a property map that `vertex_normal_map` takes and that carries the roundness: of vertices or,
+  if one of the parameters that tell what is sharp is given, of half-edges
+
+\throws std::invalid_argument if the mesh is not an oriented 2-manifold with border, a point is
+  not finite, or a sharpness is negative or not a number
+<br><b>Cost:</b> linear in the size of the mesh
+*/
+template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<internal::are_named_parameters_v<NamedParameters>, int> = 0>
+auto estimate_control_normals(const PolygonMesh& mesh,
+                              const NamedParameters& np = parameters::default_values())
+{
+  internal::check_are_read<NamedParameters, internal::control_normal_estimate_t,
+                           internal::border_t>();
+  if constexpr (internal::check_is_point_map<PolygonMesh, NamedParameters>()) {
+    internal::Estimate_of_call<PolygonMesh, NamedParameters> estimate;
+    internal::estimate_into(mesh, internal::normals_of<false, true>(estimate),
+                            estimate.roundness_map(), np);
+    return estimate;
+  }
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+writes estimated control normals, as `estimate_control_normals()` returns them, into a map of one's own. *They do not know how round the
+surface is:* where such a map is given to `subdivide()`, and no roundness beside it, that is 1.
+
+\tparam PolygonMesh a model of `FaceListGraph`
 \tparam VertexNormalMap a model of `WritablePropertyMap` with
   `boost::graph_traits<PolygonMesh>::%vertex_descriptor` or `%halfedge_descriptor` as key type and a `Vector_3` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -151,46 +232,28 @@ between the two, its weights, borders, areas, angles, roundness) is computed in 
 \param mesh an oriented 2-manifold with border
 \param normals the map to write, of vertices, or of half-edges: of those that have a face, the normal of the corner of that face at the
   target; if it throws, some normals may have been written
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
-  and `geom_traits` as in `subdivide()`, and `parameters::vertex_roundness_map()` with a model of
-  `WritablePropertyMap` whose values are numbers: the roundness is written into it; also
-  `parameters::control_normal_estimate()`; for corners `edge_is_constrained_map` and `vertex_is_constrained_map`, as in `subdivide()`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as of the other form, and
+  `parameters::vertex_roundness_map()` with a model of `WritablePropertyMap` whose values are numbers: the roundness is written into it
 
-\throws std::invalid_argument if the mesh is not an oriented 2-manifold with border, a point is
-  not finite, or a sharpness is negative or not a number; nothing has been written then
-<br><b>Cost:</b> linear in the size of the mesh
+\throws std::invalid_argument as the other form; nothing has been written then
 */
 template <class PolygonMesh, class VertexNormalMap,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!internal::are_named_parameters_v<VertexNormalMap>, int> = 0>
 void estimate_control_normals(const PolygonMesh& mesh, VertexNormalMap normals,
                               const NamedParameters& np = parameters::default_values())
 {
-  if constexpr (internal::check_estimation_arguments<PolygonMesh, VertexNormalMap,
-                                                     NamedParameters>()) {
-    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-    using FT = typename Parameters::FT;
-    using Normal = typename boost::property_traits<VertexNormalMap>::value_type;
-    using Index = Level_connectivity::Index;
-    const auto points = Parameters::const_point_map(mesh, np);
-    internal::with_mesh_access(mesh, [&](const auto& access) {
-      if constexpr (internal::is_of_halfedges_v<std::decay_t<decltype(access)>, VertexNormalMap>) {
-        internal::estimate_corner_normals(access, mesh, normals, np);
-        return;
-      } else {
-        const Level_connectivity level = internal::checked_level(access);
-        const Control_normal_estimate estimate =
-          internal::parameter_or<internal::control_normal_estimate_t>(
-            np, Control_normal_estimate::coherent);
-        const auto values = internal::read_values<internal::Estimated_values<FT>>(
-          access, level, points, internal::No_normal_map(), estimate);
-        for (Index v = 0; v < level.number_of_vertices(); ++v) {
-          const Coordinates<FT, 3>& n = values[v].normal;
-          put(normals, access.vertex(v), Normal(n[0], n[1], n[2]));
-          internal::put_roundness(Parameters::roundness_map(np), access.vertex(v),
-                                  values[v].roundness);
-        }
-      }
-    });
+  internal::check_are_read<NamedParameters, internal::control_normal_estimate_t, internal::border_t,
+                           internal::vertex_roundness_map_t>();
+  using Given = internal::Parameter_type<internal::vertex_roundness_map_t, NamedParameters,
+                                         internal::No_roundness>;
+  const auto written = internal::normals_of<false, true>(normals);
+  if constexpr (internal::check_written_roundness<PolygonMesh, Given>()) {
+    if constexpr (internal::is_given_roundness_v<Given>)
+      internal::estimate_into(
+        mesh, written, parameters::get_parameter(np, internal::vertex_roundness_map_t()), np);
+    else
+      internal::estimate_into(mesh, written, internal::roundness_of<true>(normals), np);
   }
 }
 

@@ -209,6 +209,7 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Curva
 void estimate_curvature(const PolygonMesh& mesh, CurvatureMap curvatures,
                         const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters>();
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
   using Value = typename boost::property_traits<CurvatureMap>::value_type;
   using Index = Level_connectivity::Index;

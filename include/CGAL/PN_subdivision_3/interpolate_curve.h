@@ -192,6 +192,9 @@ auto interpolate_curve(const Range& polygon, const Mask& mask, Curve_end end,
   static_assert(!internal::Has_own_normal_mask<Mask>::value &&
                   !internal::Is_level_dependent<Mask>::value,
                 "PN_subdivision_3: interpolation is for one mask of points and normals");
+  internal::check_are_read<NamedParameters, internal::roundness_t, internal::interpolation_mode_t,
+                           internal::interpolation_normals_t, internal::tolerance_t,
+                           internal::max_depth_t, internal::max_steps_t>();
   using Points = internal::Curve_points<Range, NamedParameters>;
   constexpr int dimension = Points::dimension;
   const internal::Interpolation_options options = internal::interpolation_options(np);

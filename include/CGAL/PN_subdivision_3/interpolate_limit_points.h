@@ -129,6 +129,10 @@ Limit_interpolation
 interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
                          const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters, internal::Read_of_control_mesh,
+                           internal::interpolation_mode_t, internal::interpolation_normals_t,
+                           internal::free_vertices_t, internal::vertex_is_interpolated_map_t,
+                           internal::tolerance_t, internal::max_depth_t, internal::max_steps_t>();
   if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
     return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
       return interpolate_limit_points<Concurrency_tag>(mesh, s, others);

@@ -127,33 +127,6 @@ Limit_report limits_of_call(const PolygonMesh& mesh, const Scheme& scheme, Limit
     return on_primal_host<Limit_report, Call>(scheme, of_scheme);
 }
 
-// A map of limits that writes what the call has maps for: points, normals and errors.
-template <class Key, class Kernel, class NamedParameters>
-struct Limit_maps
-{
-  using key_type = Key;
-  using value_type = Limit_point<Kernel>;
-  using reference = void;
-  using category = boost::writable_property_map_tag;
-
-  friend void put(const Limit_maps& maps, const Key& key, const value_type& limit)
-  {
-    maps.template write<limit_point_map_t>(key, limit.point);
-    maps.template write<limit_normal_map_t>(key, limit.surface_normal);
-    maps.template write<limit_error_map_t>(key, limit.error);
-  }
-  template <class Tag, class Value>
-  void write([[maybe_unused]] const Key& key, [[maybe_unused]] const Value& value) const
-  {
-    if constexpr (is_given_v<Tag, NamedParameters>) {
-      const auto map = parameters::get_parameter(np, Tag());
-      put(map, key, value);
-    }
-  }
-
-  const NamedParameters& np;
-};
-
 // the elements that have limits: those of the map of points, normals or errors that is given
 template <class PolygonMesh, class NamedParameters>
 struct Key_of_limits
@@ -277,6 +250,11 @@ Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMa
                           const NamedParameters& np = parameters::default_values())
 {
   if constexpr (internal::are_named_parameters_v<LimitMap>) {
+    internal::check_are_read<
+      LimitMap, internal::Read_of_control_mesh, internal::tolerance_t, internal::normal_tolerance_t,
+      internal::max_depth_t, internal::points_t, internal::surface_normals_t,
+      internal::curvatures_t, internal::rounds_done_t, internal::limit_point_map_t,
+      internal::limit_normal_map_t, internal::limit_error_map_t>();
     using Keys = internal::Key_of_limits<PolygonMesh, LimitMap>;
     using Kernel = typename internal::Surface_parameters<PolygonMesh, LimitMap>::Geom_traits;
     static_assert(Keys::is_given,
@@ -289,6 +267,11 @@ Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMa
     else
       return {};
   } else {
+    internal::check_are_read<
+      NamedParameters, internal::Read_of_control_mesh, internal::tolerance_t,
+      internal::normal_tolerance_t, internal::max_depth_t, internal::points_t,
+      internal::surface_normals_t, internal::curvatures_t, internal::rounds_done_t,
+      internal::limit_point_map_t, internal::limit_normal_map_t, internal::limit_error_map_t>();
     static_assert(
       !internal::is_given_v<internal::limit_point_map_t, NamedParameters> &&
         !internal::is_given_v<internal::limit_normal_map_t, NamedParameters> &&

@@ -509,6 +509,22 @@ inline auto attributes(Attribute_table& table)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
+marks a pack whose parameters are for several functions, each of which reads some of them. Otherwise a function refuses, when it is
+compiled, parameters of this package that it does not read.
+\code{.cpp}
+const auto np = parameters::shared(parameters::border(Border::curve).tolerance(1e-9));
+subdivide(mesh, scheme, np); // without the tolerance
+limit_points(mesh, scheme, limits, np);
+\endcode
+*/
+template <class NamedParameters>
+auto shared(const NamedParameters& np)
+{
+  return internal::with_parameter<internal::is_shared_t>(true, np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
 returns one pack of the parameters of several, this package's and \cgal's in any order. Of a parameter that two have, that of
 the first one counts.
 \code{.cpp}

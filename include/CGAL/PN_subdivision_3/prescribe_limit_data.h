@@ -194,6 +194,11 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Schem
 Limit_interpolation prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme,
                                          const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters, internal::Read_of_control_mesh,
+                           internal::prescribed_point_map_t, internal::prescribed_normal_map_t,
+                           internal::prescribed_curvature_map_t, internal::tolerance_t,
+                           internal::max_depth_t, internal::rings_t,
+                           internal::curvature_tolerance_t, internal::max_curvature_steps_t>();
   if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
     return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
       return prescribe_limit_data<Concurrency_tag>(mesh, s, others);

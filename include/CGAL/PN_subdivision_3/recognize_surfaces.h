@@ -70,6 +70,8 @@ recognize_surfaces(const FaceGraph& mesh, FacePatchMap patch_map,
 {
   using Number = typename boost::property_traits<FacePatchMap>::value_type;
   std::vector<Recognized_surface> result;
+  internal::check_are_read<NamedParameters, internal::min_facets_t,
+                           internal::surface_tolerance_t>();
   const internal::Recognition_parameters<NamedParameters> options(np);
   internal::with_mesh_access(mesh, [&](const auto& access) {
     const auto read = internal::read_part(mesh, access, np, options.tolerance);
@@ -120,6 +122,8 @@ std::size_t surface_creases(const FaceGraph& mesh, FacePatchMap patch_map,
                             EdgeIsCreaseMap edge_map,
                             const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters, internal::min_facets_t, internal::surface_tolerance_t,
+                           internal::sharp_angle_t>();
   using Parameters = internal::Surface_parameters<FaceGraph, NamedParameters>;
   using Index = Level_connectivity::Index;
   std::size_t number = 0;

@@ -135,6 +135,11 @@ public:
   Surface_pieces(const PolygonMesh& mesh, const Scheme& scheme,
                  const NamedParameters& np = parameters::default_values())
   {
+    internal::check_are_read<NamedParameters, internal::Read_of_control_mesh,
+                             internal::attributes_t, internal::number_of_pieces_t,
+                             internal::to_limit_t, internal::tolerance_t,
+                             internal::normal_tolerance_t, internal::max_depth_t,
+                             internal::points_t, internal::surface_normals_t>();
     if constexpr (internal::check_named_parameters<NamedParameters>()) {
       number_of_pieces_ = internal::parameter_or<internal::number_of_pieces_t>(np, std::size_t(1));
       if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)

@@ -257,6 +257,7 @@ template <class PolygonMesh, class Shape,
 auto mesh_deviation(const PolygonMesh& mesh, const Shape& shape,
                     const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters>();
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
   using Vertex = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
   const auto points = Parameters::const_point_map(mesh, np);
@@ -299,6 +300,7 @@ template <class Range, class Shape, class NamedParameters = parameters::Default_
 auto curve_deviation(const Range& curve, const Shape& shape,
                      const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters>();
   using Points = internal::Curve_points<Range, NamedParameters>;
   using Point = typename Points::Point;
   const auto measure = internal::shape_for<Point>(shape);

@@ -161,6 +161,7 @@ Normal_smoothing_report
 smooth_control_normals(const PolygonMesh& mesh, NormalMap normals,
                        const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters>();
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
   Normal_smoothing_report report;
   if constexpr (internal::check_smoothing_arguments<PolygonMesh, NormalMap, NamedParameters>()) {
@@ -173,7 +174,9 @@ smooth_control_normals(const PolygonMesh& mesh, NormalMap normals,
       const Level_connectivity level = internal::checked_level(access);
       internal::Vectors<3> smooth;
       const auto write = [&](const auto& for_each_normal, auto element, const auto& data) {
-        internal::Changed_values<Access, NormalMap, decltype(element)> changed(access, normals);
+        const auto alone = internal::normals_of<false>(normals);
+        internal::Changed_values<Access, std::decay_t<decltype(alone)>, decltype(element)> changed(
+          access, alone);
         for_each_normal([&](Index i, Index slot) {
           if (smooth[slot] != data.normals[slot]) changed.template change<FT>(i, smooth[slot]);
         });

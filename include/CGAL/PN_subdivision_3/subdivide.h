@@ -214,6 +214,8 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Schem
 void subdivide(PolygonMesh& mesh, const Scheme& scheme,
                const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters, internal::Read_of_control_mesh,
+                           internal::attributes_t>();
   if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
     return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
       return subdivide<Concurrency_tag>(mesh, s, others);

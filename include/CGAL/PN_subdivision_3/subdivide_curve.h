@@ -86,7 +86,9 @@ void for_each_point_and_normal(const Range& polygon, [[maybe_unused]] Curve_end 
     const auto normal_map = Parameters::normal_map(np);
     for (const auto& item : polygon) f(get(point_map, item), get(normal_map, item));
   } else if constexpr (needs_normals) {
-    for (const auto& [point, normal] : estimate_control_normals(polygon, end, np)) f(point, normal);
+    const auto shared = PN_subdivision_3::parameters::shared(np);
+    for (const auto& [point, normal] : estimate_control_normals(polygon, end, shared))
+      f(point, normal);
   } else
     for (const auto& item : polygon)
       f(get(point_map, item), typename Parameters::Vector(NULL_VECTOR));
@@ -170,6 +172,7 @@ template <class Range, class Mask, class NamedParameters = parameters::Default_n
 auto subdivide_curve(const Range& polygon, const Mask& mask, Curve_end end,
                      const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters, internal::roundness_t>();
   using Parameters = internal::Curve_parameters<Range, NamedParameters>;
   if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {
     internal::Curve_subdivision<typename Parameters::FT, Parameters::dimension, Mask> curve(

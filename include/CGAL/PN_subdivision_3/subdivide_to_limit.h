@@ -32,7 +32,7 @@ subdivides a mesh and puts its vertices on the limit surface. With 0 rounds, aft
 result is the same. Limits are computed before the mesh is touched, so that the strong guarantee is that of one
 call.
 
-Points become the limit points. Normals, if there is a `vertex_normal_map`, become the surface normals if
+Points become the limit points. `limit_normal_map` gets the normals for shading. Normals, if there is a `vertex_normal_map`, become the surface normals if
 `parameters::surface_normals()` asks for them, and otherwise the limit control normals. With a linear scheme normals
 are written only as surface normals. With a map of half-edges the wedges
 of creases have their own, and `crease_tangent_map` gets the tangents of the limit; with a map of
@@ -49,7 +49,7 @@ not moved to their limits. With 0 rounds they stay as they are, and the visitor 
 an exception of `round_done()`, also of the last round, after which limits are computed.
 
 <b>Strong guarantee.</b> If an exception leaves the function, the maps are as they were, except for maps of
-the user's whose `put()` throws also while old values are put back.
+the user's whose `put()` throws also while old values are put back, or which cannot be read.
 
 \param mesh an oriented 2-manifold with border
 \param scheme the scheme
@@ -57,8 +57,8 @@ the user's whose `put()` throws also while old values are put back.
   `vertex_point_map`, `vertex_normal_map` with the control normals (without it they are estimated), `control_normal_estimate`,
   `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `border`,
   `crease_tangent_map`, `attributes`, `visitor` and `geom_traits` as in `subdivide()`; `tolerance`, `normal_tolerance`, `max_depth`,
-  `points` and `surface_normals` as in `limit_points()`, and `rounds_done` with 0 rounds, since otherwise the call counts its rounds
-  itself
+  `points`, `surface_normals`, `limit_point_map`, `limit_normal_map` and `limit_error_map` (of the vertices of the result) as in
+  `limit_points()`, and `rounds_done` with 0 rounds, since otherwise the call counts its rounds itself
 
 \returns what was reached
 
@@ -71,6 +71,11 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Schem
 Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
                                 const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters, internal::Read_of_control_mesh, internal::attributes_t,
+                           internal::tolerance_t, internal::normal_tolerance_t,
+                           internal::max_depth_t, internal::points_t, internal::surface_normals_t,
+                           internal::rounds_done_t, internal::limit_point_map_t,
+                           internal::limit_normal_map_t, internal::limit_error_map_t>();
   if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
     return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
       return subdivide_to_limit<Concurrency_tag>(mesh, s, others);
@@ -102,6 +107,8 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
       auto& carried = internal::unwrapped(attributes);
       const internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<decltype(carried)>>
         carry{unwrapped, carried};
+      const internal::Limit_maps_of_call<typename Parameters::Geom_traits, NamedParameters> maps{
+        np};
       internal::with_mesh_access(mesh, [&](auto& access) {
         report =
           internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
@@ -110,7 +117,7 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
               subdivision(s, rounds, options, round_done);
             return subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
                                Parameters::edge_constraint_map(np),
-                               Parameters::vertex_constraint_map(np), carry);
+                               Parameters::vertex_constraint_map(np), carry, maps);
           });
       });
     }

@@ -27,20 +27,34 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+template <class NamedParameters>
+constexpr bool may_be_variant()
+{
+  if constexpr (are_named_parameters_v<NamedParameters>)
+    return is_given_v<curvature_transfer_t, NamedParameters> ||
+           is_given_v<tuned_t, NamedParameters>;
+  else
+    return false;
+}
+
 // by the scheme, or by the variant of it that the call asks for
 template <class Concurrency_tag, class Scheme, class Tuned, class Transfer, class PolygonMesh,
           class NamedParameters>
 void subdivide_by_variant(PolygonMesh& mesh, const NamedParameters& np)
 {
-  if constexpr (are_named_parameters_v<NamedParameters>) {
+  check_are_read<NamedParameters, Read_of_control_mesh, attributes_t, tuned_t,
+                 curvature_transfer_t>();
+  if constexpr (may_be_variant<NamedParameters>()) {
+    const auto shared = parameters::shared(np); // read by both
     if constexpr (is_given_v<curvature_transfer_t, NamedParameters>)
       if (parameters::get_parameter(np, curvature_transfer_t()))
-        return subdivide<Concurrency_tag>(mesh, Transfer(), np);
+        return subdivide<Concurrency_tag>(mesh, Transfer(), shared);
     if constexpr (is_given_v<tuned_t, NamedParameters>)
       if (parameters::get_parameter(np, tuned_t()))
-        return subdivide<Concurrency_tag>(mesh, Tuned(), np);
-  }
-  subdivide<Concurrency_tag>(mesh, Scheme(), np);
+        return subdivide<Concurrency_tag>(mesh, Tuned(), shared);
+    subdivide<Concurrency_tag>(mesh, Scheme(), shared);
+  } else
+    subdivide<Concurrency_tag>(mesh, Scheme(), np);
 }
 
 } // namespace internal

@@ -162,6 +162,9 @@ Tessellation_result tessellate(const FaceGraph& control, const Scheme& scheme, d
                                const NamedParameters& np = parameters::default_values(),
                                const NamedParametersOut& np_out = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters, internal::Read_of_control_mesh, internal::attributes_t,
+                           internal::proven_bound_t>();
+  internal::check_are_read<NamedParametersOut>();
   if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
     return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
       return tessellate<Concurrency_tag>(control, s, chord_error, out, others, np_out);

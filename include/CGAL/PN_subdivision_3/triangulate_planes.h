@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_TRIANGULATE_PLANES_H
 
 #include <CGAL/PN_subdivision_3/Recognized_surface.h>
+#include <CGAL/PN_subdivision_3/internal/own_parameters.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
@@ -326,6 +327,7 @@ triangulate_planes(const FaceGraph& mesh, FacePatchMap patch_map,
                    const std::vector<Recognized_surface>& surfaces,
                    const NamedParameters& np = CGAL::parameters::default_values())
 {
+  internal::check_are_read<NamedParameters>();
   const auto points = CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, internal_np::vertex_point),
     get_const_property_map(vertex_point, mesh));

@@ -46,7 +46,8 @@ Surface without_normals(const Mesh_data& mesh)
 template <class Function>
 auto with_parameters(const Recognition_plan& plan, const Function& f)
 {
-  const auto np = PN::parameters::sharp_angle(plan.sharp_angle).min_facets(plan.min_facets);
+  const auto np = PN::parameters::shared(
+    PN::parameters::sharp_angle(plan.sharp_angle).min_facets(plan.min_facets));
   return plan.tolerance
            ? f(PN::parameters::join(PN::parameters::surface_tolerance(*plan.tolerance), np))
            : f(np);

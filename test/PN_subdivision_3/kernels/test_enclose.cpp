@@ -17,6 +17,7 @@
 #  include <CGAL/PN_subdivision_3/boost_multiprecision_floats.h>
 #  include <CGAL/PN_subdivision_3/enclose.h>
 
+#  include <cstddef>
 #  include <stdexcept>
 #  include <string>
 
@@ -63,6 +64,25 @@ TEST(Enclosures, AreNoWiderThanAskedFor)
     }
   }
   EXPECT_GT(last_bits, 200);
+}
+
+// of an estimate, by a map and by a number: what doubles make of it, too
+TEST(Enclosures, KnowTheRoundness)
+{
+  const Control<Double> control;
+  const auto estimate = PN::estimate_control_normals(control.mesh);
+  for (auto v : control.mesh.vertices())
+    put(estimate.roundness_map(), v, double(std::size_t(v)) / 4);
+  const auto expect_rounded = [&](const auto& np) {
+    const PN::Enclosure e = PN::enclose(control.mesh, PN::Loop_scheme(), 1, 1e-15, np(estimate));
+    auto rounded = control.mesh;
+    PN::subdivide(rounded, PN::Loop_scheme(), np(estimate.clone()));
+    for (auto v : rounded.vertices())
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(CGAL::to_double(e.mesh.point(v)[c]), rounded.point(v)[c], 1e-14);
+  };
+  expect_rounded([](const auto& n) { return params::vertex_normal_map(n); });
+  expect_rounded([](const auto& n) { return PN::parameters::roundness(.5).vertex_normal_map(n); });
 }
 
 // with apexes of valence n, vertices 0 and n + 1; the x of the first one is 1, that of all others 0

@@ -248,4 +248,38 @@ void reject(Mesh& mesh)
   PN::Surface_refiner(mesh, PN::CatmullClark_scheme(),
                       PN::parameters::crease_tangent_map(tangents));
   // expected: Surface_refiner makes the tangents of creases
+
+  PN::subdivide(mesh, PN::Loop_scheme(), PN::parameters::limit_normal_map(normals));
+  // expected: this function does not read limit_normal_map
+
+  PN::CatmullClark_subdivision(mesh, PN::parameters::roundness(.5).max_depth(3));
+  // expected: this function does not read max_depth
+
+  PN::subdivide_to_limit(
+    mesh, PN::Loop_scheme(),
+    PN::parameters::join(params::number_of_iterations(1), PN::parameters::rings(2)));
+  // expected: this function does not read rings
+
+  PN::limit_points(mesh, PN::Loop_scheme(), PN::parameters::limit_normal_map(normals).tuned(true));
+  // expected: this function does not read tuned
+
+  PN::Surface_refiner(mesh, PN::Loop_scheme(), PN::parameters::number_of_pieces(3));
+  // expected: this function does not read number_of_pieces
+
+  PN::estimate_control_normals(mesh, PN::parameters::vertex_roundness_map(creases));
+  // expected: this function does not read vertex_roundness_map
+
+  PN::estimate_control_normals(mesh, normals, PN::parameters::roundness(1));
+  // expected: this function does not read roundness
+
+  PN::detect_creases(mesh, 60, creases, PN::parameters::sharp_angle(60));
+  // expected: this function does not read sharp_angle
+
+  PN::subdivide_to_limit(
+    mesh, PN::Loop_scheme(),
+    PN::parameters::limit_error_map(mesh.add_property_map<Mesh::Face_index, double>("e").first));
+  // expected: limit_error_map is not a property map of the mesh's vertices
+
+  PN::estimate_control_normals(mesh, params::vertex_point_map(function));
+  // expected: vertex_point_map is not a property map of the mesh's vertices
 }

@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/refine_in_pieces.h>
@@ -96,10 +97,17 @@ TEST(Own_parameters, AreChainedInAnyOrder)
             expected);
   EXPECT_NE(refined(of_call::roundness(.5).number_of_iterations(2)), expected);
   EXPECT_NE(refined(of_call::border(PN::Border::curve).number_of_iterations(2)), expected);
-  // what a function does not know it ignores
-  EXPECT_EQ(
-    refined(of_call::border(PN::Border::curve).roundness(.5).rings(7).number_of_iterations(2)),
-    expected);
+  // what a function does not know it ignores in a pack that is marked, wherever the mark is
+  EXPECT_EQ(refined(of_call::shared(of_call::border(PN::Border::curve).roundness(.5).rings(7))
+                      .number_of_iterations(2)),
+            expected);
+  EXPECT_EQ(refined(of_call::shared(of_call::border(PN::Border::curve).number_of_iterations(2))
+                      .rings(7)
+                      .roundness(.5)),
+            expected);
+  EXPECT_EQ(refined(of_call::join(of_call::rings(7), of_call::roundness(.5),
+                                  of_call::shared(rounds), of_call::border(PN::Border::curve))),
+            expected);
   // of two packs that say different things the first one counts
   EXPECT_EQ(refined(of_call::join(of_call::roundness(.5), of_call::roundness(1.),
                                   of_call::border(PN::Border::curve), rounds)),
@@ -212,6 +220,60 @@ TEST(Own_parameters, LimitsAreWrittenIntoMaps)
 {
   expect_limits_in_maps<Mesh::Vertex_index>(scheme);
   expect_limits_in_maps<Mesh::Face_index>(PN::DooSabin_scheme());
+}
+
+// subdivide_to_limit() writes the same maps as limit_points() of the mesh after as many rounds, and moves the points there
+TEST(Own_parameters, LimitsOfTheMovedMeshAreWrittenIntoMaps)
+{
+  for (const unsigned rounds : {0u, 1u, 2u})
+    for (const bool has_corners : {false, true}) {
+      Mesh moved = bowl(), control = bowl();
+      const auto of_mesh = [](Mesh& mesh) {
+        return of_call::limit_point_map(mesh.add_property_map<Mesh::Vertex_index, Point>("p").first)
+          .limit_normal_map(mesh.add_property_map<Mesh::Vertex_index, Vector>("n").first)
+          .limit_error_map(mesh.add_property_map<Mesh::Vertex_index, double>("e", -1).first)
+          .surface_normals(true);
+      };
+      const auto call = [&](const auto& given) {
+        PN::subdivide(control, scheme, given.number_of_iterations(rounds));
+        PN::limit_points(control, scheme, of_call::join(of_mesh(control), given));
+      };
+      const auto move = [&](const auto& given) {
+        PN::subdivide_to_limit(moved, scheme,
+                               of_call::join(of_mesh(moved), given.number_of_iterations(rounds)));
+      };
+      if (has_corners) { // with a crease through the middle
+        const auto with_crease = [](Mesh& mesh) {
+          const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("s", false).first;
+          for (const auto e : mesh.edges())
+            sharp[e] =
+              mesh.point(mesh.vertex(e, 0)).x() == -.5 && mesh.point(mesh.vertex(e, 1)).x() == -.5;
+          const auto np = params::edge_is_constrained_map(sharp);
+          return of_call::crease_tangent_map(
+                   mesh.add_property_map<Mesh::Halfedge_index, Vector>("t", Vector(0, 0, 0)).first)
+            .edge_is_constrained_map(sharp)
+            .vertex_normal_map(PN::estimate_control_normals(mesh, np));
+        };
+        move(with_crease(moved));
+        call(with_crease(control));
+      } else {
+        move(params::vertex_normal_map(PN::estimate_control_normals(moved)));
+        call(params::vertex_normal_map(PN::estimate_control_normals(control)));
+      }
+      const auto map = [](Mesh& mesh, auto value, const char* name) {
+        using Value = decltype(value);
+        return PN::internal::find_property_map<Mesh::Vertex_index, Value>(mesh, name).value();
+      };
+      ASSERT_EQ(moved.number_of_vertices(), control.number_of_vertices());
+      for (const auto v : moved.vertices()) {
+        EXPECT_EQ(map(moved, Point(), "p")[v], moved.point(v));
+        EXPECT_EQ(map(moved, Point(), "p")[v], map(control, Point(), "p")[v]);
+        EXPECT_EQ(map(moved, Vector(), "n")[v], map(control, Vector(), "n")[v]);
+        EXPECT_NEAR(map(moved, Vector(), "n")[v].squared_length(), 1, 1e-12);
+        EXPECT_EQ(map(moved, 0., "e")[v], map(control, 0., "e")[v]);
+        EXPECT_GE(map(moved, 0., "e")[v], 0);
+      }
+    }
 }
 
 template <class Scheme, class Function>

@@ -55,7 +55,8 @@ void crease_runs(const Scheme& scheme)
 {
   const crease_levels::Control control;
   crease_levels::Crease_run<double, Scheme>(control, scheme).refine();
-  crease_levels::Crease_run<double, PN::Linear_scheme<Scheme>>(control, PN::linear(scheme)).refine();
+  crease_levels::Crease_run<double, PN::Linear_scheme<Scheme>>(control, PN::linear(scheme))
+    .refine();
   const Mesh mesh;
   PN::Surface_refiner(mesh, scheme, params::number_of_iterations(1)).update();
 }

@@ -23,14 +23,14 @@ struct Limit_options : CGAL::PN_subdivision_3::internal::Limit_options
 {
   auto pack() const
   {
-    return of_call::tolerance(tolerance)
-      .points(points)
-      .normal_tolerance(normal_tolerance)
-      .max_depth(max_depth)
-      .surface_normals(surface_normals)
-      .curve_normals(curve_normals)
-      .curvatures(curvatures)
-      .rounds_done(rounds_done);
+    return of_call::shared(of_call::tolerance(tolerance)
+                             .points(points)
+                             .normal_tolerance(normal_tolerance)
+                             .max_depth(max_depth)
+                             .surface_normals(surface_normals)
+                             .curve_normals(curve_normals)
+                             .curvatures(curvatures)
+                             .rounds_done(rounds_done));
   }
 };
 using Curve_limit_options = Limit_options;
@@ -40,13 +40,13 @@ struct Limit_interpolation_options : CGAL::PN_subdivision_3::internal::Interpola
 {
   auto pack() const
   {
-    return of_call::interpolation_mode(mode)
-      .interpolation_normals(normals)
-      .free_vertices(free)
-      .tolerance(tolerance)
-      .max_depth(max_depth)
-      .max_steps(max_steps)
-      .vertex_is_interpolated_map(vertices);
+    return of_call::shared(of_call::interpolation_mode(mode)
+                             .interpolation_normals(normals)
+                             .free_vertices(free)
+                             .tolerance(tolerance)
+                             .max_depth(max_depth)
+                             .max_steps(max_steps)
+                             .vertex_is_interpolated_map(vertices));
   }
   VertexMap vertices = VertexMap();
 };
@@ -55,11 +55,11 @@ struct Limit_prescription_options : CGAL::PN_subdivision_3::internal::Interpolat
 {
   auto pack() const
   {
-    return of_call::tolerance(tolerance)
-      .max_depth(max_depth)
-      .rings(rings)
-      .curvature_tolerance(curvature_tolerance)
-      .max_curvature_steps(max_curvature_steps);
+    return of_call::shared(of_call::tolerance(tolerance)
+                             .max_depth(max_depth)
+                             .rings(rings)
+                             .curvature_tolerance(curvature_tolerance)
+                             .max_curvature_steps(max_curvature_steps));
   }
 };
 

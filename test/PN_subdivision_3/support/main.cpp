@@ -21,7 +21,9 @@ namespace {
 class Advice : public testing::EmptyTestEventListener
 {
 public:
-  explicit Advice(std::string program) : program_(std::move(program)) {}
+  explicit Advice(std::string program)
+    : program_(std::move(program))
+  {}
 
 private:
   void OnTestEnd(const testing::TestInfo& test) override

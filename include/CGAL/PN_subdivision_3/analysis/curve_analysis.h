@@ -93,6 +93,7 @@ template <class Range, class NamedParameters = parameters::Default_named_paramet
 std::vector<double> discrete_curvature(const Range& curve, Curve_end end,
                                        const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters>();
   using Points = internal::Curve_points<Range, NamedParameters>;
   using Real = long double;
   constexpr int dimension = Points::dimension;
@@ -128,6 +129,7 @@ template <class Range, class NamedParameters = parameters::Default_named_paramet
 auto curvature_comb(const Range& curve, Curve_end end, double scale,
                     const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters>();
   using Points = internal::Curve_points<Range, NamedParameters>;
   using Real = long double;
   constexpr int dimension = Points::dimension;
@@ -170,6 +172,7 @@ template <class Range, class NamedParameters = parameters::Default_named_paramet
 auto divided_differences(const Range& curve, Curve_end end, unsigned order, unsigned rounds,
                          const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters>();
   using Points = internal::Curve_points<Range, NamedParameters>;
   using FT = typename Points::FT;
   auto d = Points::template get_all<FT>(curve, np);

@@ -75,6 +75,7 @@ template <class Range, class NamedParameters = parameters::Default_named_paramet
 auto estimate_control_normals(const Range& polygon, Curve_end end,
                               const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters>();
   using Points = internal::Curve_points<Range, NamedParameters>;
   if constexpr (internal::check_kernel<typename Points::Kernel>()) {
     using FT = typename Points::FT;
@@ -123,6 +124,7 @@ template <class Range, class Point, class NamedParameters = parameters::Default_
 auto spherical_control_normals(const Range& polygon, const Point& center,
                                const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters>();
   using Points = internal::Curve_points<Range, NamedParameters>;
   static_assert(Points::dimension == 3,
                 "PN_subdivision_3: spherical control normals are for curves in space");

@@ -87,6 +87,7 @@ template <class Range, class NamedParameters = parameters::Default_named_paramet
 auto split_at_corners(const Range& polygon, Curve_end end, const std::vector<std::size_t>& corners,
                       const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters>();
   using Points = internal::Curve_points<Range, NamedParameters>;
   using Part = std::vector<std::pair<typename Points::Point, typename Points::Vector>>;
   const auto first = std::begin(polygon);

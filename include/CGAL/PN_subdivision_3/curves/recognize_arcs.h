@@ -84,6 +84,8 @@ template <class Range, class NamedParameters = parameters::Default_named_paramet
 std::vector<Recognized_arc> recognize_arcs(const Range& polygon, Curve_end end,
                                            const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters, internal::min_facets_t,
+                           internal::surface_tolerance_t>();
   using Points = internal::Curve_points<Range, NamedParameters>;
   const internal::Recognition_parameters<NamedParameters> options(np);
   const auto points = Points::template get_all<double>(polygon, np);
@@ -267,6 +269,8 @@ template <class Range, class NamedParameters = parameters::Default_named_paramet
 auto split_at_arcs(const Range& polygon, Curve_end end, const std::vector<Recognized_arc>& arcs,
                    const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters, internal::min_facets_t,
+                           internal::surface_tolerance_t>();
   using Points = internal::Curve_points<Range, NamedParameters>;
   const internal::Recognition_parameters<NamedParameters> options(np);
   const bool closed = end == Curve_end::closed;

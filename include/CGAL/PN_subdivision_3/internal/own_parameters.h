@@ -66,10 +66,27 @@ template <class Name>
 struct Own_parameter
 {};
 
-#define CGAL_PN_SUBDIVISION_3_TAG(X) using X##_t = Own_parameter<struct Name_of_##X>;
+// with what the compiler says where a function does not read it, once for each kind of function
+#define CGAL_PN_SUBDIVISION_3_TAG(X)                                                               \
+  struct Name_of_##X                                                                               \
+  {                                                                                                \
+    template <bool is_read, class Call>                                                            \
+    static constexpr bool check()                                                                  \
+    {                                                                                              \
+      static_assert(is_read, "PN_subdivision_3: this function does not read " #X                   \
+                             " (parameters of several functions are marked by "                    \
+                             "PN_subdivision_3::parameters::shared())");                           \
+      return is_read;                                                                              \
+    }                                                                                              \
+  };                                                                                               \
+  using X##_t = Own_parameter<Name_of_##X>;
 CGAL_PN_SUBDIVISION_3_OWN_PARAMETERS(CGAL_PN_SUBDIVISION_3_TAG)
 CGAL_PN_SUBDIVISION_3_TAG(attributes)
 #undef CGAL_PN_SUBDIVISION_3_TAG
+
+// marks of a pack: the user's, that no function need read it whole; and that a function has looked at it, see scheme_of_call.h
+using is_shared_t = Own_parameter<struct Name_of_is_shared>;
+using scheme_is_adapted_t = Own_parameter<struct Name_of_scheme_is_adapted>;
 
 template <class Tag, class K, class T, class Own, class Base>
 auto with_parameter_below(const K& value, const Named_function_parameters<T, Own, Base>& np);
@@ -230,6 +247,40 @@ struct Not_given
 template <class Tag, class NamedParameters>
 constexpr bool is_given_v =
   !std::is_same_v<Parameter_type<Tag, NamedParameters, Not_given>, Not_given>;
+
+template <class T>
+constexpr bool are_named_parameters_v = false;
+template <class T, class Tag, class Base>
+inline constexpr bool are_named_parameters_v<Named_function_parameters<T, Tag, Base>> = true;
+
+template <class... Tags>
+struct Read_parameters : Tags...
+{};
+
+template <class Read, class NamedParameters>
+constexpr bool are_read_v = true;
+template <class Read, class T, class Tag, class Base>
+inline constexpr bool are_read_v<Read, Named_function_parameters<T, Tag, Base>> =
+  are_read_v<Read, Base>;
+template <class Read, class T, class Name, class Base>
+inline constexpr bool are_read_v<Read, Named_function_parameters<T, Own_parameter<Name>, Base>> =
+  Name::template check<std::is_base_of_v<Own_parameter<Name>, Read>, Read>() &&
+  are_read_v<Read, Base>;
+template <class Read, class T, class Base>
+inline constexpr bool are_read_v<Read, Named_function_parameters<T, scheme_is_adapted_t, Base>> =
+  true;
+
+// refuses, at compile time, parameters of this package that a function does not read
+template <class NamedParameters, class... Tags>
+constexpr bool check_are_read()
+{
+  if constexpr (!are_named_parameters_v<NamedParameters>)
+    return true;
+  else if constexpr (is_given_v<is_shared_t, NamedParameters>)
+    return true;
+  else
+    return are_read_v<Read_parameters<Tags...>, NamedParameters>;
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -152,14 +152,8 @@ public:
   // tangents that are not zero stay
   void operator()()
   {
-    const auto point = [&](Index v) -> const Vector& { return values_[v].point; };
-    const auto given = [&](Index slot) {
-      return is_given_[slot] ? values_[slot].normal : zero_vector<FT, 3>();
-    };
     const bool has_joints = estimate_ == Control_normal_estimate::coherent;
-    const auto has_joint = [&](Index slot) { return has_joints && !is_given_[slot]; };
-    using Tangents = Control_tangents<FT, decltype(point), decltype(given), decltype(has_joint)>;
-    Tangents(level_, creases_, point, given, has_joint)();
+    make_control_tangents(level_, creases_, values_, is_given_, has_joints);
     if (std::find(is_given_.begin(), is_given_.end(), false) == is_given_.end()) return;
     const Cut_level<FT> cut(level_, creases_);
     const Wedge_sectors sectors(cut.connectivity(), slots_at_creases());

@@ -304,6 +304,22 @@ private:
   std::vector<std::array<bool, 2>> is_at_crease_vertex_; // indexed as Crease_edge::tangent_from
 };
 
+// The tangents that are missing, of values[slot] of which the normal is given or is estimated.
+template <class FT, class Value>
+void make_control_tangents(const Level_connectivity& level, Creases<FT>& creases,
+                           const std::vector<Value>& values, const std::vector<bool>& is_given,
+                           bool has_joints)
+{
+  using Index = Level_connectivity::Index;
+  const auto point = [&](Index v) -> const Coordinates<FT, 3>& { return values[v].point; };
+  const auto given = [&](Index slot) {
+    return is_given[slot] ? values[slot].normal : zero_vector<FT, 3>();
+  };
+  const auto has_joint = [&](Index slot) { return has_joints && !is_given[slot]; };
+  Control_tangents<FT, decltype(point), decltype(given), decltype(has_joint)>(level, creases, point,
+                                                                              given, has_joint)();
+}
+
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL

@@ -29,11 +29,22 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// estimate_control_normals() of a map of half-edges
-template <class Access, class PolygonMesh, class HalfedgeNormalMap, class NamedParameters>
-void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
-                             HalfedgeNormalMap normals, const NamedParameters& np)
+template <class Map, class Key, class FT>
+void put_roundness(const Map& map, const Key& key, const FT& w)
 {
+  if constexpr (!std::is_same_v<Map, No_roundness>)
+    put(map, key, roundness_as<std::decay_t<typename boost::property_traits<Map>::value_type>>(w));
+}
+
+// estimate_control_normals() of a map of half-edges; that of the roundness is of vertices or, as an estimate has it, of half-edges
+template <class Access, class PolygonMesh, class HalfedgeNormalMap, class Roundness_map,
+          class NamedParameters>
+void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
+                             const HalfedgeNormalMap& normals, const Roundness_map& roundness,
+                             const NamedParameters& np)
+{
+  using Halfedge = typename boost::graph_traits<PolygonMesh>::halfedge_descriptor;
+  constexpr bool is_of_corners = std::is_same_v<typename Key_of_map<Roundness_map>::type, Halfedge>;
   using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
   using FT = typename Parameters::FT;
   using Index = Level_connectivity::Index;
@@ -47,7 +58,7 @@ void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
   const Vertex_map vertex_map = Parameters::vertex_constraint_map(np);
   const Level_connectivity level = checked_level(access);
   const Index n = level.number_of_vertices();
-  Creases<FT> creases = Make_creases<FT>(level, Border::surface)(
+  Creases<FT> creases = Make_creases<FT>(level, parameter_or<border_t>(np, Border::surface))(
     [&](Index e) {
       if constexpr (is_constraint_map_v<Edge_map>)
         return checked_sharpness(sharpness_in(edge_map, access.edge_at(e)),
@@ -73,13 +84,11 @@ void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
   for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
     const Coordinates<FT, 3>& m = values[slot].normal;
     put(normals, access.halfedge_at(h), Normal(m[0], m[1], m[2]));
+    if constexpr (is_of_corners)
+      put_roundness(roundness, access.halfedge_at(h), values[slot].roundness);
   });
-  if constexpr (!std::is_same_v<typename Parameters::Roundness_map, No_roundness>) {
-    using Number = typename boost::property_traits<typename Parameters::Roundness_map>::value_type;
-    const auto roundness = Parameters::roundness_map(np);
-    for (Index v = 0; v < n; ++v)
-      put(roundness, access.vertex(v), roundness_as<Number>(values[v].roundness));
-  }
+  if constexpr (!is_of_corners)
+    for (Index v = 0; v < n; ++v) put_roundness(roundness, access.vertex(v), values[v].roundness);
 }
 
 } // namespace internal

@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_CURVE_POINTS_H
 
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/own_parameters.h>
 
 #include <CGAL/Dimension.h>
 #include <CGAL/Kernel_traits.h>

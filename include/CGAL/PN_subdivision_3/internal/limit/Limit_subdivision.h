@@ -60,15 +60,15 @@ public:
   Limit_subdivision(const Scheme&, unsigned, const Limit_options&, const Function&&) = delete;
 
   template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
-            class Carry>
+            class Carry, class Limit_maps>
   Limit_report operator()(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
-                          Vertex_map vertex_map, const Carry& carry) const
+                          Vertex_map vertex_map, const Carry& carry, const Limit_maps& maps) const
   {
     static_assert(check_no_grid_rows<Scheme>());
     Limit_report report;
     if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
       require_crease_rules(scheme_, access, normals, edge_map, vertex_map);
-      report = subdivide(access, points, normals, edge_map, vertex_map, carry);
+      report = subdivide(access, points, normals, edge_map, vertex_map, carry, maps);
     }
     return report;
   }
@@ -82,9 +82,9 @@ private:
   using Limit_value = Point_normal<FT, 3>;
 
   template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
-            class Carry>
+            class Carry, class Limit_maps>
   Limit_report subdivide(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
-                         Vertex_map vertex_map, const Carry& carry) const
+                         Vertex_map vertex_map, const Carry& carry, const Limit_maps& maps) const
   {
     Level_connectivity level = checked_level(access);
     check_scheme<Scheme, Element_names>(scheme_, level, access);
@@ -131,17 +131,23 @@ private:
     const auto put = [&](auto vertex_normals) {
       Mesh_writer<Limit_value, Access, Point_map, decltype(vertex_normals)> writer(
         access, points, vertex_normals, false);
+      using Maps_writer = typename Limit_maps::template Writer<Access>;
+      Maps_writer of_limits(access, maps.np);
       access.grow(size);
       put_limits(limits, refined.values, static_cast<Index>(size.vertices), writer);
       if constexpr (takes_corners)
         if (puts_normals)
           corners.put_all(refined.level, limit_creases,
                           slot_values<Scheme, FT>(limits, options_.surface_normals));
+      if constexpr (takes_corners && Maps_writer::is_any_given)
+        put_mean_normals<Scheme>(limit_creases, limits);
+      of_limits.write(limits, static_cast<Index>(size.vertices));
       carried.put(refiner, last.round());
       of_mesh.put_sharpness(limit_creases, size, rounds);
       of_mesh.put_tangents(limit_creases, size);
       put_connectivity(last.round(), access, for_chunks_, [&] {
         writer.keep();
+        of_limits.keep();
         corners.keep();
         of_mesh.keep();
         carried.keep();

@@ -17,7 +17,9 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/property_map_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 
@@ -202,6 +204,120 @@ private:
   Normal_map normals_;
   std::vector<Point> old_points_;
   std::vector<Normal> old_normals_;
+};
+
+// A map of limits that writes what the call has maps for: points, normals and errors.
+template <class Key, class Kernel, class NamedParameters>
+struct Limit_maps
+{
+  using key_type = Key;
+  using value_type = Limit_point<Kernel>;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+
+  friend void put(const Limit_maps& maps, const Key& key, const value_type& limit)
+  {
+    maps.template write<limit_point_map_t>(key, limit.point);
+    maps.template write<limit_normal_map_t>(key, limit.surface_normal);
+    maps.template write<limit_error_map_t>(key, limit.error);
+  }
+  template <class Tag, class Value>
+  void write([[maybe_unused]] const Key& key, [[maybe_unused]] const Value& value) const
+  {
+    if constexpr (is_given_v<Tag, NamedParameters>) {
+      const auto map = parameters::get_parameter(np, Tag());
+      constexpr bool is_map = Is_property_map_of<std::decay_t<decltype(map)>, Key>::value;
+      static_assert(is_map, "PN_subdivision_3: limit_point_map, limit_normal_map or "
+                            "limit_error_map is not a property map of the mesh's vertices (of a "
+                            "dual scheme: of its faces)");
+      if constexpr (is_map) put(map, key, value);
+    }
+  }
+
+  const NamedParameters& np;
+};
+
+// The same for a mesh that is moved to its limit: what is written is taken back, in maps that can be read, unless it is kept.
+template <class Access, class Kernel, class NamedParameters>
+class Limit_maps_writer
+{
+  using Vertex = typename Access::vertex_descriptor;
+
+  template <class Tag>
+  class Old
+  {
+    using Map = Parameter_type<Tag, NamedParameters, No_normal_map>;
+
+    static constexpr bool is_read()
+    {
+      if constexpr (Is_property_map_of<Map, Vertex>::value)
+        return has_category_v<Map, boost::readable_property_map_tag>;
+      else
+        return false;
+    }
+
+  public:
+    Old(const Access& access, const NamedParameters& np)
+      : values_(access, static_cast<std::size_t>(access.size().vertices),
+                parameter_or<Tag>(np, No_normal_map()))
+    {}
+    void put_back(const Access& access) noexcept { values_.put_back(access); }
+
+  private:
+    std::conditional_t<is_read(), Old_values<Map, Vertex_of_mesh>, No_old_values> values_;
+  };
+
+public:
+  static constexpr bool is_any_given = is_given_v<limit_point_map_t, NamedParameters> ||
+                                       is_given_v<limit_normal_map_t, NamedParameters> ||
+                                       is_given_v<limit_error_map_t, NamedParameters>;
+
+  Limit_maps_writer(const Access& access, const NamedParameters& np)
+    : access_(access)
+    , np_(np)
+    , points_(access, np)
+    , normals_(access, np)
+    , errors_(access, np)
+  {}
+  ~Limit_maps_writer()
+  {
+    if (is_kept_) return;
+    points_.put_back(access_);
+    normals_.put_back(access_);
+    errors_.put_back(access_);
+  }
+  Limit_maps_writer(const Limit_maps_writer&) = delete;
+  Limit_maps_writer& operator=(const Limit_maps_writer&) = delete;
+
+  template <class Results>
+  void write([[maybe_unused]] const Results& results,
+             [[maybe_unused]] Level_connectivity::Index number_of_vertices) const
+  {
+    if constexpr (is_any_given) {
+      const Limit_maps<Vertex, Kernel, NamedParameters> maps{np_};
+      for (Level_connectivity::Index v = 0; v < number_of_vertices; ++v)
+        put(maps, access_.vertex(v), to_limit_point<Limit_point<Kernel>>(results[v]));
+    }
+  }
+  void keep() { is_kept_ = true; }
+
+private:
+  const Access& access_;
+  const NamedParameters& np_;
+  Old<limit_point_map_t> points_;
+  Old<limit_normal_map_t> normals_;
+  Old<limit_error_map_t> errors_;
+  bool is_kept_ = false;
+};
+
+// the maps of limits that a call has
+template <class Kernel, class NamedParameters>
+struct Limit_maps_of_call
+{
+  template <class Access>
+  using Writer = Limit_maps_writer<Access, Kernel, NamedParameters>;
+
+  const NamedParameters& np;
 };
 
 } // namespace internal

@@ -185,23 +185,28 @@ Limit_report vertex_limits(const Access& access, const Scheme& scheme, Point_map
 
 // Puts limits into the maps of a mesh, and the old values back if that fails.
 template <class Scheme, class FT, class Access, class Limits, class Of_mesh, class Point_map,
-          class Normal_map>
+          class Normal_map, class Limit_maps>
 void put_limits(const Access& access, const Limits& limits, Of_mesh& of_mesh, Point_map points,
-                Normal_map normals, const Limit_options& options)
+                Normal_map normals, const Limit_options& options, const Limit_maps& maps)
 {
+  using Maps_writer = typename Limit_maps::template Writer<Access>;
+  Maps_writer of_limits(access, maps.np);
   using Writers = Normal_writers<Access, Normal_map>;
   typename Writers::Corner_writer corners(access, limits.level, normals);
   if constexpr (Writers::Corner_writer::takes_corners) {
     if (is_pn_v<Scheme> || options.surface_normals)
       corners.put_all(limits.level, limits.creases,
                       slot_values<Scheme, FT>(limits.results, options.surface_normals));
-  } else
+  }
+  if constexpr (!Writers::Corner_writer::takes_corners || Maps_writer::is_any_given)
     put_mean_normals<Scheme>(limits.creases, limits.results);
+  of_limits.write(limits.results, limits.level.number_of_vertices());
   of_mesh.put_tangents(limits.creases, limits.level.size());
   limits.results.resize(limits.level.number_of_vertices());
   Limit_writer<Access, Scheme, Point_map, typename Writers::Vertex_map>(
     access, points, Writers::vertex_map(normals))
     .write(limits.results, options);
+  of_limits.keep();
   corners.keep();
   of_mesh.keep();
 }
@@ -223,7 +228,9 @@ Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const NamedParamete
           access, s, points, normals, Parameters::edge_constraint_map(np),
           Parameters::vertex_constraint_map(np), options, For_chunks::with(Concurrency_tag()),
           [&](const auto& limits, auto& of_mesh) {
-            put_limits<Scheme, FT>(access, limits, of_mesh, points, normals, options);
+            put_limits<Scheme, FT>(
+              access, limits, of_mesh, points, normals, options,
+              Limit_maps_of_call<typename Parameters::Geom_traits, NamedParameters>{np});
           });
       });
     });

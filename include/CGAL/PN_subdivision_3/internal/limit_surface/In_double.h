@@ -39,6 +39,16 @@ struct Map_in_double
   }
 };
 
+template <class Map, class Value>
+inline constexpr bool is_of_estimate_v<Map_in_double<Map, Value>> = is_of_estimate_v<Map>;
+template <class Map, class Value>
+inline constexpr bool goes_with_roundness_v<Map_in_double<Map, Value>> = goes_with_roundness_v<Map>;
+template <class Map, class Value, class Key>
+auto get_whole(const Map_in_double<Map, Value>& m, const Key& key)
+{
+  return get_whole(m.map, key);
+}
+
 // the named parameters of a call that computes in double, whatever the mesh has
 template <class PolygonMesh, class NamedParameters>
 struct Parameters_in_double : Surface_parameters<PolygonMesh, NamedParameters>

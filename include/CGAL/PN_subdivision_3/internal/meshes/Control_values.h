@@ -42,6 +42,15 @@ public:
 
   static constexpr bool has_normals = has_normal_v<Value>;
 
+  // Normals that are given for all slots, with their roundness, some of which tell of the tangents beside them; or none.
+  struct Given_slots
+  {
+    std::vector<Value> values;
+    std::vector<bool> tell_of_tangents;
+
+    std::size_t memory() const { return values.capacity() * sizeof(Value); }
+  };
+
   // Where there are creases, it is up to them to estimate normals.
   template <class Access, class Point_map, class Normal_map>
   Control_values(const Access& access, const Level_connectivity& level, Point_map points,
@@ -62,10 +71,8 @@ public:
   std::size_t size() const { return values_.size(); }
   std::size_t memory() const
   {
-    return values_.capacity() * sizeof(Value) +
-           (slot_normals_.capacity() + slot_normals_without_fractions_.capacity()) *
-             sizeof(Vector) +
-           (is_changed_.capacity() + is_given_.capacity()) / 8;
+    return values_.capacity() * sizeof(Value) + slots_.memory() +
+           slots_without_fractions_.memory() + (is_changed_.capacity() + is_given_.capacity()) / 8;
   }
   const Value& operator[](std::size_t v) const { return values_[checked(v)]; }
   // whether one of the points is, or was, so far out that refined ones have to be looked at
@@ -84,7 +91,7 @@ public:
     if (has_several_normals(static_cast<Index>(checked(v))))
       throw std::invalid_argument("PN_subdivision_3: " + name(v) +
                                   " has a normal on each side of its creases, all of which are " +
-                                  (slot_normals_.empty() ? "estimated" : "given by its corners") +
+                                  (slots_.values.empty() ? "estimated" : "given by its corners") +
                                   ": set the normals of its neighbors");
     normalize_control_normal<FT, 3>(n, [&] { return name(v); });
     values_[checked(v)].normal = n;
@@ -120,9 +127,14 @@ public:
     if constexpr (has_roundness_v<Value>) {
       given.put(values_.size(), values_);
       has_given_roundness_ = given.is_any();
+      is_roundness_of_estimate_ = given.is_of_estimate;
     }
   }
-  bool has_given_roundness() const { return has_given_roundness_; }
+  // that of an estimate counts where its normal does
+  bool has_given_roundness(Index v) const
+  {
+    return has_given_roundness_ && (!is_roundness_of_estimate_ || is_given(v));
+  }
 
   // \name Creases
   // Vertices between creases have several normals, one for each wedge, which are estimated, or given for all slots.
@@ -145,23 +157,23 @@ public:
     if (it == several_normals_.end() || *it != v) return &values_[v].normal;
     return &given_to_several_[std::size_t(it - several_normals_.begin())];
   }
-  void set_slot_normals(const std::vector<Value>& slots)
+  void set_slots(const std::vector<Value>& slots, std::vector<bool> tell_of_tangents)
   {
     is_estimated_ = false;
     is_given_.clear();
     for (Index v = 0; v < values_.size(); ++v) values_[v].normal = slots[v].normal;
-    for (const Value& slot : slots) slot_normals_.push_back(slot.normal);
+    if constexpr (has_roundness_v<Value>)
+      for (Index v = 0; v < values_.size(); ++v) share_roundness(slots[v], values_[v]);
+    slots_ = {slots, std::move(tell_of_tangents)};
   }
-  const std::vector<Vector>& slot_normals() const { return slot_normals_; }
-  // of the slots that there are without edges whose sharpness is less than 1
-  void set_slot_normals_without_fractions(const std::vector<Value>& slots)
+  const Given_slots& slots() const { return slots_; }
+  // those that there are without edges whose sharpness is less than 1
+  void set_slots_without_fractions(const std::vector<Value>& slots,
+                                   std::vector<bool> tell_of_tangents)
   {
-    for (const Value& slot : slots) slot_normals_without_fractions_.push_back(slot.normal);
+    slots_without_fractions_ = {slots, std::move(tell_of_tangents)};
   }
-  const std::vector<Vector>& slot_normals_without_fractions() const
-  {
-    return slot_normals_without_fractions_;
-  }
+  const Given_slots& slots_without_fractions() const { return slots_without_fractions_; }
   bool has_several_normals(Index v) const
   {
     return std::binary_search(several_normals_.begin(), several_normals_.end(), v);
@@ -216,12 +228,12 @@ private:
   std::vector<bool> is_given_; // where normals are estimated
   std::vector<Index> several_normals_;
   std::vector<Vector> given_to_several_;
-  std::vector<Vector> slot_normals_, slot_normals_without_fractions_; // none if they are not given
+  Given_slots slots_, slots_without_fractions_;
   Control_normal_estimate estimate_;
   bool is_estimated_;
   bool is_near_overflow_;
   bool is_any_changed_ = true;
-  bool has_given_roundness_ = false;
+  bool has_given_roundness_ = false, is_roundness_of_estimate_ = false;
 };
 
 } // namespace internal

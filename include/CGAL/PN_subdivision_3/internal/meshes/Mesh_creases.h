@@ -260,8 +260,11 @@ private:
       std::vector<bool> is_given(values.size(), false);
       for (Value& value : values) value.normal = zero_vector<FT, 3>();
       if constexpr (is_of_halfedges_v<Access, Normal_map>) {
+        read_corner_normals<FT>(access_, level, creases, normals, values, &is_given);
+        if constexpr (is_of_estimate_v<Normal_map>)
+          make_control_tangents(level, creases, values, is_given,
+                                normal_estimate(scheme_) == Control_normal_estimate::coherent);
         is_given.assign(values.size(), true);
-        read_corner_normals<FT>(access_, level, creases, normals, values);
       } else if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
         std::fill_n(is_given.begin(), n, true);
         for (const Crease_star& star : creases.stars)
@@ -269,7 +272,7 @@ private:
         read_vertex_normals(normals, is_given, n, values);
       }
       Control_creases<FT, Value>(level, creases, values, is_given, normal_estimate(scheme_))();
-      put_given_roundness(scheme_, n, values);
+      put_given_roundness(scheme_, n, values, &is_given);
       for (std::size_t i = 0; i < extra.size(); ++i)
         share_roundness(values[extra[i]], values[n + i]);
     }

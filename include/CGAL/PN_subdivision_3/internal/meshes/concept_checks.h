@@ -341,8 +341,7 @@ constexpr bool check_estimation_arguments()
                                   typename Parameters::FT>())
       return check_normal_map<Mesh, Normal_map, typename Parameters::Point_map,
                               typename Parameters::Geom_traits, boost::writable_property_map_tag,
-                              true>() &&
-             check_written_roundness<Mesh, typename Parameters::Roundness_map>();
+                              true>();
     else
       return false;
   }

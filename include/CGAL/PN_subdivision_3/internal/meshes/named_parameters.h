@@ -11,6 +11,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/Default_visitor.h>
+#include <CGAL/PN_subdivision_3/Estimated_control_normals.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
@@ -30,6 +31,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -64,6 +66,11 @@ struct Key_of_map<No_normal_map>
 {
   using type = void;
 };
+template <>
+struct Key_of_map<No_roundness>
+{
+  using type = void;
+};
 
 template <class T>
 T& unwrapped(T& t)
@@ -76,6 +83,23 @@ T& unwrapped(std::reference_wrapper<T>& t)
   return t.get();
 }
 
+// The roundness of the normals that a call gives: if it counts, that of an estimate is a map beside those of vertices, and goes with
+// those of corners.
+template <bool is_beside, class Map>
+auto roundness_of([[maybe_unused]] const Map& normals)
+{
+  if constexpr (Is_estimate<Map>::value && is_beside)
+    return normals.roundness_map();
+  else
+    return No_roundness();
+}
+
+// this package's parameters that tell of a control mesh
+struct Read_of_control_mesh
+  : Read_parameters<roundness_t, vertex_roundness_map_t, control_normal_estimate_t, border_t,
+                    crease_tangent_map_t>
+{};
+
 // The named parameters of the surface functions.
 template <class PolygonMesh, class NamedParameters>
 struct Surface_parameters
@@ -83,14 +107,23 @@ struct Surface_parameters
   using Point_map = typename GetVertexPointMap<PolygonMesh, NamedParameters>::type;
   using Geom_traits = typename GetGeomTraits<PolygonMesh, NamedParameters>::type;
   using FT = typename Geom_traits::FT;
-  using Normal_map = std::decay_t<typename internal_np::Lookup_named_param_def<
-    internal_np::vertex_normal_map_t, NamedParameters, No_normal_map>::type>;
+  using Given_normals =
+    Parameter_type<internal_np::vertex_normal_map_t, NamedParameters, No_normal_map>;
+  using Roundness = Parameter_type<roundness_t, NamedParameters, No_roundness>;
 
-  using Roundness_map =
-    std::decay_t<typename internal_np::Lookup_named_param_def<vertex_roundness_map_t,
-                                                              NamedParameters, No_roundness>::type>;
-  using Roundness = std::decay_t<
-    typename internal_np::Lookup_named_param_def<roundness_t, NamedParameters, No_roundness>::type>;
+  static constexpr bool has_roundness_of_estimate =
+    Is_estimate<Given_normals>::value && !is_given_v<vertex_roundness_map_t, NamedParameters> &&
+    !is_given_v<roundness_t, NamedParameters>;
+  static constexpr bool are_of_corners =
+    std::is_same_v<typename Is_estimate<Given_normals>::key_type,
+                   typename boost::graph_traits<PolygonMesh>::halfedge_descriptor>;
+  static constexpr bool go_with_roundness = has_roundness_of_estimate && are_of_corners;
+  static constexpr bool are_beside_roundness = has_roundness_of_estimate && !are_of_corners;
+
+  using Normal_map = decltype(normals_of<go_with_roundness>(std::declval<const Given_normals&>()));
+  using Roundness_map = Parameter_type<vertex_roundness_map_t, NamedParameters,
+                                       decltype(roundness_of<are_beside_roundness>(
+                                         std::declval<const Given_normals&>()))>;
 
   using Edge_constraint_map = std::decay_t<typename internal_np::Lookup_named_param_def<
     internal_np::edge_is_constrained_t, NamedParameters, No_constraint_map>::type>;
@@ -119,13 +152,12 @@ struct Surface_parameters
   }
   static Normal_map normal_map(const NamedParameters& np)
   {
-    return parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::vertex_normal_map), No_normal_map());
+    return normals_of<go_with_roundness>(given_normals(np));
   }
   static Roundness_map roundness_map(const NamedParameters& np)
   {
-    return parameters::choose_parameter(parameters::get_parameter(np, vertex_roundness_map_t()),
-                                        No_roundness());
+    return parameter_or<vertex_roundness_map_t>(
+      np, roundness_of<are_beside_roundness>(given_normals(np)));
   }
   static Roundness roundness(const NamedParameters& np)
   {
@@ -150,6 +182,12 @@ struct Surface_parameters
   {
     return parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
                                         Default_visitor());
+  }
+
+private:
+  static Given_normals given_normals(const NamedParameters& np)
+  {
+    return parameter_or<internal_np::vertex_normal_map_t>(np, No_normal_map());
   }
 };
 
@@ -200,6 +238,7 @@ constexpr bool
                           ((std::is_same_v<typename Parameters::Normal_map, No_normal_map> &&
                             !is_given_roundness_v<typename Parameters::Roundness>) ||
                            is_given_roundness_v<typename Parameters::Roundness_map> ||
+                           goes_with_roundness_v<typename Parameters::Normal_map> ||
                            (Has_crease_rules<Scheme>::value &&
                             may_be_semi_sharp<typename Parameters::Edge_constraint_map>()));
 
@@ -222,6 +261,7 @@ template <class FT, class Parameters, class Access, class NamedParameters>
 Given_roundness<FT> read_roundness(const Access& access, const NamedParameters& np)
 {
   Given_roundness<FT> given;
+  given.is_of_estimate = Parameters::has_roundness_of_estimate;
   if constexpr (is_given_roundness_v<typename Parameters::Roundness>)
     given.of_all = checked_roundness<FT>(FT(Parameters::roundness(np)), false,
                                          [] { return std::string("all vertices"); });

@@ -37,10 +37,11 @@ constexpr bool is_of_halfedges_v =
                  std::decay_t<decltype(std::declval<const Access&>().halfedge_at(0))>>;
 
 // The control normals of a map of corners: of every slot the one that its corners have or, where they
-// differ, the unit vector of their sum.
+// differ, the unit vector of their sum. Of an estimate the largest roundness, too, and whether one of them is no estimate any more.
 template <class FT, class Access, class Map, class Value>
 void read_corner_normals(const Access& access, const Level_connectivity& level,
-                         const Creases<FT>& creases, Map map, std::vector<Value>& values)
+                         const Creases<FT>& creases, Map map, std::vector<Value>& values,
+                         [[maybe_unused]] std::vector<bool>* is_put = nullptr)
 {
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<FT, 3>;
@@ -53,6 +54,15 @@ void read_corner_normals(const Access& access, const Level_connectivity& level,
     const auto name = [&] { return access.halfedge_name(h); };
     check_finite<FT, 3>(n, "normal", name);
     normalize_control_normal<FT, 3>(n, name);
+    if constexpr (is_of_estimate_v<Map>) {
+      const auto whole = get_whole(map, access.halfedge_at(h));
+      if (is_put != nullptr && !whole.is_estimated) (*is_put)[slot] = true;
+      if constexpr (goes_with_roundness_v<Map> && has_roundness_v<Value>) {
+        const FT w = checked_roundness<FT>(roundness_as<FT>(whole.roundness), true, name);
+        FT& of_slot = values[slot].roundness;
+        if (count[slot] == 0 || of_slot < w) of_slot = w;
+      }
+    }
     if (count[slot]++ == 0)
       values[slot].normal = n;
     else if (!are_certainly_equal<FT, 3>(n, values[slot].normal))
@@ -72,6 +82,7 @@ class Corner_normal_writer
 public:
   static constexpr bool takes_corners = true, takes_wedges = false;
   using Index = Level_connectivity::Index;
+  using Key = typename boost::property_traits<Map>::key_type;
   using Normal = typename boost::property_traits<Map>::value_type;
 
   Corner_normal_writer(const Access& access, const Level_connectivity& level, Map map)
@@ -79,13 +90,13 @@ public:
     , map_(map)
   {
     for (Index h = 0; h < level.number_of_halfedges(); ++h)
-      if (!level.is_border(h)) old_.emplace_back(h, get(map_, access.halfedge_at(h)));
+      if (!level.is_border(h)) old_.emplace_back(h, get_whole(map_, access.halfedge_at(h)));
   }
   ~Corner_normal_writer()
   {
     if (!is_changed_) return;
-    for (const auto& [h, n] : old_) try {
-        put(map_, access_.halfedge_at(h), n);
+    for (const auto& [h, value] : old_) try {
+        put_whole(map_, access_.halfedge_at(h), value);
       } catch (...) {
       }
   }
@@ -101,6 +112,9 @@ public:
     for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
       const Coordinates<FT, 3>& n = values[slot].normal;
       put(map_, access_.halfedge_at(h), Normal(n[0], n[1], n[2]));
+      if constexpr (goes_with_roundness_v<Map> &&
+                    has_roundness_v<std::decay_t<decltype(values[slot])>>)
+        (*map_.values)[access_.halfedge_at(h)].roundness = values[slot].roundness;
     });
   }
   void keep() { is_changed_ = false; }
@@ -108,7 +122,7 @@ public:
 private:
   const Access& access_;
   Map map_;
-  std::vector<std::pair<Index, Normal>> old_;
+  std::vector<std::pair<Index, decltype(get_whole(std::declval<Map>(), Key()))>> old_;
   bool is_changed_ = false;
 };
 

@@ -280,9 +280,9 @@ private:
   {
     if constexpr (Control::has_normals)
       keep_without_fractions(*whole_control_, creases_, [&](Creases<FT>& others) {
-        return values_of_slots(control, control.slot_normals_without_fractions(), others);
+        return values_of_slots(control, control.slots_without_fractions(), others);
       });
-    const std::vector<Value> values = values_of_slots(control, control.slot_normals(), creases_);
+    const std::vector<Value> values = values_of_slots(control, control.slots(), creases_);
     if constexpr (Control::has_normals) {
       for (Index v = 0; v < whole_control_->number_of_vertices(); ++v)
         if (!control.is_given(v)) control.put_estimate(v, values[v].normal);
@@ -291,7 +291,7 @@ private:
     return values;
   }
   std::vector<Value> values_of_slots(const Control& control,
-                                     const std::vector<Coordinates<FT, 3>>& slot_normals,
+                                     const typename Control::Given_slots& slots,
                                      Creases<FT>& creases) const
   {
     const Index n = whole_control_->number_of_vertices();
@@ -311,16 +311,20 @@ private:
       for (std::size_t s = 0; s < values.size(); ++s)
         if (!is_given[s]) values[s].normal = zero_vector<FT, 3>();
       // those of the wedges of vertices that have several, if they are given
-      for (Index s = 0; s < slot_normals.size(); ++s)
+      for (Index s = 0; s < slots.values.size(); ++s)
         if (control.has_several_normals(s < n ? s : extra[s - n])) {
-          values[s].normal = slot_normals[s];
+          values[s].normal = slots.values[s].normal;
+          share_roundness(slots.values[s], values[s]);
           is_given[s] = true;
         }
       for (Crease_edge<FT>& e : creases.edges) e.tangent_from.fill(zero_vector<FT, 3>());
+      if (!slots.values.empty())
+        make_control_tangents(*whole_control_, creases, values, slots.tell_of_tangents,
+                              normal_estimate(scheme_) == Control_normal_estimate::coherent);
       Control_creases<FT, Value>(*whole_control_, creases, values, is_given,
                                  normal_estimate(scheme_))();
       for (Index v = 0; v < n; ++v)
-        if (control.has_given_roundness()) share_roundness(control[v], values[v]);
+        if (control.has_given_roundness(v)) share_roundness(control[v], values[v]);
       for (std::size_t i = 0; i < extra.size(); ++i)
         share_roundness(values[extra[i]], values[n + i]);
     }

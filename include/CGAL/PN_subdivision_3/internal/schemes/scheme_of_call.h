@@ -160,13 +160,6 @@ Control_normal_estimate normal_estimate(const Scheme& scheme)
   return stated_normal_estimate(scheme).value_or(Control_normal_estimate::coherent);
 }
 
-using scheme_is_adapted_t = Own_parameter<struct Name_of_scheme_is_adapted>;
-
-template <class T>
-constexpr bool are_named_parameters_v = false;
-template <class T, class Tag, class Base>
-inline constexpr bool are_named_parameters_v<Named_function_parameters<T, Tag, Base>> = true;
-
 // whether a call says something of its scheme that is not yet put around it
 template <class Scheme, class NamedParameters, class = void>
 constexpr bool adapts_scheme_v = false;
@@ -219,14 +212,18 @@ struct Given_roundness
 {
   std::vector<FT> of_vertices;
   std::optional<FT> of_all;
+  bool is_of_estimate = false; // and counts where the normal of the vertex does
 
   bool is_any() const { return of_all || !of_vertices.empty(); }
   // into the first values, those of the vertices
   template <class Value>
-  void put(std::size_t vertices, std::vector<Value>& values) const
+  void put(std::size_t vertices, std::vector<Value>& values,
+           const std::vector<bool>* is_normal_given = nullptr) const
   {
     for (std::size_t v = 0; v < vertices; ++v)
-      if (of_all)
+      if (is_of_estimate && is_normal_given != nullptr && !(*is_normal_given)[v])
+        continue;
+      else if (of_all)
         values[v].roundness = *of_all;
       else if (!of_vertices.empty())
         values[v].roundness = of_vertices[v];
@@ -287,11 +284,12 @@ constexpr bool may_vary_in_roundness_v =
 template <class Scheme, class Value>
 void put_given_roundness([[maybe_unused]] const Scheme& scheme,
                          [[maybe_unused]] std::size_t vertices,
-                         [[maybe_unused]] std::vector<Value>& values)
+                         [[maybe_unused]] std::vector<Value>& values,
+                         [[maybe_unused]] const std::vector<bool>* is_normal_given = nullptr)
 {
   if constexpr (may_vary_in_roundness_v<Scheme> && has_roundness_v<Value>)
     if (const auto* given = outermost<Is_with_roundness>(scheme)->given; given != nullptr)
-      given->put(vertices, values);
+      given->put(vertices, values, is_normal_given);
 }
 
 // the wedges of a vertex have one roundness
