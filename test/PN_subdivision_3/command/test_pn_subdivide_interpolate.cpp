@@ -69,7 +69,7 @@ protected:
 TEST_F(Pn_subdivide_interpolate, LimitsArePoints)
 {
   const std::string out = folder.file("out.ply"), in = folder.file("in.ply");
-  ASSERT_EQ(run("surface '" + data("torus_quads.ply") + "' '" + in + "' --levels 0 --ascii").code,
+  ASSERT_EQ(run("surface '" + data("paper/torus_8.ply") + "' '" + in + "' --levels 0 --ascii").code,
             0);
   const auto before = points(in);
   ASSERT_FALSE(before.empty());
