@@ -192,7 +192,7 @@ std::string ratio_text(double volume, double linear)
 TEST_F(Pn_subdivide_check, VolumesAndFoldsAreThoseOfTheFiles)
 {
   const std::string beam = folder.write("beam.off", box(10, 1, 1)),
-                    wild = folder.write("wild.obj", plane(12, Normals::of_any_direction));
+                    wild = folder.write("wild.obj", plane(6, Normals::of_any_direction));
   for (const auto& [input, options] :
        std::vector<std::pair<std::string, std::string>>{{beam, "--levels 3 --normals angle"},
                                                         {beam, "--levels 2 --limit"},

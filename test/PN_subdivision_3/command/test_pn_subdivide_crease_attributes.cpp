@@ -9,6 +9,7 @@
 // Whatever makes the creases and wherever normals come from, what a file says besides them is carried.
 
 #include "Command_test.h"
+#include "Extent.h"
 
 #include "io/mesh_io.h"
 
@@ -173,7 +174,7 @@ TEST_F(Pn_subdivide_crease_attributes, AreThoseOfTheLinearSurface)
                {"split_vertices.ply", box_ply(true, true), true, false, true},
                {"plain.off", box_off(false), false, false, false},
                {"vertices.off", box_off(true), true, false, false}};
-  std::size_t compared = 0;
+  std::size_t compared = 0, offset = 0;
   for (const auto& file : files) {
     const std::string input = folder.write(file.name, file.content);
     std::vector<std::string> sharp = {"none", "auto", "angle:30",
@@ -184,19 +185,22 @@ TEST_F(Pn_subdivide_crease_attributes, AreThoseOfTheLinearSurface)
     if (file.has_normals) normals.emplace_back("file");
     for (const std::string& s : sharp)
       for (const std::string levels : {"0", "1"}) {
+        // each source of normals meets each file, and each way to make creases
+        const std::size_t step = tests_are_full ? 1 : 3;
+        ++offset;
         const std::string options = "--scheme catmull-clark --levels " + levels + " --sharp " + s +
                                     (file.is_split ? " --merge-points" : "");
         const std::string expected = carried(input, options + " --linear");
         for (const char* part : {"red", "texture:"})
           EXPECT_NE(expected.find(part), std::string::npos) << file.name;
-        for (const std::string& n : normals) {
+        for (std::size_t i = offset % step; i < normals.size(); i += step) {
           ++compared;
-          EXPECT_EQ(carried(input, options + " --normals " + n), expected)
-            << file.name << ": --normals " << n << ' ' << options;
+          EXPECT_EQ(carried(input, options + " --normals " + normals[i]), expected)
+            << file.name << ": --normals " << normals[i] << ' ' << options;
         }
       }
   }
-  EXPECT_GT(compared, 400u);
+  EXPECT_GT(compared, tests_are_full ? 400u : 100u);
 }
 
 // With no round at all they are those of the file, to the last bit.

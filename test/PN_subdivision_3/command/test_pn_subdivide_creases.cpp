@@ -9,6 +9,7 @@
 // Creases of the command: --sharp, --sharpness, --border, selections, and normals of corners.
 
 #include "Command_test.h"
+#include "Extent.h"
 
 #include <gtest/gtest.h>
 
@@ -250,9 +251,10 @@ TEST_F(Pn_subdivide_creases, PartsKeepTheirPlanesCylindersAndSpheres)
   for (const std::string name : parts) {
     const std::string input = part(name + ".obj");
     const Obj control(input);
-    const std::vector<std::size_t> groups = refined_groups(control, 4);
-    const std::string options =
-      "--scheme catmull-clark --levels 4 --sharp '" + part(name + ".selection.txt") + "'";
+    const int rounds = tests_are_full ? 4 : 2;
+    const std::vector<std::size_t> groups = refined_groups(control, rounds);
+    const std::string options = "--scheme catmull-clark --levels " + std::to_string(rounds) +
+                                " --sharp '" + part(name + ".selection.txt") + "'";
     const Errors pn =
       errors(control, Obj(refine(input, options + " --output-normals control")), groups);
     EXPECT_LE(pn.points, 8) << name;
@@ -367,7 +369,7 @@ TEST_F(Pn_subdivide_creases, PrismsNeedPointsAndAnAngleOnly)
 // All edges of a prism of twelve sides that are not those of its rims meet at exactly 30 degrees.
 TEST_F(Pn_subdivide_creases, AnglesAreMeantWithATenthOfADegree)
 {
-  for (int pose = 0; pose < 12; ++pose) {
+  for (int pose = 0; pose < (tests_are_full ? 12 : 3); ++pose) {
     const double a = 0.7 * pose, b = 1.1 * pose * pose;
     std::ostringstream off;
     off.precision(17);

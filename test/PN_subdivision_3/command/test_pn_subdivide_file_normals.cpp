@@ -9,6 +9,7 @@
 // What normals in files are taken for: creases, smooth surfaces, or nothing that the faces do not say.
 
 #include "Command_test.h"
+#include "Extent.h"
 
 #include "io/mesh_io.h"
 
@@ -231,14 +232,15 @@ std::vector<Case> flat_shapes()
           {"an open pipe with seven sides", tube(7, 1, false), 7, -1},
           {"large sides", tube(12, 23, true), 14, 12 * 23 + 24}, // 278 faces, 14 normals: 19.9
           {"larger sides", tube(12, 24, true), 14, 12 * 24 + 24},
-          {"a triangulated pipe", triangulated(tube(60, 2, false)), 60, -1},
-          {"a ball", ball(8), 128, -1}};
+          {"a triangulated pipe", triangulated(tube(20, 2, false)), 20, -1},
+          {"a ball", ball(4), 32, -1}};
 }
 
 } // namespace
 
 TEST_F(Pn_subdivide_file_normals, FlatShadingMakesCreasesOfFewOrLargeSides)
 {
+  std::size_t k = 0;
   for (const Case& c : flat_shapes()) {
     SCOPED_TRACE(c.name);
     const bool has_creases =
@@ -262,7 +264,9 @@ TEST_F(Pn_subdivide_file_normals, FlatShadingMakesCreasesOfFewOrLargeSides)
         for (const std::string options :
              {"--levels 0", "--levels 2", "--levels 1 --sharp none", "--levels 1 --sharp angle:50",
               "--levels 1 --scheme doo-sabin", "--levels 1 --linear", "--levels 1 --normals angle"})
-          EXPECT_EQ(refined(input, options), refined(plain, options)) << options;
+          if (tests_are_full || k++ % 3 == 0) {
+            EXPECT_EQ(refined(input, options), refined(plain, options)) << options;
+          }
       }
       expect_part(surface(input, "--sharp file").err, " sharp edges");
     }

@@ -8,6 +8,7 @@
 
 // `--roundness`: where it comes from, what is written of it, and what it does to the result.
 
+#include "Extent.h"
 #include "Refined_files.h"
 
 #include "io/mesh_io.h"
@@ -275,6 +276,7 @@ TEST_F(Pn_subdivide_roundness, CallsOfOneRoundAreOneCallOfSeveral)
 {
   folder.write("box.selection.txt", "\n\n0 1 1 2\n");
   folder.write("ball.selection.txt", "\n\n0 2 2 4\n");
+  bool is_text = false;
   for (const std::string input : {"box.obj", "triangles.obj", "round.ply"}) {
     const std::string selection = input == "round.ply" ? "ball" : "box";
     const std::string sharp = " --sharp '" + folder.file(selection + ".selection.txt") + "'";
@@ -282,8 +284,10 @@ TEST_F(Pn_subdivide_roundness, CallsOfOneRoundAreOneCallOfSeveral)
     for (const std::string& more : {std::string(), sharp, sharp + " --sharpness 2",
                                     sharp + " --sharpness 1.5", std::string(" --roundness 0.5")})
       modes.push_back(more);
-    for (const std::string& more : modes)
+    for (const std::string& more : modes) {
+      is_text = !is_text; // the number of modes is odd: of the next input the other encoding
       for (const std::string encoding : {"", " --ascii"}) {
+        if (!tests_are_full && is_text == encoding.empty()) continue;
         const bool is_scheme = more.find("--scheme") != std::string::npos;
         const std::string options =
           "--drop-attributes --output-normals both" + encoding + (is_scheme ? more : "");
@@ -293,6 +297,7 @@ TEST_F(Pn_subdivide_roundness, CallsOfOneRoundAreOneCallOfSeveral)
         written("a.ply", "b.ply", options);
         EXPECT_TRUE(one == written("b.ply", "c.ply", options)) << input << options << more;
       }
+    }
   }
 }
 

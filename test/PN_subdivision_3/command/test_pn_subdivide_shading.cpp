@@ -9,6 +9,7 @@
 // Normals that modelling programs make of those of the faces are no data; normals that oppose their faces are turned over.
 
 #include "Command_test.h"
+#include "Extent.h"
 
 #include "io/Mesh_data.h"
 #include "io/mesh_io.h"
@@ -266,15 +267,19 @@ TEST_F(Pn_subdivide_shading, EachKindIsFoundWithItsDigits)
         for (const int digits : {4, 5, 6, 7, 8, 9})
           for (const bool is_fixed : {true, false}) {
             if (format >= 3 && (digits > 4 || !is_fixed)) continue;
+            // all digits are written in each format, and for each kind
+            if (!tests_are_full && format < 3 &&
+                (std::size_t(digits) + kind + 2 * format) % 6 != (is_fixed ? 0u : 3u))
+              continue;
             SCOPED_TRACE(std::to_string(kind) + formats[format].second + std::to_string(digits));
             const std::string input = written(*s, shading(*s, kind), format, digits, is_fixed);
-            const Outcome outcome = surface(input, "--levels 1");
+            const Outcome outcome = surface(input, "--levels 1 --output-normals control");
             // a triangle's corners span its area
             const char* const name = s == &triangles && kind == 4 ? weights[1] : weights[kind];
             EXPECT_TRUE(has(outcome.err, std::string(name) + " (")) << outcome.err;
             EXPECT_TRUE(has(outcome.err, "estimated normals")) << outcome.err;
             EXPECT_FALSE(has(outcome.err, "warning")) << outcome.err;
-            EXPECT_EQ(refined(input, "--levels 1"), expected);
+            EXPECT_EQ(Temporary_folder::content(folder.file("out.ply")), expected);
           }
   }
 }

@@ -8,6 +8,7 @@
 
 // What is sharp in the result: written to PLY, OBJ and selections, read again, and carried from call to call.
 
+#include "Extent.h"
 #include "Refined_files.h"
 
 #include "io/mesh_io.h"
@@ -499,6 +500,7 @@ TEST_F(Pn_subdivide_tags, TwoCallsOfOneRoundAreOneOfTwo)
 {
   const std::string inputs[] = {"quads.obj", "open_quads.obj"},
                     of_triangles[] = {"triangles.obj", "open_triangles.obj"};
+  std::size_t k = 0;
   for (const std::string& scheme : schemes)
     for (const std::string& input : takes_triangles(scheme) ? of_triangles : inputs)
       for (const std::string name : {"", "rims", "corner"})
@@ -508,6 +510,7 @@ TEST_F(Pn_subdivide_tags, TwoCallsOfOneRoundAreOneOfTwo)
             if (!is_open && border != "surface") continue;
             if (is_open && name == "rims") continue; // its upper rim is the border
             if (name.empty() && sharpness != "inf") continue;
+            if (!tests_are_full && k++ % 4 != 0) continue; // meets each sharpness and border
             SCOPED_TRACE(scheme + input + name + sharpness + border);
             const std::string options = "--output-normals both --scheme " + scheme +
                                         (is_open ? " --border " + border : std::string());
