@@ -77,6 +77,10 @@ void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
   if constexpr (!std::is_same_v<typename Parameters::Roundness_map, No_roundness>) {
     using Number = typename boost::property_traits<typename Parameters::Roundness_map>::value_type;
     const auto roundness = Parameters::roundness_map(np);
+    for (Index slot = n; slot < values.size(); ++slot) {
+      FT& of_vertex = values[extra[slot - n]].roundness; // no wedge is rounder than it is
+      of_vertex = (CGAL::min)(of_vertex, values[slot].roundness);
+    }
     for (Index v = 0; v < n; ++v)
       put(roundness, access.vertex(v), roundness_as<Number>(values[v].roundness));
   }

@@ -239,9 +239,9 @@ private:
         read_vertex_normals(normals, is_given, n, values);
       }
       Control_creases<FT, Value>(level, creases, values, is_given, normal_estimate(scheme_))();
-      put_given_roundness(scheme_, n, values);
-      for (std::size_t i = 0; i < extra.size(); ++i)
-        share_roundness(values[extra[i]], values[n + i]);
+      if (put_given_roundness(scheme_, n, values))
+        for (std::size_t i = 0; i < extra.size(); ++i)
+          share_roundness(values[extra[i]], values[n + i]);
     }
     return values;
   }

@@ -313,10 +313,11 @@ private:
       for (Crease_edge<FT>& e : creases.edges) e.tangent_from.fill(zero_vector<FT, 3>());
       Control_creases<FT, Value>(*whole_control_, creases, values, is_given,
                                  normal_estimate(scheme_))();
-      for (Index v = 0; v < n; ++v)
-        if (control.has_given_roundness()) share_roundness(control[v], values[v]);
-      for (std::size_t i = 0; i < extra.size(); ++i)
-        share_roundness(values[extra[i]], values[n + i]);
+      if (control.has_given_roundness()) {
+        for (Index v = 0; v < n; ++v) share_roundness(control[v], values[v]);
+        for (std::size_t i = 0; i < extra.size(); ++i)
+          share_roundness(values[extra[i]], values[n + i]);
+      }
     }
     return values;
   }

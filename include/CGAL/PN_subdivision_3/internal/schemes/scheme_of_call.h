@@ -283,18 +283,21 @@ template <class Scheme>
 constexpr bool may_vary_in_roundness_v =
   !std::is_null_pointer_v<Outermost<Is_with_varying_roundness, Scheme>>;
 
-// puts what is given into the first values, those of the vertices
+// puts what is given into the first values, those of the vertices; returns whether anything is
 template <class Scheme, class Value>
-void put_given_roundness([[maybe_unused]] const Scheme& scheme,
+bool put_given_roundness([[maybe_unused]] const Scheme& scheme,
                          [[maybe_unused]] std::size_t vertices,
                          [[maybe_unused]] std::vector<Value>& values)
 {
   if constexpr (may_vary_in_roundness_v<Scheme> && has_roundness_v<Value>)
-    if (const auto* given = outermost<Is_with_roundness>(scheme)->given; given != nullptr)
+    if (const auto* given = outermost<Is_with_roundness>(scheme)->given; given != nullptr) {
       given->put(vertices, values);
+      return given->is_any();
+    }
+  return false;
 }
 
-// the wedges of a vertex have one roundness
+// the wedges of a vertex have one roundness if it is given
 template <class Value, class Other_value>
 void share_roundness([[maybe_unused]] const Value& of_vertex,
                      [[maybe_unused]] Other_value& of_wedge)
