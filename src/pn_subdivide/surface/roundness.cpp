@@ -59,7 +59,7 @@ void set_roundness(Mesh_data& mesh, const Roundness_option& option, std::vector<
 {
   switch (option.source) {
   case Source::automatic:
-    if (has_normals_of_file) mesh.roundness = std::move(of_file);
+    if (has_normals_of_file && !of_file.empty()) mesh.roundness = std::move(of_file);
     break;
   case Source::file:
     if (of_file.empty())

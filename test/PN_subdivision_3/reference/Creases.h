@@ -439,6 +439,11 @@ private:
     const std::map<int, int> wedge = wedges(v);
     star.tangents[a] = -rule.tangent();
     star.tangents[b] = rule.tangent();
+    star.point = rule.point(1);
+    if (old_.is_linear) {
+      for (const int f : faces_at(v)) star.normals[f] = Vector::Zero();
+      return;
+    }
     Real all = 0;
     for (const int f : faces_at(v)) {
       const auto in_wedge = [&](int u) { // the face beside vu in the wedge of f
@@ -447,9 +452,7 @@ private:
         throw std::logic_error("reference::Crease_round: no face of the wedge at the crease");
       };
       const Corner at_a{in_wedge(a), a}, at_b{in_wedge(b), b}, at_v{f, v};
-      star.normals[f] = old_.is_linear
-                          ? Vector(Vector::Zero())
-                          : rule.normal({old_.normal(at_a), old_.normal(at_b), old_.normal(at_v)});
+      star.normals[f] = rule.normal({old_.normal(at_a), old_.normal(at_b), old_.normal(at_v)});
       star.rounds[f] =
         Real(0.125) * (old_.round(at_a) + old_.round(at_b)) + Real(0.75) * old_.round(at_v);
       all = std::max(all, star.rounds[f]);
