@@ -148,12 +148,14 @@ void estimate_between_creases(Mesh_data& mesh, std::optional<PN::Control_normal_
       .vertex_roundness_map(roundness)
       .edge_is_constrained_map(maps.edges)
       .vertex_is_constrained_map(maps.vertices));
-  if (of_all) put_roundness(mesh, roundness);
   const Wedges wedges(surface, [&](auto e) { return creases.is_sharp(e); });
   const Normal_map of_vertices = *normals_of(surface);
   for (const Surface::Halfedge_index h : surface.halfedges())
-    if (!of_all && wedges.number[surface.target(h)] == 1)
+    if (!of_all && wedges.number[surface.target(h)] == 1) {
       normals[h] = of_vertices[surface.target(h)];
+      roundness[surface.target(h)] = 1;
+    }
+  if (of_all || mesh.roundness.empty()) put_roundness(mesh, roundness);
   Mesh_data with_normals = to_mesh_data(surface);
   mesh.normals = std::move(with_normals.normals);
   mesh.corner_normals = std::move(with_normals.corner_normals);

@@ -238,7 +238,32 @@ TEST_F(Pn_subdivide_roundness, EstimateReadsItOffThePoints)
   }
 }
 
-// Who says what is sharp says what is smooth.
+// Sides that end in a chamfer. The normals of a file are round, but not the wedges that are estimated beside them.
+TEST_F(Pn_subdivide_roundness, WedgesBesideChamfersAreNotRound)
+{
+  for (const bool with_normals : {false, true}) {
+    std::ostringstream text;
+    text << (with_normals ? "NOFF" : "OFF") << "\n36 26 0\n";
+    const double radii[3] = {2.4, 2.4, 1.8}, heights[3] = {0, 26, 28}, pi = std::acos(-1.);
+    for (int v = 0; v < 36; ++v) {
+      const double x = std::cos(pi * v / 6), y = std::sin(pi * v / 6), r = radii[v / 12];
+      text << r * x << ' ' << r * y << ' ' << heights[v / 12];
+      if (with_normals) text << ' ' << x << ' ' << y << " 0";
+      text << '\n';
+    }
+    for (int v = 0; v < 24; ++v) {
+      const int next = v % 12 == 11 ? v - 11 : v + 1;
+      text << "4 " << v << ' ' << next << ' ' << next + 12 << ' ' << v + 12 << '\n';
+    }
+    text << "12 11 10 9 8 7 6 5 4 3 2 1 0\n12 24 25 26 27 28 29 30 31 32 33 34 35\n";
+    folder.write("pin.off", text.str());
+    const std::string all = with_normals ? "roundness 0 at 24 of 36" : "roundness 0 at";
+    EXPECT_TRUE(contains(err("pin.off", "--sharp angle:40"), all))
+      << err("pin.off", "--sharp angle:40");
+  }
+}
+
+// Planes are.
 TEST_F(Pn_subdivide_roundness, CreasesAreRound)
 {
   EXPECT_FALSE(contains(err("box.obj", "--sharp angle:50"), "roundness"));

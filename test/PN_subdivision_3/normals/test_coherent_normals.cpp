@@ -21,6 +21,7 @@
 #include <array>
 #include <map>
 #include <numeric>
+#include <set>
 
 using namespace estimated_normals;
 using namespace sampled_surfaces;
@@ -301,6 +302,96 @@ std::vector<Control_mesh> any_shapes()
   return shapes;
 }
 
+// the convex hull of random points of a sphere: triangles of any shape
+Control_mesh random_sphere(int n, unsigned seed)
+{
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> number;
+  Control_mesh mesh{
+    "random sphere of " + std::to_string(n) + ", " + std::to_string(seed), {}, {}, {}};
+  for (int v = 0; v < n; ++v) {
+    const double x = number(generator), y = number(generator), z = number(generator);
+    mesh.points.push_back({x, y, z});
+  }
+  mesh = on_unit_sphere(mesh);
+  const auto at = [&](int v) {
+    return Vector(mesh.points[v][0], mesh.points[v][1], mesh.points[v][2]);
+  };
+  const auto is_seen = [&](const reference::Face& f, int v) {
+    return (at(f[1]) - at(f[0])).cross(at(f[2]) - at(f[0])).dot(at(v) - at(f[0])) > 0;
+  };
+  mesh.faces = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  if (is_seen(mesh.faces[0], 3))
+    for (reference::Face& f : mesh.faces) std::swap(f[0], f[1]);
+  for (int v = 4; v < n; ++v) {
+    std::set<std::pair<int, int>> edges; // of what the point sees
+    std::vector<reference::Face> faces;
+    for (const reference::Face& f : mesh.faces)
+      if (!is_seen(f, v))
+        faces.push_back(f);
+      else
+        for (std::size_t i = 0; i < 3; ++i) edges.emplace(f[i], f[(i + 1) % 3]);
+    for (const auto& [a, b] : edges)
+      if (edges.count({b, a}) == 0) faces.push_back({a, b, v});
+    mesh.faces = faces;
+  }
+  return mesh;
+}
+
+// of the planes of faces from the normals at their corners, in degrees
+double largest_turn(const Control_mesh& mesh)
+{
+  double least = 1;
+  for (const reference::Face& f : mesh.faces) {
+    const auto at = [&](std::size_t i) {
+      const Triple& p = mesh.points[std::size_t(f[i])];
+      return Vector(p[0], p[1], p[2]);
+    };
+    const Vector n = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+    for (int v : f) {
+      const Triple& m = mesh.normals[std::size_t(v)];
+      least = (std::min)(least, double(n.dot(Vector(m[0], m[1], m[2]))));
+    }
+  }
+  return std::acos(least) * 180 / double(pi);
+}
+
+// from 0 to 1; many a step is a thousandth of others
+Numbers steps_of_any_size(int n, std::mt19937& generator)
+{
+  std::uniform_real_distribution<double> random(0, 1);
+  Numbers x{0};
+  for (int i = 0; i < n; ++i) {
+    x.push_back(x.back() + 0.7 + 0.3 * random(generator));
+    if (i % 2 == 0) x.push_back(x.back() + std::pow(10., -3 * random(generator)));
+  }
+  for (Real& y : x) y /= x.back();
+  return x;
+}
+
+// triangles with a corner at a pole are needles
+Control_mesh sphere_with_poles(const Numbers& turns, const Numbers& heights)
+{
+  Control_mesh mesh{"sphere with poles", {}, {}, {}};
+  const int n = int(turns.size()) - 1, rows = int(heights.size()) - 2;
+  for (int j = 1; j <= rows; ++j)
+    for (int i = 0; i < n; ++i) {
+      const Real u = 2 * pi * turns[std::size_t(i)], v = pi * heights[std::size_t(j)];
+      const Vector p(std::sin(v) * std::cos(u), std::sin(v) * std::sin(u), -std::cos(v));
+      add(mesh, {p, p});
+    }
+  add_strips(mesh, n, rows - 1);
+  for (int side : {-1, 1}) {
+    const int pole = int(mesh.points.size()), first = side < 0 ? 0 : n * (rows - 1);
+    add(mesh, {Vector(0, 0, side), Vector(0, 0, side)});
+    for (int i = 0; i < n; ++i) {
+      const int a = first + i, b = first + (i + 1) % n;
+      mesh.faces.push_back(side < 0 ? reference::Face{pole, b, a} : reference::Face{pole, a, b});
+    }
+  }
+  return mesh;
+}
+
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b)
 {
   double largest = a.size() == b.size() ? 0 : HUGE_VAL;
@@ -356,7 +447,7 @@ TEST(Coherent_normals, SimilaritiesCommute)
     }
     const Result turned = coherent(
       moved(mesh, [&](const Vector& p) -> Vector { return 3 * (turn * p) + Vector(1, -2, 3); }));
-    EXPECT_LE(largest_difference(turned.roundness, expected.roundness), 2048 * ulp) << mesh.name;
+    EXPECT_LE(largest_difference(turned.roundness, expected.roundness), 16384 * ulp) << mesh.name;
     for (std::size_t v = 0; v < expected.normals.size(); ++v) {
       const Triple& m = expected.normals[v];
       const Vector n = turn * Vector(m[0], m[1], m[2]);
@@ -441,6 +532,47 @@ TEST(Coherent_normals, PlanesJoinBends)
     const double now = angles(mesh, coherent(mesh).normals, inside).largest;
     const double before = angles(mesh, estimated(mesh), inside).largest;
     EXPECT_LT(now, before / 3) << steps;
+  }
+}
+
+// Whatever the triangulation is, where no face turns by more than 36 degrees from the normals.
+TEST(Coherent_normals, SpheresOfRandomPointsAreRound)
+{
+  const Eigen::AngleAxis<Real> turn(0.7L, Vector(1, 2, -0.5).normalized());
+  int spheres = 0;
+  for (int n : {40, 60, 100, 200})
+    for (unsigned seed = 0; seed < 30; ++seed) {
+      const Control_mesh mesh = random_sphere(n, seed);
+      if (largest_turn(mesh) > 36) continue;
+      ++spheres;
+      const Control_mesh other =
+        moved(mesh, [&](const Vector& p) -> Vector { return 1e-3L * (turn * p) + turn * p; });
+      for (const Result& result : {coherent(mesh), coherent(other)})
+        for (double w : result.roundness) EXPECT_EQ(w, 1) << mesh.name;
+      EXPECT_LE(largest_distance(coherent(mesh).normals, mesh.normals), 1e-9) << mesh.name;
+    }
+  EXPECT_GE(spheres, 20);
+}
+
+// Meridians and parallels of which many are a thousandth of others apart, with poles. Exact normals of a cone do not
+// meet by arcs across its quads.
+TEST(Coherent_normals, GridsOfAnyStepsAreRound)
+{
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    std::mt19937 generator(seed);
+    const Numbers turns = steps_of_any_size(14, generator),
+                  heights = steps_of_any_size(7, generator);
+    for (const Control_mesh& mesh :
+         {renamed(cylinder(turns, heights, 3, Cells::quads), "cylinder of quads"),
+          renamed(cylinder(turns, heights, 3, Cells::triangles), "cylinder of triangles"),
+          renamed(cylinder(turns, heights, 3, Cells::mixed), "cylinder"),
+          renamed(cone(turns, heights, Cells::quads), "cone"), sphere_with_poles(turns, heights)}) {
+      const Result result = coherent(mesh);
+      EXPECT_LE(largest_distance(result.normals, mesh.normals), 1e-9) << mesh.name << ' ' << seed;
+      const auto least = std::min_element(result.roundness.begin(), result.roundness.end());
+      EXPECT_EQ(*least, 1) << mesh.name << ' ' << seed << ", vertex "
+                           << least - result.roundness.begin();
+    }
   }
 }
 
@@ -648,32 +780,6 @@ TEST(Coherent_normals, GivenNormalsAreRound)
     EXPECT_EQ(normals, 40u);
     EXPECT_EQ(others, 40u);
   });
-}
-
-// Who tags edges says what is smooth: vertex 0 is on the plane beside a bevel.
-TEST(Coherent_normals, PlatesAreRoundAtCreases)
-{
-  struct One_at_crease : PN::internal::Vertex_sectors
-  {
-    using Vertex_sectors::Vertex_sectors;
-    bool is_at_crease(unsigned s) const { return s == 0; }
-  };
-  for (const Control_mesh& control :
-       {beveled_plate(70, 90), ends_of_bevels(1), ends_of_bevels(2)}) {
-    const auto mesh = to_mesh<CGAL::Simple_cartesian<double>>(control);
-    EXPECT_LT(coherent(control).roundness[0], 1);
-    PN::internal::with_mesh_access(mesh, [&](const auto& access) {
-      const auto level = PN::internal::checked_level(access);
-      std::vector<double> roundness(control.points.size(), -1);
-      PN::internal::estimate_normals<double>(
-        level, Control_normal_estimate::coherent, One_at_crease(level),
-        [&](unsigned v) -> const Triple& { return control.points[v]; },
-        [](unsigned) -> const Triple* { return nullptr; }, [](unsigned, const Triple&) {},
-        [&](unsigned v, double w) { roundness[v] = w; });
-      EXPECT_EQ(roundness[0], 1);
-      if (control.name == "beveled plate") EXPECT_EQ(roundness[1], 0);
-    });
-  }
 }
 
 TEST(Coherent_normals, OtherEstimatesAreRound)

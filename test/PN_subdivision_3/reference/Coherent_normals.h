@@ -40,20 +40,27 @@ public:
       r = fan_normal(v);
       if (r.isZero()) r = area_.back();
     }
-    std::vector<Real> alone;
-    for (int v = 0; v < n; ++v) alone.push_back(make_normal(v));
+    std::vector<Real> regular, dips, misses, alone;
+    for (int v = 0; v < n; ++v) regular.push_back(make_normal(v));
     for (int v = 0; v < n; ++v) {
-      Real least = 1;
+      const auto i = std::size_t(v);
+      dips.push_back(1 - window(dip_in_shortest_edges(v, normals[i]), 2, 4));
+      misses.push_back(share_of_misses(v));
+      alone.push_back(regular[i] * (1 - misses[i] * (1 - dips[i])));
+    }
+    for (int v = 0; v < n; ++v) {
+      const auto i = std::size_t(v);
+      Real beside = 1;
       for (int j : mesh.ring(v)) {
         const Real other = alone[std::size_t(j)];
-        least = std::min(least, 1 - (1 - other) * window(error_beside(v, j), 0.3L, 0.6L));
+        beside = std::min(beside, 1 - (1 - other) * window(error_beside(v, j), 0.3L, 0.6L));
       }
-      const Real lifted = alone[std::size_t(v)] > 0 ? window(lift(v), 0.5L, 1) : 0;
       Real spread = 0;
       for (const Face& f : mesh.faces())
         if (std::find(f.begin(), f.end(), v) != f.end()) spread = std::max(spread, spread_over(f));
-      roundness.push_back(alone[std::size_t(v)] * least * (1 - lifted) *
-                          (1 - window(spread, 0.2L, 0.4L)));
+      const Real lifted = window(lift(v), 0.5L, 1), spreads = window(spread, 0.2L, 0.4L);
+      const Real share = dips[i] * beside * (1 - lifted) * (1 - spreads);
+      roundness.push_back(regular[i] * (1 - misses[i] * (1 - share)));
     }
   }
 
@@ -120,6 +127,17 @@ private:
   {
     const Point_3 e = at(j) - at(v);
     return std::abs((n[std::size_t(v)] + n[std::size_t(j)]).dot(e)) / e.norm();
+  }
+
+  // from 0 where all arcs meet to 1e-6 to 1 where one misses by 1e-3
+  Real share_of_misses(int v) const
+  {
+    Real miss = 1e-9L;
+    for (int j : mesh_.ring(v))
+      miss =
+        std::max(miss, at(j) != at(v) ? arc_error(v, j, normals)
+                                      : (normals[std::size_t(v)] - normals[std::size_t(j)]).norm());
+    return window(std::log10(miss), -6, -3);
   }
 
   // from 0 where the longest edge is 6 times the shortest one to 1 where it is 7 times that
@@ -190,7 +208,7 @@ private:
       if (e.norm() > 0) least = std::min(least, e.norm());
       dip = std::max(dip, std::abs(n.dot(e)));
     }
-    return dip / least;
+    return dip > 0 ? dip / least : 0;
   }
 
   // How far the point-normal rule with the weights 5/8 of an interior vertex and 3/8 of its neighbors takes that
@@ -241,7 +259,7 @@ private:
     return sum;
   }
 
-  // returns its roundness without regard to the neighbors
+  // returns its roundness if all arcs meet
   Real make_normal(int v)
   {
     const Point_3 &r = reciprocal_[std::size_t(v)], &a = area_[std::size_t(v)];
@@ -260,7 +278,7 @@ private:
     }
     if (n.isZero()) return 0;
     const Real f = turn_share(v, n);
-    return (f + (1 - f) * rho) * (1 - window(dip_in_shortest_edges(v, n), 8, 16));
+    return f + (1 - f) * rho;
   }
 
   const Face_list& mesh_;

@@ -437,15 +437,14 @@ private:
     if (old_.is_linear) entries.tangents.assign(3, Vector::Zero());
     const Crease_rule rule(entries);
     const std::map<int, int> wedge = wedges(v);
-    Real all = 0;
-    for (const int u : {a, b}) all += Real(0.125) * (round_beside(u, v) + 3 * round_beside(v, u));
-    star.point = rule.point(all);
     star.tangents[a] = -rule.tangent();
     star.tangents[b] = rule.tangent();
+    star.point = rule.point(1);
     if (old_.is_linear) {
       for (const int f : faces_at(v)) star.normals[f] = Vector::Zero();
       return;
     }
+    Real all = 0;
     for (const int f : faces_at(v)) {
       const auto in_wedge = [&](int u) { // the face beside vu in the wedge of f
         for (const int g : {mesh_.face(v, u), mesh_.face(u, v)})
@@ -456,15 +455,9 @@ private:
       star.normals[f] = rule.normal({old_.normal(at_a), old_.normal(at_b), old_.normal(at_v)});
       star.rounds[f] =
         Real(0.125) * (old_.round(at_a) + old_.round(at_b)) + Real(0.75) * old_.round(at_v);
+      all = std::max(all, star.rounds[f]);
     }
-  }
-
-  // of the vertex u of a crease, where it is one number for the sides of the edge uv
-  Real round_beside(int u, int v) const
-  {
-    Real sum = 0;
-    for (const auto& [corner, w] : beside(u, v)) sum += w * old_.round(corner);
-    return sum;
+    star.point = rule.point(all); // a crease is as round as the rounder side
   }
 
   void make_vertex(int v)
@@ -532,7 +525,10 @@ private:
     entries.tangents = {old_.tangent(a, b), -old_.tangent(b, a)};
     if (old_.is_linear) entries.tangents.assign(2, Vector::Zero());
     const Crease_rule rule(entries);
-    Vector point = rule.point((round_beside(a, b) + round_beside(b, a)) / 2);
+    const auto round = [&](int face) {
+      return face < 0 ? 0 : (old_.round({face, a}) + old_.round({face, b})) / 2;
+    };
+    Vector point = rule.point(std::max(round(f), round(g)));
     std::map<int, Vector> normals;
     for (const int face : {f, g})
       if (face >= 0)
@@ -546,8 +542,7 @@ private:
       normals[f] = normals[g] = joined;
     }
     result_.points[std::size_t(m)] = point;
-    for (const auto& [face, n] : normals)
-      set_corners(face, a, b, m, n, (old_.round({face, a}) + old_.round({face, b})) / 2);
+    for (const auto& [face, n] : normals) set_corners(face, a, b, m, n, round(face));
     if (child == 0) return;
     for (const int end : {a, b}) {
       result_.sharp_edges[undirected(end, m)] = child;

@@ -32,20 +32,41 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// Whole vertices of a level that is cut open. Who says what is sharp says what is smooth: slots at
-// creases and corners are round.
+// Whole vertices of a level that is cut open, with area normals.
+template <class FT>
 class Wedge_sectors : public Vertex_sectors
 {
 public:
+  using Vector = Coordinates<FT, 3>;
+
   Wedge_sectors(const Level_connectivity& level, std::vector<bool> is_at_crease)
     : Vertex_sectors(level)
     , is_at_crease_(std::move(is_at_crease))
   {}
 
+  template <class Point_of>
+  void add_area_normals(const Level_connectivity& level, const Point_of& point)
+  {
+    std::vector<Area_sum> sums(is_at_crease_.size());
+    const Scaled_differences<FT, Point_of> difference(level, point);
+    add_areas(level, *this, difference, [&](Index slot) -> Area_sum& { return sums[slot]; });
+    for (const Area_sum& sum : sums) {
+      const auto n = sum.unit();
+      area_normals_.push_back({FT(n[0]), FT(n[1]), FT(n[2])});
+    }
+  }
+
   bool is_at_crease(Index slot) const { return is_at_crease_[slot]; }
+  Vector& area_normal(Index slot) { return area_normals_[slot]; }
+  const Vector& area_normal(Index slot) const { return area_normals_[slot]; }
+  Coordinates<double, 3> own_normal(Index slot) const
+  {
+    return to_double_3<FT>(area_normals_[slot]);
+  }
 
 private:
   const std::vector<bool> is_at_crease_;
+  std::vector<Vector> area_normals_;
 };
 
 // Where a plane joins a bend beside a crease the wedge has the area normal, as whole vertices have it
@@ -58,34 +79,22 @@ public:
   using Vector = Coordinates<FT, 3>;
 
   // values[slot] has the point and, when joints are made, the normal that arcs ask for
-  Wedge_joints(const Level_connectivity& cut, const Wedge_sectors& sectors,
+  Wedge_joints(const Level_connectivity& cut, const Wedge_sectors<FT>& sectors,
                std::vector<Value>& values)
     : cut_(cut)
     , sectors_(sectors)
     , values_(values)
-    , area_(values.size())
-  {
-    const Point_of point{values.data()};
-    const Scaled_differences<FT, Point_of> difference(cut, point);
-    std::vector<Area_sum> sums(area_.size());
-    add_areas(cut, sectors, difference, [&](Index slot) -> Area_sum& { return sums[slot]; });
-    for (Index slot = 0; slot < area_.size(); ++slot) {
-      const auto n = sums[slot].unit();
-      area_[slot] = {FT(n[0]), FT(n[1]), FT(n[2])};
-    }
-  }
-
-  Vector& area_normal(Index slot) { return area_[slot]; }
+  {}
 
   void operator()(const std::vector<bool>& is_given)
   {
     std::vector<std::pair<Index, Vector>> changed;
-    for (Index slot = 0; slot < area_.size(); ++slot) {
+    for (Index slot = 0; slot < values_.size(); ++slot) {
       if (is_given[slot] || !sectors_.is_at_crease(slot) || sectors_.is_empty(slot)) continue;
-      if (is_zero_not_unit<FT, 3>(area_[slot])) continue;
+      Vector n = sectors_.area_normal(slot);
+      if (is_zero_not_unit<FT, 3>(n)) continue;
       const double share = share_of_reciprocal(slot);
       if (share >= 1) continue;
-      Vector n = area_[slot];
       scale<FT, 3>(n, FT(1 - share));
       add_multiple<FT, 3>(n, FT(share), values_[slot].normal);
       changed.emplace_back(slot, unit_or_zero<FT, 3>(n, FT(1)));
@@ -94,15 +103,9 @@ public:
   }
 
 private:
-  struct Point_of
-  {
-    const Vector& operator()(Index slot) const { return values[slot].point; }
-    const Value* values;
-  };
-
   double share_of_reciprocal(Index slot) const
   {
-    const auto r = to_double_3<FT>(values_[slot].normal), a = to_double_3<FT>(area_[slot]);
+    const auto r = to_double_3<FT>(values_[slot].normal), a = sectors_.own_normal(slot);
     if (is_zero(r)) return 0;
     Curvature_mismatch m;
     double unit = 0; // of length
@@ -124,9 +127,73 @@ private:
   }
 
   const Level_connectivity& cut_;
-  const Wedge_sectors& sectors_;
+  const Wedge_sectors<FT>& sectors_;
   std::vector<Value>& values_;
-  std::vector<Vector> area_;
+};
+
+// How round creases are, which their wedges are no more than: where tangents turn from edges as in a round
+// fan, or where all arcs meet. Ends mirror the tangents of their neighbors, and tell nothing.
+template <class FT, class Value>
+class Crease_turns
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Vector = Coordinates<double, 3>;
+
+  Crease_turns(const Level_connectivity& level, const Creases<FT>& creases,
+               const std::vector<Value>& values)
+    : level_(level)
+    , creases_(creases)
+    , values_(values)
+    , is_inside_(level.number_of_vertices(), false)
+  {}
+
+  // of all slots
+  std::vector<double> operator()()
+  {
+    std::vector<double> of_vertices(is_inside_.size(), 1), result(values_.size(), 1);
+    for (const Crease_star& star : creases_.stars)
+      is_inside_[star.vertex] = creases_.rule(star) == Vertex_rule::crease;
+    for (const Crease_star& star : creases_.stars)
+      if (is_inside_[star.vertex]) of_vertices[star.vertex] = of_vertex(star);
+    for (const Crease_edge<FT>& e : creases_.edges)
+      for (Index side : {0u, 1u}) {
+        const Index v = level_.target(e.halfedge(side)), other = level_.source(e.halfedge(side));
+        const double share = of_vertices[is_inside_[v] ? v : other];
+        const auto put = [&](Index slot) { result[slot] = (std::min)(result[slot], share); };
+        if (e.has_after(side)) put(e.after[side]);
+        if (e.has_before(side)) put(e.before[side]);
+      }
+    return result;
+  }
+
+private:
+  double of_vertex(const Crease_star& star) const
+  {
+    double least = 1, miss = 0; // cosine of the turns; arcs
+    for (Index i = 0; i < star.number_of_ends; ++i) {
+      const Crease_end& end = creases_.end(star, i);
+      const Crease_edge<FT>& e = creases_.edge(end);
+      const Index v = star.vertex, w = level_.source(creases_.halfedge(end));
+      const Vector edge = to_double_3<FT>(difference<FT, 3>(values_[w].point, values_[v].point));
+      const double edge_length = length(edge);
+      if (!(edge_length > 0) || !std::isfinite(edge_length)) continue;
+      const Vector u = quotient(edge, edge_length);
+      const Vector t = to_double_3<FT>(e.tangent_from[1 - end.side]);
+      const auto cosine = dot<double, 3>(t, u);
+      Vector difference_of_arcs = to_double_3<FT>(e.tangent_from[end.side]);
+      add_multiple<double, 3>(difference_of_arcs, 2 * cosine, u);
+      add_multiple<double, 3>(difference_of_arcs, -1, t);
+      least = (std::min)(least, cosine);
+      miss = (std::max)(miss, is_inside_[w] ? length(difference_of_arcs) : 1);
+    }
+    return either(share_of_turn(least), share_of_arcs(miss));
+  }
+
+  const Level_connectivity& level_;
+  const Creases<FT>& creases_;
+  const std::vector<Value>& values_;
+  std::vector<bool> is_inside_; // two edges of a crease meet there
 };
 
 // The control data of a level with creases, once before the first round: the wedges' normals where
@@ -156,21 +223,25 @@ public:
     make_control_tangents(level_, creases_, values_, is_given_, has_joints);
     if (std::find(is_given_.begin(), is_given_.end(), false) == is_given_.end()) return;
     const Cut_level<FT> cut(level_, creases_);
-    const Wedge_sectors sectors(cut.connectivity(), slots_at_creases());
-    estimate_normals(cut.connectivity(), sectors);
-    if (!has_joints) {
-      strip_all([&](Index slot) -> Vector& { return values_[slot].normal; });
-      return;
+    Wedge_sectors<FT> sectors(cut.connectivity(), slots_at_creases());
+    if (has_joints) {
+      sectors.add_area_normals(cut.connectivity(), point);
+      strip_all([&](Index slot) -> Vector& { return sectors.area_normal(slot); });
     }
-    Wedge_joints<FT, Value> joints(cut.connectivity(), sectors, values_);
+    estimate_normals(cut.connectivity(), sectors);
     strip_all([&](Index slot) -> Vector& { return values_[slot].normal; });
-    strip_all([&](Index slot) -> Vector& { return joints.area_normal(slot); });
-    joints(is_given_);
+    if (!has_joints) return;
+    Wedge_joints<FT, Value>(cut.connectivity(), sectors, values_)(is_given_);
+    if constexpr (has_roundness_v<Value>) {
+      const std::vector<double> shares = Crease_turns<FT, Value>(level_, creases_, values_)();
+      for (Index slot = 0; slot < values_.size(); ++slot)
+        if (!is_given_[slot]) values_[slot].roundness *= FT(shares[slot]);
+    }
   }
 
 private:
   // sector by sector: cut open, every wedge is the whole of its vertex
-  void estimate_normals(const Level_connectivity& cut, const Wedge_sectors& sectors)
+  void estimate_normals(const Level_connectivity& cut, const Wedge_sectors<FT>& sectors)
   {
     internal::estimate_normals<FT>(
       cut, estimate_, sectors, [&](Index slot) -> const Vector& { return values_[slot].point; },

@@ -94,7 +94,7 @@ public:
       if (e.has_after(side))
         roundness.push_back(averaged_roundness(
           entries, {side == 0 ? e.before[1] : e.after[1], side == 0 ? e.after[0] : e.before[0]}));
-    const Rule average(entries.data(), entries.data() + 2, mean(roundness));
+    const Rule average(entries.data(), entries.data() + 2, largest(roundness));
     Value result{average.point(), {}, {average.tangent()}, roundness};
     if constexpr (is_pn) {
       const Vector none = zero_vector<FT, 3>();
@@ -169,12 +169,11 @@ private:
     return internal::averaged_roundness(entries,
                                         [&](std::size_t j) { return roundness(slots[j]); });
   }
-  // that of the point, which belongs to all wedges
-  FT mean(const std::vector<FT>& of_wedges) const
+  // that of the crease: a circle between a plane and what is not round is one
+  FT largest(const std::vector<FT>& of_wedges) const
   {
     if (of_wedges.empty()) return is_pn && !has_roundness ? roundness(0) : FT(1);
-    // two at most
-    return (of_wedges.front() + of_wedges.back()) / FT(2);
+    return (CGAL::max)(of_wedges.front(), of_wedges.back()); // two at most
   }
   template <std::size_t n>
   static Vector normal(const Rule& average, const std::array<Vector, n>& normals)
@@ -229,7 +228,7 @@ private:
         roundness[w] = averaged_roundness(entries, slots);
       });
     }
-    const Rule average(entries.data(), entries.data() + 3, mean(roundness));
+    const Rule average(entries.data(), entries.data() + 3, largest(roundness));
     Value result{average.point(), {}, {}, roundness};
     result.tangents = {opposite_vector<FT, 3>(average.tangent()), average.tangent()};
     if constexpr (is_pn) {

@@ -87,8 +87,13 @@ void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
     if constexpr (is_of_corners)
       put_roundness(roundness, access.halfedge_at(h), values[slot].roundness);
   });
-  if constexpr (!is_of_corners)
+  if constexpr (!is_of_corners) {
+    for (Index slot = n; slot < values.size(); ++slot) {
+      FT& of_vertex = values[extra[slot - n]].roundness; // no wedge is rounder than it is
+      of_vertex = (CGAL::min)(of_vertex, values[slot].roundness);
+    }
     for (Index v = 0; v < n; ++v) put_roundness(roundness, access.vertex(v), values[v].roundness);
+  }
 }
 
 } // namespace internal

@@ -280,10 +280,10 @@ private:
     if constexpr (is_pn) {
       add_wedge(level, creases, from, to, false, limit, slots);
       add_wedge(level, creases, to, from, true, limit, slots);
-      if constexpr (has_roundness_v<Value>)
-        for (FT& w : limit.roundness) w /= FT(static_cast<int>(slots.size()));
-      else
-        limit.roundness.fill(average_of<Average>(scheme_).roundness);
+      if constexpr (!has_roundness_v<Value>) {
+        const FT of_all = average_of<Average>(scheme_).roundness;
+        limit.roundness.push_back({of_all, of_all, of_all});
+      }
     }
     Limit_steps<FT> steps(demand_, !is_pn, 1. / 16);
     limit.evaluate(weights, steps);
@@ -329,13 +329,12 @@ private:
                                last.after[1 - before.side]};
     if (is_reversed) std::swap(three[1], three[2]);
     typename Crease_limit::Three normals;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Value& value = level.values[three[i]];
-      normals[i] = normal(value);
-      if constexpr (has_roundness_v<Value>)
-        limit.roundness[i] = (slots.size() == 1 ? FT(0) : limit.roundness[i]) + value.roundness;
-    }
+    for (std::size_t i = 0; i < 3; ++i) normals[i] = normal(level.values[three[i]]);
     limit.normals.push_back(normals);
+    if constexpr (has_roundness_v<Value>) {
+      const auto of = [&](std::size_t i) { return level.values[three[i]].roundness; };
+      limit.roundness.push_back({of(0), of(1), of(2)});
+    }
   }
 
   // \name Darts

@@ -260,11 +260,12 @@ private:
     const std::array<Entry, 2> entries{
       {{half, point_of(ring.front()), tangent},
        {half, point_of(ring[dart.crease_places().front()]), onwards}}};
-    FT roundness(0);
-    for (const auto p : dart.crease_places()) // whose rows refine it as well
-      roundness +=
-        averaged_roundness(entries, [&](std::size_t j) { return roundness_of(j == 0 ? 0 : p); });
-    roundness /= FT(static_cast<int>(dart.crease_places().size()));
+    const auto along = [&](std::size_t p) -> FT { // whose rows refine it as well
+      return averaged_roundness(entries,
+                                [&](std::size_t j) { return roundness_of(j == 0 ? 0 : p); });
+    };
+    const FT roundness =
+      (CGAL::max)(along(dart.crease_places().front()), along(dart.crease_places().back()));
     const Rule rule(entries.data(), entries.data() + 2, roundness);
     for (const auto p : dart.crease_places()) {
       point_of(next[p]) = rule.point();

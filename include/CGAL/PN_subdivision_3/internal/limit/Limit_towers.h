@@ -190,8 +190,8 @@ public:
   Three points;
   Three tangents;         // in the direction of travel
   Vector arrival_tangent; // that of the vertex, for the edge that the crease comes on
-  boost::container::small_vector<Three, 2> normals; // of each wedge
-  std::array<FT, 3> roundness{FT(1), FT(1), FT(1)}; // the means of the wedges
+  boost::container::small_vector<Three, 2> normals;               // of each wedge
+  boost::container::small_vector<std::array<FT, 3>, 2> roundness; // the same, if there are normals
 
   // becomes the limit at the vertex, which is the first one of each three
   void evaluate(const Crease_curve_weights<FT>& weights, Limit_steps<FT>& steps)
@@ -239,9 +239,13 @@ private:
   void put(const std::array<Entry, n>& entries, std::size_t at,
            const std::array<std::size_t, 3>& place, Crease_vertex_limit& next) const
   {
-    next.roundness[at] =
-      averaged_roundness(entries, [&](std::size_t j) { return roundness[place[j]]; });
-    const Rule rule(entries.data(), entries.data() + n, next.roundness[at]);
+    FT largest(roundness.empty() ? 1 : 0);
+    for (std::size_t w = 0; w < roundness.size(); ++w) {
+      FT& of_wedge = next.roundness[w][at];
+      of_wedge = averaged_roundness(entries, [&](std::size_t j) { return roundness[w][place[j]]; });
+      largest = w == 0 ? of_wedge : FT((CGAL::max)(largest, of_wedge));
+    }
+    const Rule rule(entries.data(), entries.data() + n, largest);
     next.points[at] = rule.point();
     next.tangents[at] = rule.tangent();
     if constexpr (is_pn)

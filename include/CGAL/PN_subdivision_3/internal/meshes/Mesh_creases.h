@@ -272,9 +272,7 @@ private:
         read_vertex_normals(normals, is_given, n, values);
       }
       Control_creases<FT, Value>(level, creases, values, is_given, normal_estimate(scheme_))();
-      put_given_roundness(scheme_, n, values, &is_given);
-      for (std::size_t i = 0; i < extra.size(); ++i)
-        share_roundness(values[extra[i]], values[n + i]);
+      put_given_roundness(scheme_, n, values, &is_given, extra);
     }
     return values;
   }

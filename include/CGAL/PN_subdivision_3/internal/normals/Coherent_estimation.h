@@ -30,8 +30,9 @@ namespace internal {
 
 // Estimates normals and roundness of sectors. A closed fan has the reciprocal normal where that agrees
 // with the neighbors and the fan is not wide, the area normal where not; an open one that of
-// Normal_estimation. Round is what is not wide, or is regular, not at a bend beside what is not
-// round, not lifted off a plane, and not over faces whose arcs miss each other.
+// Normal_estimation. Round is what is not wide, or is regular; where arcs miss each other, only if it
+// does not dip far, is not at a bend beside what is not round, nor lifted off a plane, nor at faces over
+// which arcs differ.
 template <class FT, class Sectors, class Point_of>
 class Coherent_estimation
 {
@@ -60,24 +61,33 @@ public:
     compare_neighbors();
     bool are_round = true;
     for (Index s = 0; s < estimates_.size(); ++s) {
-      const Estimate& e = estimates_[s];
+      Estimate& e = estimates_[s];
       if (e.kind == Kind::closed)
         estimate_closed(s, set_normal);
       else if (e.kind == Kind::open)
-        estimate_open(s);
-      are_round = are_round && e.weight == 1;
-      if (e.kind != Kind::given) set_roundness(s, e.weight);
+        e.weight = roundness_of(e, regularity_of(s));
+      are_round = are_round && e.weight == 1 && !(e.is_estimated() && e.dips.share() < 1) &&
+                  share_of_arcs(s, std::sqrt(e.largest_squared_arc_error())) == 1;
+      if (e.is_estimated()) set_roundness(s, e.weight);
     }
     if (are_round && !is_uneven_) return;
-    std::vector<double> shares(estimates_.size(), 1);
-    if (!are_round) compare_roundness(shares);
+    const std::vector<double> misses = largest_misses();
+    std::vector<double> shares(estimates_.size(), 1); // what arcs that miss each other leave
+    for (Index s = 0; s < estimates_.size(); ++s)
+      if (estimates_[s].is_estimated())
+        shares[s] = estimates_[s].dips.share() * share_of_arcs(s, misses[s]);
+    const auto roundness = [&](Index s) {
+      return estimates_[s].weight * (1 - share_of_miss(misses[s]) * (1 - shares[s]));
+    };
+    std::vector<double> alone;
+    for (Index s = 0; s < estimates_.size(); ++s) alone.push_back(roundness(s));
+    compare_roundness(alone, shares);
     if (is_uneven_) {
       compare_lifts(shares);
       compare_arcs_of_faces(shares);
     }
     for (Index s = 0; s < estimates_.size(); ++s)
-      if (shares[s] < 1 && estimates_[s].kind != Kind::given)
-        set_roundness(s, estimates_[s].weight * shares[s]);
+      if (shares[s] < 1 && estimates_[s].is_estimated()) set_roundness(s, roundness(s));
   }
 
 private:
@@ -96,6 +106,7 @@ private:
     bool has_normal = false;
     bool is_narrow = false; // turns little from the reciprocal normal
 
+    bool is_estimated() const { return kind == Kind::open || kind == Kind::closed; }
     Vector& area() { return area_sum.area; }
     const Vector& area() const { return area_sum.area; }
     double& largest_squared_arc_error()
@@ -167,14 +178,46 @@ private:
       inverse_of_shortest = (std::max)(inverse_of_shortest, inverse);
       if (!std::isfinite(inverse) || !s.has_normal || !t.has_normal) return;
       longest = (std::max)(longest, squared);
-      const auto of_s = dot<double, 3>(s.normal, e), of_t = dot<double, 3>(t.normal, e);
-      s.dips.add(of_s * of_s, inverse);
-      t.dips.add(of_t * of_t, inverse);
+      const auto dip_s = dot<double, 3>(s.normal, e), dip_t = dot<double, 3>(t.normal, e);
+      s.dips.add(dip_s * dip_s, inverse);
+      t.dips.add(dip_t * dip_t, inverse);
+      const double of_s = is_mirrored(i) ? dot<double, 3>(evidence(i), e) : dip_s;
+      const double of_t = is_mirrored(j) ? dot<double, 3>(evidence(j), e) : dip_t;
       add_mismatch(s, of_s + of_t, dot<double, 3>(s.area(), e) + of_t, inverse);
       add_mismatch(t, of_s + of_t, dot<double, 3>(t.area(), e) + of_s, inverse);
     });
     longest_squared_ = longest;
     is_uneven_ = may_lift(inverse_of_shortest);
+  }
+
+  // The normal of a wedge is made to meet arcs: that it does tells nothing.
+  bool is_mirrored(Index s) const
+  {
+    return sectors_.is_at_crease(s) && estimates_[s].kind == Kind::open;
+  }
+  Vector evidence(Index s) const
+  {
+    return is_mirrored(s) ? sectors_.own_normal(s) : estimates_[s].normal;
+  }
+
+  double share_of_arcs(Index s, double miss) const
+  {
+    return is_mirrored(s) ? internal::share_of_arcs(miss) : 1;
+  }
+
+  // of the arcs of a sector, relative to their lengths; points that coincide miss by their normals
+  std::vector<double> largest_misses() const
+  {
+    std::vector<double> result(estimates_.size(), 0);
+    for_each_edge([&](Index i, Index j, Index h) {
+      const Vector e = edge(h), n = evidence(i), m = evidence(j);
+      const double e_length = quick_length(e);
+      const double miss = e_length > 0
+                            ? std::abs(dot<double, 3>(n, e) + dot<double, 3>(m, e)) / e_length
+                            : quick_length(difference<double, 3>(n, m));
+      for (Index s : {i, j}) result[s] = (std::max)(result[s], miss);
+    });
+    return result;
   }
 
   bool may_lift(double inverse_of_shortest_squared) const
@@ -198,7 +241,6 @@ private:
     const double t = e.mismatch.share_of_first(vanishing_tolerance<FT>());
     if (t >= 1 && e.weight >= 1 && e.is_reciprocal) {
       set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
-      e.weight = sectors_.is_at_crease(s) ? 1 : e.dips.share();
       return;
     }
     const bool was_narrow = e.is_narrow;
@@ -206,7 +248,7 @@ private:
     const double share = t * either(e.weight, regular);
     if (share >= 1 && e.is_reciprocal) {
       set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
-      e.weight = either(e.weight, regular) * e.dips.share();
+      e.weight = either(e.weight, regular);
     } else {
       const Vector n = mixed(share, e.normal, e.area());
       e.is_narrow = was_narrow && is_close(n, e.normal);
@@ -214,16 +256,8 @@ private:
       e.normal = n;
       set_normal(s, reciprocal_.converted(n));
       e.weight = roundness_of(e, regular);
-      if (e.weight > 0) e.weight *= dips(s).share();
+      e.dips = dips(s);
     }
-    if (sectors_.is_at_crease(s)) e.weight = 1;
-  }
-
-  void estimate_open(Index s)
-  {
-    if (!sectors_.is_at_crease(s))
-      estimates_[s].weight =
-        roundness_of(estimates_[s], regularity_of(s)) * estimates_[s].dips.share();
   }
 
   // of a closed sector whose normal is no longer the reciprocal one
@@ -262,27 +296,28 @@ private:
     return n_length > vanishing_tolerance<FT>() ? quotient(n, n_length) : b;
   }
 
-  void compare_roundness(std::vector<double>& shares) const
+  void compare_roundness(const std::vector<double>& alone, std::vector<double>& shares) const
   {
-    std::vector<double> uneven; // none is
+    const auto is_round = [&](Index s) { return alone[s] == 1; };
+    if (std::all_of(alone.begin(), alone.end(), [](double w) { return w == 1; })) return;
+    std::vector<double> uneven, least(shares.size(), 1); // none is
     if (is_uneven_) uneven = shares_of_uneven();
-    const auto is_round = [](const Estimate& e) { return e.weight == 1; };
     for_each_edge([&](Index i, Index j, Index h) {
       const Estimate &s = estimates_[i], &t = estimates_[j];
-      if (is_round(s) && is_round(t)) return;
+      if (is_round(i) && is_round(j)) return;
       const Vector e = edge(h);
       const double e_length = quick_length(e);
       const double miss = std::abs(dot<double, 3>(s.normal, e) + dot<double, 3>(t.normal, e));
-      const auto beside = [&](Index k) {
+      const auto beside = [&](Index own, Index k) {
         const double share = uneven.empty() ? 0 : uneven[k];
-        const double error = e_length > 0 ? miss * inverse_width(k, share, e_length) : 1;
-        return roundness_beside(estimates_[k].weight, error);
+        const bool is_evidence = e_length > 0 && !(is_mirrored(own) && !is_mirrored(k));
+        const double error = is_evidence ? miss * inverse_width(k, share, e_length) : 1;
+        return roundness_beside(alone[k], error);
       };
-      shares[i] = (std::min)(shares[i], beside(j));
-      shares[j] = (std::min)(shares[j], beside(i));
+      least[i] = (std::min)(least[i], beside(i, j));
+      least[j] = (std::min)(least[j], beside(j, i));
     });
-    for (Index s = 0; s < shares.size(); ++s)
-      if (sectors_.is_at_crease(s)) shares[s] = 1;
+    for (Index s = 0; s < shares.size(); ++s) shares[s] *= least[s];
   }
 
   // what an arc to a sector may miss that by: one that is not round would bend its shortest edge
@@ -307,8 +342,7 @@ private:
   {
     for (Index s = 0; s < shares.size(); ++s) {
       const Estimate& e = estimates_[s];
-      if (e.kind == Kind::closed && e.weight * shares[s] > 0 && !sectors_.is_at_crease(s) &&
-          may_lift(e.dips.of_shortest))
+      if (e.kind == Kind::closed && e.weight * shares[s] > 0 && may_lift(e.dips.of_shortest))
         shares[s] *= share_of_lift(s);
     }
   }
@@ -331,8 +365,7 @@ private:
           of_corner = (std::min)(of_corner, share);
         });
     }
-    for (Index s = 0; s < shares.size(); ++s)
-      if (!sectors_.is_at_crease(s)) shares[s] *= of_faces[s];
+    for (Index s = 0; s < shares.size(); ++s) shares[s] *= of_faces[s];
   }
 
   double share_of_lift(Index s)

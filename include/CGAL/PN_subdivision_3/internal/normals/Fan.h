@@ -185,8 +185,8 @@ private:
 };
 
 // Normals are estimated sector by sector. A sector is a vertex with one of its fans; here a whole
-// vertex. at_target(h) and at_source(h) are the sectors of the corners of face(h). Where edges are
-// tagged, their tags say what is smooth: is_at_crease(s).
+// vertex. at_target(h) and at_source(h) are the sectors of the corners of face(h). Wedges are
+// sectors at creases; own_normal(s) is a normal of theirs in which the neighbors have no part.
 class Vertex_sectors
 {
 public:
@@ -201,7 +201,8 @@ public:
   Fan fan(Index s) const { return fan_of_vertex(level_, s); }
   Index at_target(Index h) const { return level_.target(h); }
   Index at_source(Index h) const { return level_.source(h); }
-  bool is_at_crease(Index) const { return false; }
+  static constexpr bool is_at_crease(Index) { return false; }
+  static constexpr Coordinates<double, 3> own_normal(Index) { return {0, 0, 0}; }
 
 private:
   const Level_connectivity& level_;

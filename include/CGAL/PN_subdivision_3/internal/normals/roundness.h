@@ -51,12 +51,25 @@ struct Curvature_mismatch
   double first = 0, second = 0, weights = 0;
 };
 
+constexpr double cos_36 = 0.80901699437494742410, cos_45 = 0.70710678118654752440;
+
 // Two planes at a right angle turn by 45 degrees from any normal between them, a regular pentagon by
-// 36. 0 where no corner has an area.
+// 36.
+inline double share_of_turn(double cosine)
+{
+  return smooth_window(cosine, cos_45, cos_36);
+}
+
+// how well arcs meet, by the most that one of them misses, relative to its length
+inline double share_of_arcs(double miss)
+{
+  return 1 - smooth_window(miss, 0.1, 0.3);
+}
+
+// 0 where no corner has an area
 template <class FT>
 double roundness_of_turn(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan)
 {
-  constexpr double cos_36 = 0.80901699437494742410, cos_45 = 0.70710678118654752440;
   double least = 2;
   for (const auto& corner : fan.corners()) {
     if (!corner.has_area) continue;
@@ -66,7 +79,7 @@ double roundness_of_turn(const Coordinates<double, 3>& n, const Inverted_fan<FT>
     else
       least = (std::min)(least, d / std::sqrt(corner.squared));
   }
-  return least > 1 ? 0 : smooth_window(least, cos_45, cos_36);
+  return least > 1 ? 0 : share_of_turn(least);
 }
 
 // whether the roundness of the turn is 1 at n, and at all unit vectors that are close to n
@@ -106,13 +119,12 @@ double evenness(const Inverted_fan<FT>& fan)
 // edges that are a tenth as long.
 inline double regularity(double distance_of_normals, double largest_arc_error, double evenness)
 {
-  return (1 - smooth_window(distance_of_normals, 0.1, 0.3)) *
-         (1 - smooth_window(largest_arc_error, 0.1, 0.3)) *
+  return (1 - smooth_window(distance_of_normals, 0.1, 0.3)) * share_of_arcs(largest_arc_error) *
          smooth_window(evenness, 1. / 12, 1. / 6);
 }
 
 // A plane that ends in a short chamfer looks like the cap of a large sphere: its edges dip below the
-// tangent plane by many times the length of the shortest edge, and would bulge as much.
+// tangent plane by several lengths of the shortest edge, and would bulge as much.
 struct Dips
 {
   // by a squared dip, and 1/|e|^2
@@ -126,7 +138,7 @@ struct Dips
   double share() const
   {
     const double squared_ratio = largest * of_shortest;
-    return squared_ratio > 64 ? 1 - smooth_window(std::sqrt(squared_ratio), 8, 16) : 1;
+    return squared_ratio > 4 ? 1 - smooth_window(std::sqrt(squared_ratio), 2, 4) : 1;
   }
 
   double largest = 0, of_shortest = 0;
@@ -151,6 +163,12 @@ inline double either(double a, double b)
 inline double share_of_uneven(double longest, double shortest)
 {
   return longest > 36 * shortest ? (std::min)(std::sqrt(longest / shortest) - 6, 1.) : 0;
+}
+
+// 0 where arcs meet, by what one of them misses, relative to its length: 1e-6 to 1e-3
+inline double share_of_miss(double miss)
+{
+  return miss > 1e-6 ? smooth_window(std::log10(miss), -6, -3) : 0;
 }
 
 // what is left of the roundness of a vertex beside another one, by the error of the arc between them

@@ -323,10 +323,10 @@ private:
                               normal_estimate(scheme_) == Control_normal_estimate::coherent);
       Control_creases<FT, Value>(*whole_control_, creases, values, is_given,
                                  normal_estimate(scheme_))();
-      for (Index v = 0; v < n; ++v)
-        if (control.has_given_roundness(v)) share_roundness(control[v], values[v]);
-      for (std::size_t i = 0; i < extra.size(); ++i)
-        share_roundness(values[extra[i]], values[n + i]);
+      for (Index s = 0; s < values.size(); ++s) {
+        const Index v = s < n ? s : extra[s - n];
+        if (control.has_given_roundness(v)) share_roundness(control[v], values[s]);
+      }
     }
     return values;
   }

@@ -215,18 +215,21 @@ struct Given_roundness
   bool is_of_estimate = false; // and counts where the normal of the vertex does
 
   bool is_any() const { return of_all || !of_vertices.empty(); }
-  // into the first values, those of the vertices
-  template <class Value>
+  // into the values of the vertices, the first, and of their extra slots, of which `extra` has the vertices
+  template <class Value, class Index = std::size_t>
   void put(std::size_t vertices, std::vector<Value>& values,
-           const std::vector<bool>* is_normal_given = nullptr) const
+           const std::vector<bool>* is_normal_given = nullptr,
+           const std::vector<Index>& extra = {}) const
   {
-    for (std::size_t v = 0; v < vertices; ++v)
+    for (std::size_t s = 0; s < vertices + extra.size(); ++s) {
+      const std::size_t v = s < vertices ? s : std::size_t(extra[s - vertices]);
       if (is_of_estimate && is_normal_given != nullptr && !(*is_normal_given)[v])
         continue;
       else if (of_all)
-        values[v].roundness = *of_all;
+        values[s].roundness = *of_all;
       else if (!of_vertices.empty())
-        values[v].roundness = of_vertices[v];
+        values[s].roundness = of_vertices[v];
+    }
   }
 };
 
@@ -280,19 +283,20 @@ template <class Scheme>
 constexpr bool may_vary_in_roundness_v =
   !std::is_null_pointer_v<Outermost<Is_with_varying_roundness, Scheme>>;
 
-// puts what is given into the first values, those of the vertices
-template <class Scheme, class Value>
+// puts what is given into the values of the vertices, the first, and of their extra slots
+template <class Scheme, class Value, class Index = std::size_t>
 void put_given_roundness([[maybe_unused]] const Scheme& scheme,
                          [[maybe_unused]] std::size_t vertices,
                          [[maybe_unused]] std::vector<Value>& values,
-                         [[maybe_unused]] const std::vector<bool>* is_normal_given = nullptr)
+                         [[maybe_unused]] const std::vector<bool>* is_normal_given = nullptr,
+                         [[maybe_unused]] const std::vector<Index>& extra = {})
 {
   if constexpr (may_vary_in_roundness_v<Scheme> && has_roundness_v<Value>)
     if (const auto* given = outermost<Is_with_roundness>(scheme)->given; given != nullptr)
-      given->put(vertices, values, is_normal_given);
+      given->put(vertices, values, is_normal_given, extra);
 }
 
-// the wedges of a vertex have one roundness
+// the wedges of a vertex have one roundness if it is given
 template <class Value, class Other_value>
 void share_roundness([[maybe_unused]] const Value& of_vertex,
                      [[maybe_unused]] Other_value& of_wedge)

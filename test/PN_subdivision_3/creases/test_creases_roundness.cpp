@@ -1,0 +1,197 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Roundness of wedges and creases from points and tags alone.
+
+#include <CGAL/PN_subdivision_3/compare_with_linear.h>
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Sharp = Mesh::Property_map<Mesh::Edge_index, bool>;
+
+struct Ring
+{
+  double radius, height;
+  bool is_sharp;
+};
+
+// Closed: rings around the axis, with lids. Angles in turns.
+struct Turned_part
+{
+  Turned_part(const std::vector<double>& turns, const std::vector<Ring>& rings, bool triangles)
+    : sharp(mesh.add_property_map<Mesh::Edge_index, bool>("sharp", false).first)
+  {
+    const auto n = unsigned(turns.size()), m = unsigned(rings.size());
+    for (const Ring& r : rings)
+      for (double t : turns)
+        mesh.add_vertex(
+          Point(r.radius * std::cos(2 * pi * t), r.radius * std::sin(2 * pi * t), r.height));
+    const auto v = [&](unsigned j, unsigned i) { return Mesh::Vertex_index(j * n + i % n); };
+    std::vector<Mesh::Vertex_index> lower, upper;
+    for (unsigned i = 0; i < n; ++i) {
+      lower.push_back(v(0, n - 1 - i));
+      upper.push_back(v(m - 1, i));
+      for (unsigned j = 0; j + 1 < m; ++j)
+        if (triangles) {
+          mesh.add_face(v(j, i), v(j, i + 1), v(j + 1, i + 1));
+          mesh.add_face(v(j, i), v(j + 1, i + 1), v(j + 1, i));
+        } else
+          mesh.add_face(v(j, i), v(j, i + 1), v(j + 1, i + 1), v(j + 1, i));
+    }
+    for (auto* lid : {&lower, &upper})
+      if (!triangles)
+        mesh.add_face(*lid);
+      else
+        for (unsigned i = 1; i + 1 < n; ++i) mesh.add_face((*lid)[0], (*lid)[i], (*lid)[i + 1]);
+    for (unsigned j = 0; j < m; ++j)
+      for (unsigned i = 0; rings[j].is_sharp && i < n; ++i)
+        sharp[mesh.edge(mesh.halfedge(v(j, i), v(j, i + 1)))] = true;
+  }
+
+  auto parameters() const
+  {
+    return CGAL::parameters::number_of_iterations(2).edge_is_constrained_map(sharp);
+  }
+
+  static constexpr double pi = 3.14159265358979323846;
+  Mesh mesh;
+  Sharp sharp;
+};
+
+std::vector<double> even(int n)
+{
+  std::vector<double> turns;
+  for (int i = 0; i < n; ++i) turns.push_back(double(i) / n);
+  return turns;
+}
+
+double excess_of_volume(const Turned_part& part, bool triangles)
+{
+  const auto result =
+    triangles ? PN::compare_with_linear(part.mesh, PN::Loop_scheme(), part.parameters())
+              : PN::compare_with_linear(part.mesh, PN::CatmullClark_scheme(), part.parameters());
+  return std::abs(std::log(result.volume_ratio)) - std::abs(std::log(result.linear_volume_ratio));
+}
+
+// of the vertices from a cylinder of radius 1
+double deviation(Turned_part part)
+{
+  PN::subdivide(part.mesh, PN::CatmullClark_scheme(), part.parameters());
+  double largest = 0;
+  for (auto v : part.mesh.vertices()) {
+    const Point& p = part.mesh.point(v);
+    const double r = std::hypot(p.x(), p.y());
+    const bool is_inside_a_lid = part.mesh.degree(v) > 0 && r < 0.99;
+    if (!is_inside_a_lid) largest = (std::max)(largest, std::abs(r - 1));
+  }
+  return largest;
+}
+
+} // namespace
+
+// Sides that end in chamfers are arcs through three points, by all that a wedge shows, which mirrors its neighbor.
+TEST(Creases_roundness, PinsDoNotSwell)
+{
+  for (int n : {12, 24})
+    for (bool triangles : {false, true}) {
+      const Turned_part pin(even(n), {{2.4, 0, true}, {2.4, 26, false}, {1.8, 28, true}},
+                            triangles);
+      EXPECT_LE(excess_of_volume(pin, triangles), 0.02) << n << triangles;
+      const Turned_part both(
+        even(n), {{4.2, -1.5, true}, {5, 0, false}, {5, 26, false}, {4.2, 27.5, true}}, triangles);
+      EXPECT_LE(excess_of_volume(both, triangles), 0.02) << n << triangles;
+    }
+}
+
+TEST(Creases_roundness, CylindersStayExact)
+{
+  const std::vector<double> uneven{0,    0.03, 0.1,  0.14, 0.25, 0.33,
+                                   0.35, 0.47, 0.55, 0.66, 0.76, 0.88};
+  for (const auto& turns : {even(3), even(4), even(12), uneven})
+    for (double height : {0.02, 1., 30.}) {
+      EXPECT_LE(deviation(Turned_part(turns, {{1, 0, true}, {1, height, true}}, false)), 1e-12)
+        << turns.size() << ' ' << height;
+      if (turns.size() > 4)
+        EXPECT_LE(
+          deviation(Turned_part(
+            turns,
+            {{1, 0, true}, {1, 0.1 * height, false}, {1, 0.12 * height, false}, {1, height, true}},
+            false)),
+          1e-12)
+          << turns.size() << ' ' << height;
+    }
+}
+
+// The side of the pin is not round, its rims are.
+TEST(Creases_roundness, WedgesHaveTheirOwn)
+{
+  Turned_part pin(even(12), {{2.4, 0, true}, {2.4, 26, false}, {1.8, 28, true}}, false);
+  PN::subdivide(pin.mesh, PN::CatmullClark_scheme(), pin.parameters());
+  int on_rims = 0;
+  for (auto v : pin.mesh.vertices()) {
+    const Point& p = pin.mesh.point(v);
+    const double r = std::hypot(p.x(), p.y());
+    if (std::abs(p.z()) < 1e-12 && std::abs(r - 2.4) < 1e-12) ++on_rims;
+    if (std::abs(p.z() - 28) < 1e-12 && std::abs(r - 1.8) < 1e-12) ++on_rims;
+  }
+  EXPECT_EQ(on_rims, 96);
+}
+
+// of a vertex it is that of the flattest wedge
+TEST(Creases_roundness, VerticesHaveTheLeastOfTheirWedges)
+{
+  Turned_part pin(even(12), {{2.4, 0, true}, {2.4, 26, false}, {1.8, 28, true}}, false);
+  const auto normals = pin.mesh.add_property_map<Mesh::Halfedge_index, Kernel::Vector_3>("n").first;
+  const auto roundness = pin.mesh.add_property_map<Mesh::Vertex_index, double>("w", -1).first;
+  PN::estimate_control_normals(
+    pin.mesh, normals,
+    PN::parameters::vertex_roundness_map(roundness).edge_is_constrained_map(pin.sharp));
+  for (auto v : pin.mesh.vertices())
+    if (pin.mesh.point(v).z() < 27) EXPECT_LE(roundness[v], 0.2) << v;
+}
+
+// Steps in a plane: tangents along their diagonal are those of no arc. Ends mirror them.
+TEST(Creases_roundness, StepsAreNotRound)
+{
+  for (unsigned steps : {2u, 5u}) { // edges of the crease; of two both ends are darts
+    Mesh mesh;
+    const unsigned n = 8;
+    for (unsigned j = 0; j <= n; ++j)
+      for (unsigned i = 0; i <= n; ++i) mesh.add_vertex(Point(i, j, 0));
+    const auto v = [&](unsigned i, unsigned j) { return Mesh::Vertex_index(j * (n + 1) + i); };
+    for (unsigned j = 0; j < n; ++j)
+      for (unsigned i = 0; i < n; ++i)
+        mesh.add_face(v(i, j), v(i + 1, j), v(i + 1, j + 1), v(i, j + 1));
+    const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("sharp", false).first;
+    for (unsigned k = 0; k < steps; ++k)
+      sharp[mesh.edge(
+        mesh.halfedge(v(2 + (k + 1) / 2, 2 + k / 2), v(2 + (k + 2) / 2, 2 + (k + 1) / 2)))] = true;
+    const auto result = PN::compare_with_linear(
+      mesh, PN::CatmullClark_scheme(),
+      CGAL::parameters::number_of_iterations(1).edge_is_constrained_map(sharp));
+    EXPECT_LE(result.largest_distance, 1e-9) << steps;
+  }
+}
