@@ -124,9 +124,8 @@ Control normals that know how round the surface is at each of them, as `estimate
 Who puts a normal says where the surface goes: its roundness becomes 1. A `vertex_roundness_map` or `roundness` beside the map counts in
 place of its own roundness, which then stays as it is.
 
-Copies share their values, as those of property maps do; `clone()` does not. The values do not belong to the mesh: they grow by what is
-put, and other keys have the zero vector, "no control normal", and roundness 1. After the mesh has renumbered its elements, by
-`collect_garbage()`, they have to be estimated again.
+Copies share their values, as those of property maps do; `clone()` does not. The values do not belong to the mesh: other keys than those
+that were put have no control normal, and `collect_garbage()` of the mesh, which renumbers them, does not move them.
 
 \tparam Key a vertex descriptor or half-edge descriptor, that can be hashed or converted to an index
 \tparam Kernel has the `Vector_3` of the normals and the `FT` of the roundness

@@ -17,6 +17,8 @@ namespace header_in_use {
 void use_estimate(Mesh& mesh)
 {
   estimate_control_normals(mesh, normals_of(mesh));
+  const auto normals = estimate_control_normals(mesh);
+  put(normals, *mesh.vertices().begin(), normals[*mesh.vertices().begin()]);
 }
 
 } // namespace header_in_use
