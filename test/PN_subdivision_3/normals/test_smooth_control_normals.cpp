@@ -232,10 +232,10 @@ TEST(Smooth_normals, NoiseOfPointsLowersTheRoundness)
       disturb(s, 1);
       const double before = fairness(s), linear = fairness(s, 0);
       const auto report = PN::smooth_control_normals(s.mesh, s.normals);
-      std::printf("%s %g: %g linear %g: w %g %g (changed %zu)\n", control.name.c_str(), part,
+XX
                   before, linear, report.roundness, fairness(s, report.roundness),
                   report.changed_normals);
-      EXPECT_LE(fairness(s, report.roundness), (std::min)(before, linear));
+EXPECT_LE(fairness(s, report.roundness), (std::min)(before, linear));
     }
 }
 
