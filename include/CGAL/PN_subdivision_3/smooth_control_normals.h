@@ -121,8 +121,8 @@ with exact normals, nothing is changed.
 
 <b>Noise of points</b> shows in the arcs, too, and no normals take it off. It is told by the mean of \f$ |\nabla H| \f$, the change of
 the mean curvature, over the surface after two rounds of Catmull-Clark or, for triangles, Loop subdivision: if this does not become
-less by the new normals, it is compared with what it is by these and a smaller roundness, down to 0, the linear scheme. If that is
-no better either, shape, not noise, is what it is about, as on triangles with long edges in all directions, and nothing is changed.
+less by the new normals, it is compared with what it is by these and a smaller roundness, down to 0, the linear scheme, for which normals
+do not count and stay. If that is no better either, shape, not noise, is what it is about, as on triangles with long edges in all directions, and nothing is changed.
 
 Normals all of whose arcs have defects of at most 10<sup>-9</sup> are not changed by a bit, nor are those without arcs and
 zero ones. There is no arc between normals that are 90 degrees or more apart, so that a reversed one stays and does nothing to its

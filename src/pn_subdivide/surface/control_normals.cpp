@@ -219,26 +219,30 @@ bool smooth(Mesh_data& mesh, const Creases& creases, const std::string& name, Re
     text, sizeof text,
     ": the normals in the file have a noise of about %.2g degrees and miss arcs by %.2g: ",
     done.noise, done.arc_defect);
-  if (done.changed_normals == 0) {
+  if (done.changed_normals == 0 && done.roundness == 1) {
     report.warn(
       name + text +
       "left as they are, since this does not stand out from what the shape itself does "
       "to arcs; if the result is rough its points are: take --roundness 0.5, or --linear");
     return false;
   }
-  char turn[60];
-  std::snprintf(turn, sizeof turn, " smoothed, by up to %.2g degrees", done.largest_turn);
-  std::string change = std::to_string(done.changed_normals) + turn;
-  Mesh_data smoothed = to_mesh_data(surface);
-  mesh.normals = std::move(smoothed.normals);
-  mesh.corner_normals = std::move(smoothed.corner_normals);
+  std::string change = "left as they are";
+  char number[80];
+  if (done.changed_normals > 0) {
+    std::snprintf(number, sizeof number, " smoothed, by up to %.2g degrees", done.largest_turn);
+    change = std::to_string(done.changed_normals) + number;
+    Mesh_data smoothed = to_mesh_data(surface);
+    mesh.normals = std::move(smoothed.normals);
+    mesh.corner_normals = std::move(smoothed.corner_normals);
+  }
   if (done.roundness < 1) {
     mesh.roundness.assign(mesh.points.size(), done.roundness);
-    std::snprintf(turn, sizeof turn, "; the points have noise, too: roundness %g", done.roundness);
-    change += turn;
+    std::snprintf(number, sizeof number, "; the points have noise, too: roundness %g",
+                  done.roundness);
+    change += number;
   }
   report.remark(name + text + change);
-  return true;
+  return done.changed_normals > 0;
 }
 
 void drop_normals(Mesh_data& mesh)

@@ -175,7 +175,7 @@ TEST_F(Pn_subdivide_roundness, AutoTakesThatOfTheFileBesideControlNormals)
   EXPECT_NE(of_file,
             written("round.ply", "b.ply", "--levels 2 --output-normals control --roundness 1"));
   EXPECT_EQ(written("round.ply", "b.ply", "--levels 2 --roundness 1"),
-            written("ridge.ply", "b.ply", "--levels 2"));
+            written("ridge.ply", "b.ply", "--levels 2 --normals file"));
   EXPECT_TRUE(
     contains(err("round.ply", ""), "normals of the file, roundness 0 at 2 of 6 vertices"));
   folder.write("rounder.ply", ply({1, 0.5, 1, 1, 0.25, 1}, true));
@@ -288,7 +288,7 @@ TEST_F(Pn_subdivide_roundness, ItIsWrittenBesideControlNormals)
       for (const std::string choice : {"control", "both"}) {
         EXPECT_TRUE(has("box.obj", "--output-normals " + choice));
         EXPECT_TRUE(has("round.ply", "--levels 2 --output-normals " + choice));
-        EXPECT_FALSE(has("ridge.ply", "--levels 2 --output-normals " + choice));
+        EXPECT_FALSE(has("ridge.ply", "--levels 2 --normals file --output-normals " + choice));
         EXPECT_FALSE(has("box.obj", "--normals sphere:0,0,0 --output-normals " + choice));
       }
       for (const std::string choice : {"auto", "surface", "none"})

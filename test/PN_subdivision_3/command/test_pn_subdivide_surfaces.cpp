@@ -629,19 +629,23 @@ TEST_F(Pn_subdivide_surfaces, TheLinearTwinHasTheTags)
   EXPECT_FALSE(Temporary_folder::content(folder.file("a.selection.txt")).empty());
 }
 
-// What the spoon gains is that of estimated normals.
-TEST_F(Pn_subdivide_surfaces, VolumesAreComparedForWhatIsWritten)
+// A prism over a dart, whose two planes fold at its notch.
+TEST_F(Pn_subdivide_surfaces, FoldsAreTold)
 {
-  folder.write("spoon.obj", Temporary_folder::content(PN_DATA_DIR "/spoon.obj"));
-  const auto warns = [&](const std::string& options) {
-    const Outcome outcome = surface("spoon.obj", "o.ply", "--sharp surfaces " + options);
+  folder.write("dart.off", "OFF\n8 12 0\n0 0 0\n4 -2 0\n1 0 0\n4 2 0\n0 0 1\n4 -2 1\n1 0 1\n4 2 1\n"
+                           "3 2 1 0\n3 3 2 0\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n"
+                           "3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
+  for (const char* const levels : {"0", "1", "2"}) {
+    const Outcome outcome =
+      surface("dart.off", "o.ply", "--sharp surfaces --levels " + std::string(levels) + reported());
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return contains(outcome.err, "its volume changes by");
-  };
-  EXPECT_TRUE(warns("--levels 1"));
-  for (const char* options : {"--levels 1 --linear", "--levels 1 --normals none",
-                              "--levels 1 --roundness 0", "--levels 0"})
-    EXPECT_FALSE(warns(options)) << options;
+    const bool is_refined = levels[0] != '0';
+    EXPECT_EQ(contains(outcome.err, "folded over on 4 faces of recognized surfaces: 0, 1, 2, 3"),
+              is_refined);
+    EXPECT_EQ(report()["high_faces"], is_refined ? Json({0, 1, 2, 3}) : Json::array());
+  }
+  written("shaft.ply", "o.ply", "--sharp surfaces --levels 2" + reported());
+  EXPECT_EQ(report()["high_faces"], Json::array());
 }
 
 // --- as many rounds as it takes ---

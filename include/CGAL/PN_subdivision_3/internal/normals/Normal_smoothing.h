@@ -59,15 +59,13 @@ public:
     double least = change_of_curvature(level_, points_, normals_);
     if (change_of_curvature(level_, points_, smooth) < least) return smooth;
     // it is the points that have noise, then, or the shape is like that
-    bool is_less = false;
     for (const double w : {0.75, 0.5, 0.25, 0.}) {
       const double change = change_of_curvature(level_, points_, smooth, w);
       if (!(change < least)) continue;
       least = change;
       roundness_ = w;
-      is_less = true;
     }
-    if (is_less) return smooth;
+    if (roundness_ > 0 && roundness_ < 1) return smooth;
     strength_ = 0;
     return normals_;
   }
