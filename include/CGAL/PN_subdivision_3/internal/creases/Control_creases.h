@@ -225,7 +225,8 @@ public:
     const Cut_level<FT> cut(level_, creases_);
     Wedge_sectors<FT> sectors(cut.connectivity(), slots_at_creases());
     if (has_joints) {
-      sectors.add_area_normals(cut.connectivity(), point);
+      sectors.add_area_normals(cut.connectivity(),
+                               [&](Index v) -> const Vector& { return values_[v].point; });
       strip_all([&](Index slot) -> Vector& { return sectors.area_normal(slot); });
     }
     estimate_normals(cut.connectivity(), sectors);
