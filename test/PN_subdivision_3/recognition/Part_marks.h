@@ -74,9 +74,10 @@ struct Recognition
 };
 
 template <class Mesh_, class NamedParameters>
-Recognition recognition_of(Mesh_& mesh, const NamedParameters& np)
+Recognition recognition_of(Mesh_& mesh, const NamedParameters& parameters)
 {
   namespace PN = CGAL::PN_subdivision_3;
+  const auto np = PN::parameters::shared(parameters);
   Recognition r;
   auto patches =
     mesh.template add_property_map<typename Mesh_::Face_index, std::size_t>("f:segment").first;
