@@ -73,9 +73,13 @@ template <class Key, class Kernel, bool goes_with_roundness, bool are_estimated 
 struct Normals_of_estimate
 {
   using Values = Values_of_keys<Key, Normal_and_roundness<Kernel>>;
+  /// a vertex, or a half-edge for the corner at its target.
   using key_type = Key;
+  /// a vector.
   using value_type = typename Kernel::Vector_3;
+  /// a vector, by value.
   using reference = value_type;
+  /// the map can be read and written.
   using category = boost::read_write_property_map_tag;
 
   std::shared_ptr<Values> values;
@@ -137,9 +141,13 @@ class Estimated_control_normals
   using Values = internal::Values_of_keys<Key, Value>;
 
 public:
+  /// a vertex, or a half-edge for the corner at its target.
   using key_type = Key;
+  /// a vector.
   using value_type = typename Kernel::Vector_3;
+  /// a vector, by value.
   using reference = value_type;
+  /// the map can be read and written.
   using category = boost::read_write_property_map_tag;
 
   /// no normals, and roundness 1.

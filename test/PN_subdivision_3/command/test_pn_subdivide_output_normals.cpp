@@ -283,7 +283,7 @@ TEST_F(Pn_subdivide_output_normals, WithoutARoundAutoLeavesThemAsTheyAre)
                           "f 1//1 2//2 3//3\n";
   folder.write("a.obj", obj);
   for (const char* const output : {"b.ply", "b.obj", "b.off"}) {
-    const Mesh_data mesh = refined("a.obj", output, "--levels 0");
+    const Mesh_data mesh = refined("a.obj", output, "--levels 0 --normals file");
     EXPECT_EQ(mesh.normals, (std::vector<Triple>{{0.6, 0, 0.8}, {0, 0.28, 0.96}, {0, 0, 1}}));
     EXPECT_EQ(mesh.normal_kind, Normal_kind::control);
   }

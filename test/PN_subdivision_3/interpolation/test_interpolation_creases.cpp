@@ -75,7 +75,8 @@ template <class Any_mesh, class Scheme, class Np>
 void to_limit(Any_mesh& mesh, const Scheme& scheme, const Np& np)
 {
   PN::subdivide_to_limit(
-    mesh, scheme, PN::parameters::shared(PN::parameters::join(params::number_of_iterations(0), np)));
+    mesh, scheme,
+    PN::parameters::shared(PN::parameters::join(params::number_of_iterations(0), np)));
 }
 
 double size_of(const Case& c)
