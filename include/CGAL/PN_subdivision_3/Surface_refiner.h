@@ -397,17 +397,17 @@ private:
                                          takes_corners || !creases.empty());
     if constexpr (takes_corners) {
       std::vector<Value> slots;
-      const auto read = [&](const auto& creases_of_slots, std::vector<Value>& slots) {
+      const auto read = [&](const auto& creases_of_slots) {
         slots.assign(creases_of_slots.number_of_slots, Value());
         std::vector<bool> is_put(slots.size(), !internal::is_of_estimate_v<Normal_map>);
         internal::read_corner_normals<FT>(access, level, creases_of_slots, normals, slots, &is_put);
         return is_put;
       };
-      std::vector<bool> is_put = read(creases, slots);
+      std::vector<bool> is_put = read(creases);
       control_->set_slots(slots, std::move(is_put));
       if constexpr (internal::are_creases_v<Level_creases>)
         if (internal::has_fractions(creases)) {
-          is_put = read(internal::Gone_creases<FT>(level, creases).creases, slots);
+          is_put = read(internal::Gone_creases<FT>(level, creases).creases);
           control_->set_slots_without_fractions(slots, std::move(is_put));
         }
     }

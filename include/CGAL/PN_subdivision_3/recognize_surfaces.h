@@ -123,7 +123,7 @@ std::size_t surface_creases(const FaceGraph& mesh, FacePatchMap patch_map,
                             const NamedParameters& np = parameters::default_values())
 {
   internal::check_are_read<NamedParameters, internal::min_facets_t, internal::surface_tolerance_t,
-                           internal::sharp_angle_t>();
+                           internal::sharp_angle_t, internal::vertex_roundness_map_t>();
   using Parameters = internal::Surface_parameters<FaceGraph, NamedParameters>;
   using Index = Level_connectivity::Index;
   std::size_t number = 0;
