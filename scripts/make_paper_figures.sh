@@ -218,7 +218,7 @@ figure_10() {
 
 figure_11() {
   surface $paper/ring.ply ring_linear.ply --scheme catmull-clark --levels 4 --linear
-  surface $paper/ring.ply ring_PN.ply --scheme catmull-clark --levels 4
+  surface $paper/ring.ply ring_PN.ply --scheme catmull-clark --levels 4 --normals file
   surface $paper/ring_edited.ply ring_edited.ply --scheme catmull-clark --levels 4
   surface $paper/ring.ply ring_bare.ply --scheme catmull-clark --levels 0 --linear
   measure 11 "$work"

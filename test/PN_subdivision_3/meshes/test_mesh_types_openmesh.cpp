@@ -95,7 +95,12 @@ TEST(OpenMesh_types, FindsTheBorderAtItsVertices)
 TEST(OpenMesh_types, Creases)
 {
   using namespace tagged_meshes;
-  const Control polygons = tagged_washer();
+  Control polygons = tagged_washer();
+  // what less than one round is left of in the first round is another matter for meshes
+  for (auto& edge : polygons.sharp_edges)
+    if (edge.second > 0 && edge.second < 1) edge.second += 1;
+  for (auto& vertex : polygons.sharp_vertices)
+    if (vertex.second > 0 && vertex.second < 1) vertex.second += 1;
   Tagged<Poly_mesh, Dynamic_points<Poly_mesh>> p(polygons);
   p.subdivide(PN::CatmullClark_scheme(), 2);
   EXPECT_TRUE(state(p) == state(polygons, PN::CatmullClark_scheme(), 2));
