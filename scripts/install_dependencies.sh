@@ -20,7 +20,7 @@ compiling=(g++ cmake ninja-build make libcgal-dev) # make: what CMake takes wher
 drawing=(python3-vtk9 python3-numpy xvfb)
 required=("${compiling[@]}" libeigen3-dev libboost-dev libgmp-dev libmpfr-dev libgtest-dev)
 optional=(libtbb-dev libcli11-dev nlohmann-json3-dev libbenchmark-dev libopenmesh-dev libosd-dev libcgal-demo libmpfi-dev python3
-          clang libopenmpi-dev openmpi-bin pkgconf "${drawing[@]}" xauth)
+          clang lld libopenmpi-dev openmpi-bin pkgconf "${drawing[@]}" xauth)
 with_archives=yes
 case ${1:-} in
   --compiler)
