@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "reference/PN_rule.h"
+#include "PN_rule.h"
 
 namespace reference {
 
