@@ -129,7 +129,7 @@ def run_some(entries: list[str], rest) -> bool | None:
     targets = output("ninja", "-C", str(BUILD), "-t", "targets", "all")
     # what is drawn and measured is drawn and measured by examples
     needed = [name for name in listed() if name.startswith("example_")] if any(e.startswith(DRAWN) for e in entries) else []
-    programs = [e.removeprefix("example_") for e in {*entries, *needed}]
+    programs = [re.sub("^example_|_is_.*", "", e) for e in {*entries, *needed}]
     programs = [p for p in programs if f"\n{p}: phony" in targets]
     built = not programs or run(["cmake", "--build", str(BUILD), "--target", *programs], rest())
     pattern = "^(" + "|".join(entries) + ")$"
