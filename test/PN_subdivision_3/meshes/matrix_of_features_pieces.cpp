@@ -7,6 +7,7 @@
 // Author(s): PN_subdivision_3 developers
 // The same for pieces: put together they are what subdivide() and subdivide_to_limit() make.
 
+#include "Extent.h"
 #include "Feature_matrix.h"
 #include "Pieces_cases.h"
 
@@ -261,8 +262,10 @@ TEST(Matrix_of_features, PiecesAtTheLimitAreWhatSubdivideToLimitMakes)
 {
   for_each_cell([](const std::string& scheme, Crease_kind creases, const auto& normals) {
     if (!PN::any_scheme(scheme).keeps_vertices()) return;
-    for (const Limits& limits : {Limits{true, false}, Limits{true, true}, Limits{false, true}})
+    for (const Limits& limits : {Limits{true, true}, Limits{true, false}, Limits{false, true}}) {
       compare_pieces(scheme, creases, normals, limits, soup_for(scheme), 2);
+      if (!tests_are_full && !std::is_same_v<decltype(normals), const Of_vertices&>) return;
+    }
   });
 }
 

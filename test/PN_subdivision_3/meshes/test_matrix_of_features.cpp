@@ -11,6 +11,7 @@
 // others refuse. Each call has all maps and a table, whatever is in them, so that few types
 // are compiled.
 
+#include "Extent.h"
 #include "Feature_matrix.h"
 #include "support/Options.h"
 
@@ -66,6 +67,9 @@ void compare_limits(const std::string& scheme, Crease_kind creases, const Normal
   };
   std::vector<std::vector<double>> without;
   for (const Attribute_kind attributes : attribute_kinds) {
+    if (!tests_are_full && !std::is_same_v<Normals, Of_vertices> &&
+        attributes != Attribute_kind::none && attributes != Attribute_kind::all)
+      continue;
     SCOPED_TRACE(name(attributes));
     Case plain(scheme, creases, attributes), limit(scheme, creases, attributes);
     run(plain, normals, Plain());

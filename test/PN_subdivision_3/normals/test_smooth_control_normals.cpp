@@ -188,7 +188,8 @@ TEST(Smooth_normals, AreFairerAndCloserAndNoiseIsKnown)
     {"waves, triangles", waves(Cells::triangles)}};
   for (const auto& [name, control] : shapes)
     for (const double noise : {0., 0.2, 1., 2., 5.}) {
-      if (!tests_are_full && (noise == 0.2 || noise == 2)) continue;
+      const bool is_torus = name[0] == 't'; // enough to see that nothing is done
+      if (!tests_are_full && (noise == 0.2 || noise == 2 || (noise == 0 && !is_torus))) continue;
       SCOPED_TRACE(name + (" " + std::to_string(noise)));
       Sampled s(control);
       disturb(s, noise);
@@ -219,6 +220,7 @@ TEST(Smooth_normals, AreFairerAndCloserAndNoiseIsKnown)
 TEST(Smooth_normals, NoiseOfPointsLowersTheRoundness)
 {
   for (const double part : {0.02, 0.05, 0.1}) {
+    if (!tests_are_full && part == 0.05) continue;
     SCOPED_TRACE(part);
     Sampled s(waves(Cells::quads));
     std::mt19937 generator(3);

@@ -9,6 +9,7 @@
 // Surfaces with creases in pieces are those of subdivide(), bit for bit: points, mean normals, and the normals of
 // all corners.
 
+#include "Extent.h"
 #include "Pieces_cases.h"
 
 #include <CGAL/PN_subdivision_3.h>
@@ -185,7 +186,7 @@ void expect_as_subdivide(const Any& scheme, Kind kind, unsigned rings)
                                 PN::Border::surface};
   std::mt19937 generator(23);
   int with_wedges = 0;
-  for (unsigned seed = 0; seed < 8; ++seed) {
+  for (unsigned seed = 0; seed < (tests_are_full ? 8u : 4u); ++seed) { // each border once
     const Control_mesh control_mesh = random_meshes::random_mesh(kind, generator);
     SCOPED_TRACE(scheme.name() + ", " + control_mesh.name + ", seed " + std::to_string(seed));
     const Creased control(control_mesh, seed);
@@ -195,7 +196,7 @@ void expect_as_subdivide(const Any& scheme, Kind kind, unsigned rings)
     with_wedges += expect_corner_normals(control, with_border, 3, {1, 2, 7, 64}, rings);
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(with_wedges, 2);
+  EXPECT_GT(with_wedges, 1);
   // large enough for pieces of the control mesh, all of whose rounds need their rings
   const Creased torus(torus_with_turned_edges(kind, 3), 1);
   expect_mean_normals(torus, scheme, 3, {7, 20}, rings);

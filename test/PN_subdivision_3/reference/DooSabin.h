@@ -11,6 +11,8 @@
 
 #include "Face_list.h"
 
+#include <map>
+
 namespace reference {
 
 inline Row doo_sabin_corner(const Face_list& mesh, const Face& face, std::size_t corner)

@@ -18,8 +18,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
+#include <cstdint>
 #include <stdexcept>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -60,7 +61,7 @@ public:
   // The face that has the side a -> b, -1 if there is none; its corner before a and that after b.
   int face(int a, int b) const
   {
-    const auto it = face_of_side_.find({a, b});
+    const auto it = face_of_side_.find(side(a, b));
     return it == face_of_side_.end() ? -1 : it->second;
   }
   int before(int a, int b) const { return corner(a, b, -1); }
@@ -115,12 +116,14 @@ public:
   Row centroid(int f) const { return mean(faces_[std::size_t(f)]); }
 
 private:
+  static std::int64_t side(int a, int b) { return (std::int64_t(a) << 32) + b; }
+
   void read_face(int f)
   {
     const Face& face = faces_[std::size_t(f)];
     for (std::size_t i = 0; i < face.size(); ++i) {
       const int a = face[i], b = face[(i + 1) % face.size()];
-      if (!face_of_side_.insert({{a, b}, f}).second)
+      if (!face_of_side_.emplace(side(a, b), f).second)
         throw std::invalid_argument("reference::Face_list: two faces on one side of an edge");
       some_neighbor_[std::size_t(a)] = b;
     }
@@ -140,7 +143,7 @@ private:
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
   std::vector<int> some_neighbor_;
-  std::map<Edge, int> face_of_side_;
+  std::unordered_map<std::int64_t, int> face_of_side_;
 };
 
 // One round of a linear scheme: the weights of every new vertex over the old ones, and the new

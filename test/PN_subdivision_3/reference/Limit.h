@@ -15,6 +15,7 @@
 #include "PN_rule.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace reference {

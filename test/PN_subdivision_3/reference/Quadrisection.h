@@ -13,6 +13,8 @@
 
 #include "Face_list.h"
 
+#include <map>
+
 namespace reference {
 
 // Vertices by `vertex(v)`, then edges by `edge(a, b)`, each in the order of the mesh.

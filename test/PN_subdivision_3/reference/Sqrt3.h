@@ -11,6 +11,8 @@
 
 #include "Face_list.h"
 
+#include <map>
+
 namespace reference {
 
 inline Row sqrt3_vertex(const Face_list& mesh, int v, bool refines_border)

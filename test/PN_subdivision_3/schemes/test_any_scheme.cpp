@@ -207,7 +207,6 @@ TEST(Any_scheme, TwoSchemes)
       mesh, s,
       params::number_of_iterations(3).vertex_normal_map(normals).edge_is_constrained_map(edges));
   };
-  expect_same_of_two(PN::CatmullClark_scheme(), PN::CatmullClark_scheme::Tuned(), subdivide);
   expect_same_of_two(PN::Loop_scheme(), PN::Loop_scheme::Tuned(), subdivide);
 }
 
@@ -234,7 +233,6 @@ TEST(Any_scheme, LimitsOfTwoSchemes)
       params::number_of_iterations(1).vertex_normal_map(normals).edge_is_constrained_map(edges));
   };
   expect_same_of_two(PN::CatmullClark_scheme(), PN::CatmullClark_scheme::Tuned(), to_limit);
-  expect_same_of_two(PN::Loop_scheme(), PN::Loop_scheme::Tuned(), to_limit);
 }
 
 // the proof takes the same weights for points and normals
@@ -263,7 +261,6 @@ TEST(Any_scheme, Limits)
   expect_same(PN::CatmullClark_scheme(), to_limit);
   expect_same(PN::Loop_scheme::Tuned(1., 2, PN::Tuned_valences::all), to_limit);
   expect_same(PN::CatmullClark_scheme::Transfer(), to_limit);
-  expect_same(PN::Butterfly_scheme(), to_limit);
   expect_same(PN::Kobbelt_scheme(), to_limit);
   expect_same(PN::Sqrt3_scheme(), to_limit);
 }
@@ -341,7 +338,6 @@ TEST(Any_scheme, Interpolation)
         .vertex_normal_map(normals));
   };
   expect_same(PN::Loop_scheme(), interpolate);
-  expect_same(PN::CatmullClark_scheme::Tuned(), interpolate);
 }
 
 TEST(Any_scheme, Numbers)
