@@ -119,7 +119,7 @@ TEST(Estimate_curvature, SecondOrderOnLongAndSkewFaces)
   for (const double length : {1., 5., 30.})
     for (const double shear : {0., 1., 3.}) {
       SCOPED_TRACE(std::to_string(length) + ' ' + std::to_string(shear));
-      const auto mesh = [length = length, shear = shear](double h) {
+      const auto mesh = [&length, &shear](double h) {
         Soup soup = square(std::size_t(1 / h), Faces::quads, 0);
         for (Triple& p : soup.points) p = {(p[0] + shear * p[1]) / (1 + shear), p[1] / length, 0};
         return soup;

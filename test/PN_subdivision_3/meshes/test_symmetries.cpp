@@ -216,8 +216,8 @@ std::vector<Action> runs()
   for (const auto& [name, how] :
        {std::pair("coherent", Estimate::coherent), std::pair("reciprocal", Estimate::reciprocal),
         std::pair("angle", Estimate::angle)})
-    result.push_back({name, false, [how = how, catmull_clark](const Control& c) {
-                        return subdivided(c, catmull_clark, how);
+    result.push_back({name, false, [estimate = how, catmull_clark](const Control& c) {
+                        return subdivided(c, catmull_clark, estimate);
                       }});
   result.push_back({"Loop", true, [](const Control& c) {
                       return subdivided(c, PN::Loop_scheme(), Estimate::coherent);
