@@ -146,6 +146,20 @@ Limit_choice limit_choice(const Surface_options& options, const Output_normals& 
   return limit;
 }
 
+void require_consistent_seams(const Surface_options& options, const Plan& plan)
+{
+  if (!options.split_seams) return;
+  if (plan.output.format != "ply" && plan.output.format != "vtp")
+    throw Usage_error("--split-seams is for .ply files: " + plan.output.title("standard output") +
+                      " (" + plan.output.format + ") is none");
+  const bool is_control = options.output_normals == "control" || options.output_normals == "both";
+  if (is_control || options.write_tags)
+    throw Usage_error(
+      "--split-seams and " +
+      (is_control ? "--output-normals " + *options.output_normals : "--write-tags") +
+      " exclude each other: with vertices that are doubled it is no mesh for further rounds");
+}
+
 Plan make_plan(const Surface_options& options)
 {
   Plan plan{input_mesh_file(options.input, options.format),
@@ -175,9 +189,7 @@ Plan make_plan(const Surface_options& options)
   plan.creases = Crease_plan::make(options.creases);
   plan.creases.require_schemes(options.creases, options.scheme);
   plan.normals = parse_normals_option(options.linear ? "none" : options.normals.value_or("auto"));
-  if (options.split_seams && plan.output.format != "ply" && plan.output.format != "vtp")
-    throw Usage_error("--split-seams is for .ply files: " + plan.output.title("standard output") +
-                      " (" + plan.output.format + ") is none");
+  require_consistent_seams(options, plan);
   if (plan.interpolation) plan.normals.is_reciprocal = true; // natural normals begin with it
   if (options.roundness) plan.roundness = parse_roundness_option(*options.roundness);
   if (options.curvature) plan.curvature = parse_curvature_option(*options.curvature, plan.output);

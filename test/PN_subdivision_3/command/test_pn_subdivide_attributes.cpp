@@ -1116,7 +1116,9 @@ TEST_F(Pn_subdivide_carries, SeamsAreSplitInVtpAndWhereItIsAskedFor)
             (Numbers{0, 0, 6, -1, 0, 0, 6, -1, 0, 1, 0, 1}));
   expect_one_line(surface(input, folder.file("b.off"), "--split-seams"), 2,
                   "--split-seams is for .ply");
-  expect_one_line(surface(input, ply, "--split-seams --pieces 2"), 2, "--split-seams");
+  for (const char* const other :
+       {"--pieces 2", "--output-normals both", "--write-tags x.selection.txt"})
+    expect_one_line(surface(input, ply, std::string("--split-seams ") + other), 2, "--split-seams");
   // of the faces without any
   const Outcome some = surface(folder.write("c.obj", obj), vtp, "--quiet --levels 0");
   EXPECT_EQ(some.err, "warning: " + vtp +
