@@ -136,7 +136,8 @@ def with_attributes():
 def formats():
     inputs = ["@charts.obj", "@charts.ply", "@smooth.ply", "@colors.off", "@box.stl", "@tagged.ply",
               "@parts/washer.obj", "@cube_on_sphere.ply"]
-    outputs = ["out.ply --ascii", "out.ply", "out.off", "out.obj", "out.stl", "out.vtp", "out.vtp --ascii"]
+    outputs = ["out.ply --ascii", "out.ply", "out.off", "out.obj", "out.stl", "out.stl --ascii",
+               "out.vtp", "out.vtp --ascii", "out.ply --split-seams"]
     return (product(inputs, outputs, ["--levels 0", "--levels 1"]) +
             product(["@charts.obj", "@tagged.ply"], outputs, ["--output-normals both", "--drop-attributes --linear"]))
 

@@ -6,7 +6,7 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""Draws meshes (PLY, OFF, OBJ, VTP, PVTP) side by side into one PNG, without a screen.
+"""Draws meshes (PLY, OFF, OBJ, STL, VTP, PVTP) side by side into one PNG, without a screen.
 
 Needs the Debian packages python3-vtk9, python3-numpy and xvfb (--no-install-recommends is enough).
 
@@ -46,7 +46,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--edges", action="store_true", help="draw the edges of the faces")
     parser.add_argument("--normals", action="store_true", help="draw the vertex normals")
     parser.add_argument("--control", type=Path, action="append", default=[], metavar="MESH",
-                        help="draw this mesh's edges over it; once for all, or once per mesh "
+                        help="draw this mesh's edges over it, faint where it hides them; once for all, or once per mesh "
                              "('none' for a mesh that has none)")
     parser.add_argument("--control-normals", action="store_true",
                         help="draw the vertex normals of these meshes too")

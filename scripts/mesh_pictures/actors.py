@@ -24,6 +24,7 @@ from .files import (averaged_normals, normals_of, points_of, set_normals, vertic
 
 OUTSIDE, INSIDE = (0.62, 0.71, 0.82), (0.93, 0.62, 0.32)
 EDGE, CONTROL, NEEDLE = (0.15, 0.2, 0.3), (0.75, 0.1, 0.1), (0.1, 0.5, 0.2)
+IN_FRONT = 66000.0  # an offset beyond all depths
 SPLIT_ANGLE = 35.0  # degrees, for refined meshes
 # of scalars, interpolated in CIELAB; those of pn_subdivide's --curvature
 BLUE, WHITE, RED = ((r / 255, g / 255, b / 255)
@@ -105,11 +106,15 @@ def _with_normals(mesh: vtkPolyData, shading: str) -> vtkPolyData:
     return result
 
 
-def control_edges(mesh: vtkPolyData) -> vtkActor:
+def control_edges(mesh: vtkPolyData) -> list[vtkActor]:
+    """Faint where the surface hides them."""
     extract = vtkExtractEdges()
     extract.SetInputData(mesh)
     extract.Update()
-    return _lines_and_dots(extract.GetOutput(), CONTROL, 1.6)
+    faint = _lines_and_dots(extract.GetOutput(), CONTROL, 1.2)
+    faint.GetProperty().SetOpacity(0.25)
+    faint.GetMapper().SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -IN_FRONT)
+    return [faint, _lines_and_dots(extract.GetOutput(), CONTROL, 1.6)]
 
 
 def normal_needles(mesh: vtkPolyData) -> vtkActor:

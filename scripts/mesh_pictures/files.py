@@ -14,13 +14,13 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkPolyDataNormals
-from vtkmodules.vtkIOGeometry import vtkOBJReader
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPPolyDataReader
 
 # the pieces of PVTP files are not joined
-READERS = {".ply": vtkPLYReader, ".obj": vtkOBJReader, ".vtp": vtkXMLPolyDataReader,
-           ".pvtp": vtkXMLPPolyDataReader}
+READERS = {".ply": vtkPLYReader, ".obj": vtkOBJReader, ".stl": vtkSTLReader,
+           ".vtp": vtkXMLPolyDataReader, ".pvtp": vtkXMLPPolyDataReader}
 
 
 def read_mesh(path: Path, with_texture: bool = False) -> vtkPolyData:
@@ -33,12 +33,16 @@ def read_mesh(path: Path, with_texture: bool = False) -> vtkPolyData:
     elif suffix in READERS:
         reader = READERS[suffix]()
         reader.SetFileName(str(path))
+        if hasattr(reader, "SetDuplicatePointsForFaceTexture"):  # it joins points of other charts
+            reader.SetDuplicatePointsForFaceTexture(False)
         reader.Update()
         mesh = reader.GetOutput()
-        if suffix == ".obj" and normals_of(mesh) is None and not with_texture:
+        if suffix == ".obj" and with_texture:
+            _join_materials(mesh)
+        elif suffix == ".obj" and normals_of(mesh) is None:
             mesh = _without_seams(mesh)
     else:
-        raise ValueError(f"{path}: only .ply, .off, .obj, .vtp and .pvtp can be drawn")
+        raise ValueError(f"{path}: only .ply, .off, .obj, .stl, .vtp and .pvtp can be drawn")
     if mesh.GetNumberOfPoints() == 0:
         raise ValueError(f"{path}: holds no mesh")
     return mesh
@@ -68,6 +72,22 @@ def _read_off(path: Path) -> vtkPolyData:
     if kind == "NOFF":
         set_normals(mesh, rows[:, 3:6])
     return mesh
+
+
+def _join_materials(mesh: vtkPolyData) -> None:
+    """VTK's OBJ reader has an array of texture coordinates for each material, -1 at all other points."""
+    data = mesh.GetPointData()
+    arrays = [data.GetArray(i) for i in range(data.GetNumberOfArrays())]
+    of_materials = [vtk_to_numpy(a) for a in arrays if a and a.GetNumberOfComponents() == 2]
+    if len(of_materials) < 2:
+        return
+    joined = of_materials[0].copy()
+    for values in of_materials[1:]:
+        missing = (joined == -1).all(axis=1)
+        joined[missing] = values[missing]
+    array = numpy_to_vtk(joined, deep=True)
+    array.SetName("TCoords")
+    data.SetTCoords(array)
 
 
 def _without_seams(mesh: vtkPolyData) -> vtkPolyData:

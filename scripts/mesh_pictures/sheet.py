@@ -60,7 +60,8 @@ def draw(options: Namespace, angles: tuple[float, float] | None) -> None:
             view.half_size /= options.zoom
         add_mesh(renderer, mesh, options, limit)
         if control:
-            renderer.AddActor(actors.control_edges(control))
+            for actor in actors.control_edges(control):
+                renderer.AddActor(actor)
             if options.control_normals:
                 renderer.AddActor(actors.normal_needles(control))
         view.apply(renderer)

@@ -20,6 +20,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -295,11 +296,12 @@ void add_surface_command(CLI::App& app, Surface_options& options)
                      "it themselves");
   add_interpolate(surface, options.interpolate, "The limit surface");
   add_limit_options(surface, options.limit, "vertices");
-  surface.add_option("--output-normals", options.output_normals,
-                     "Normals in OUTPUT: auto (default; those of the mesh that is written, those "
-                     "of the surface with --limit), surface (those of the limit surface), control "
-                     "(the control normals for a further round), both (auto's and the control "
-                     "normals; .ply, .vtp, .pvtp) or none");
+  surface.add_option(
+    "--output-normals", options.output_normals,
+    "Normals in OUTPUT: auto (default; those of the mesh that is written, those "
+    "of the surface with --limit, none in .off), surface (those of the limit surface), control "
+    "(the control normals for a further round), both (auto's and the control "
+    "normals; .ply, .vtp, .pvtp) or none");
   surface.add_option("--curvature", options.curvature,
                      "Add gaussian or mean curvature to the vertices, and colors for it, "
                      "symmetric about 0 (.ply, .vtp)");
@@ -320,7 +322,10 @@ void add_surface_command(CLI::App& app, Surface_options& options)
   surface.add_flag("--drop-attributes", options.drop_attributes,
                    "Points, faces and normals only: texture coordinates, colors, materials, groups "
                    "and other properties are not read");
-  surface.add_flag("--ascii", options.ascii, "PLY and VTP as text");
+  surface.add_flag("--split-seams", options.split_seams,
+                   "Write texture coordinates to the vertices of a .ply file, which are doubled at "
+                   "seams, as VTK and game engines read them (.vtp files always have them so)");
+  surface.add_flag("--ascii", options.ascii, "PLY, STL and VTP as text");
   add_report_options(surface, options.report);
 }
 
@@ -385,6 +390,21 @@ std::vector<std::string> option_names(const CLI::App& command)
   return names;
 }
 
+// Files whose names begin with a hyphen are taken for options, and "-h.obj" even for --help.
+void require_no_file_like_options(const std::vector<std::string>& words)
+{
+  const std::string formats = " " + writable_formats() + " ";
+  for (const std::string& word : words) {
+    const std::size_t dot = word.rfind('.');
+    if (word.size() < 2 || word[0] != '-' || dot == std::string::npos ||
+        word.find('=') != std::string::npos)
+      continue;
+    if (formats.find(" " + word.substr(dot + 1) + " ") != std::string::npos ||
+        std::filesystem::exists(word))
+      throw Usage_error("'" + word + "' looks like an option: the file is ./" + word);
+  }
+}
+
 // What CLI11 says of words that it does not know, and what was probably meant.
 std::string unexpected(const CLI::App& app)
 {
@@ -419,6 +439,7 @@ Command parse_command_line(int argc, char** argv)
   Curve_options curve;
   add_curve_command(app, curve);
   std::vector<std::string> words = with_command(argc, argv);
+  require_no_file_like_options(words);
   std::reverse(words.begin(), words.end()); // as CLI11 takes them
   const std::string help = " (see pn_subdivide --help)";
   try {

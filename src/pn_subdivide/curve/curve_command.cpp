@@ -49,6 +49,16 @@ PN::Curve_end parse_end(const Curve_options& options, const Curve_scheme& scheme
   throw Usage_error("--end '" + *options.end + "': it takes reflect or none");
 }
 
+// Chaikin's stencils stay inside the polygon: nothing is reflected.
+void warn_of_end(const Curve_options& options, const Curve_rule& rule, Report& report)
+{
+  if (options.end == "reflect" && !rule.scheme.primal && rule.scheme.lost_points == 2 &&
+      !rule.normal_scheme)
+    report.warn("--end reflect: " + options.scheme +
+                " needs no points beyond the ends, so this is --end none, and the curve does not "
+                "reach the ends; that of bspline:3 does");
+}
+
 double roundness_of(const Curve_options& options)
 {
   if (options.linear)
@@ -321,6 +331,7 @@ void run_curve_command(const Curve_options& options)
   std::optional<Verification> verification;
   if (options.verify.shape) verification.emplace(options.verify);
   require_writable_places(options);
+  warn_of_end(options, rule, report);
 
   Curve_data polygon = read_curve(options.input);
   if (polygon.size() >= points_worth_a_report)

@@ -95,6 +95,13 @@ const Column* find_column(const Columns& columns, const std::string& name)
   return found == columns.end() ? nullptr : &*found;
 }
 
+std::string word_of(const Column& column, double value)
+{
+  if (value < static_cast<double>(column.words.size()))
+    return column.words[static_cast<std::size_t>(value)];
+  return std::to_string(static_cast<std::int64_t>(value));
+}
+
 Column_group find_color(const Columns& columns)
 {
   for (const std::string before : {"", "diffuse_"}) {

@@ -110,6 +110,9 @@ bool has_depth(const std::vector<Texture_point>& texture);
 // nullptr if there is none
 const Column* find_column(const Columns& columns, const std::string& name);
 
+// What a value that is not negative stands for, or its digits.
+std::string word_of(const Column& column, double value);
+
 // The columns of a color: red, green, blue and perhaps alpha, of one type. Empty if there is none.
 Column_group find_color(const Columns& columns);
 

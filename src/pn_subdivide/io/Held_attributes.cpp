@@ -10,8 +10,10 @@
 
 #include "io/Obj_attributes.h"
 #include "io/Text_reader.h"
+#include "io/corner_normals.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pn_subdivide {
 namespace {
@@ -78,6 +80,62 @@ std::vector<Texture_point> texture_of_vertices(const Mesh_data& mesh)
       is_set[v] = true;
     }
   return result;
+}
+
+namespace {
+
+template <class T>
+void append_copies(std::vector<T>& values, const std::vector<Mesh_data::Index>& originals)
+{
+  if (values.empty()) return;
+  for (const Mesh_data::Index v : originals) values.push_back(T(values[v]));
+}
+
+} // namespace
+
+std::size_t split_at_seams(Mesh_data& mesh)
+{
+  std::vector<Texture_point>& texture = mesh.attributes.texture;
+  if (texture.empty() || has_depth(texture)) return 0;
+  const auto without = std::size_t(std::count_if(texture.begin(), texture.end(), is_none));
+  std::replace_if(texture.begin(), texture.end(), is_none, Texture_point{0, 0, 0});
+  const Different_values different(mesh, texture);
+  std::vector<Mesh_data::Index> originals, number, corners;
+  std::vector<bool> is_taken(mesh.points.size(), false);
+  for (const Mesh_data::Index v : different.vertex) {
+    number.push_back(is_taken[v] ? Mesh_data::Index(mesh.points.size() + originals.size()) : v);
+    if (is_taken[v]) originals.push_back(v);
+    is_taken[v] = true;
+  }
+  for (const std::size_t i : different.of_corner) corners.push_back(number[i]);
+  for (Corner_normal& n : mesh.several_normals) n.vertex = corners[n.corner];
+  mesh.set_vertices(std::move(corners));
+  append_copies(mesh.points, originals);
+  append_copies(mesh.normals, originals);
+  append_copies(mesh.control_normals, originals);
+  append_copies(mesh.roundness, originals);
+  append_copies(mesh.tags.vertices, originals);
+  for (Column& column : mesh.attributes.of_vertices) append_copies(column.values, originals);
+  return without;
+}
+
+void move_texture_to_vertices(Mesh_data& mesh)
+{
+  Attributes& attributes = mesh.attributes;
+  const std::vector<Texture_point> texture = texture_of_vertices(mesh);
+  if (attributes.texture.empty() || texture.empty() || has_depth(texture) ||
+      !find_texture(attributes.of_vertices).empty())
+    return;
+  for (std::size_t i = 0; i < 2; ++i) {
+    Column column{i == 0 ? "texture_u" : "texture_v",
+                  attributes.texture_type,
+                  {},
+                  {},
+                  attributes.has_texture_type_of_file};
+    for (const Texture_point& t : texture) column.values.push_back(t[i]);
+    attributes.of_vertices.push_back(std::move(column));
+  }
+  attributes.texture.clear();
 }
 
 } // namespace pn_subdivide

@@ -50,6 +50,14 @@ Column_group all_of(const Columns& columns);
 // round each vertex and every corner has some. Empty if there are none; vertices without faces have 0.
 std::vector<Texture_point> texture_of_vertices(const Mesh_data& mesh);
 
+// Vertices whose corners have different texture coordinates get a copy for each, behind the others, as formats with
+// texture coordinates of vertices need it. Corners without any get 0 0; returns how many.
+std::size_t split_at_seams(Mesh_data& mesh);
+
+// Texture coordinates of corners become the columns of vertices that other programs read from .ply files; the mesh
+// must be split at its seams.
+void move_texture_to_vertices(Mesh_data& mesh);
+
 } // namespace pn_subdivide
 
 #endif // PN_SUBDIVIDE_HELD_ATTRIBUTES_H

@@ -13,11 +13,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pn_subdivide {
@@ -111,6 +113,18 @@ struct Shading
   bool is_there() const { return weights != nullptr; }
 };
 
+// How many of something a file has, and where the first one is, for people: "line 7".
+struct Places
+{
+  std::size_t number = 0;
+  std::string first;
+
+  void add(const std::string& place)
+  {
+    if (number++ == 0) first = place;
+  }
+};
+
 struct Corner_normal
 {
   std::size_t corner;
@@ -162,6 +176,8 @@ public:
 
   // What the file says and this does not hold, for people: "materials".
   std::vector<std::string> dropped;
+  Places short_faces;    // of less than three vertices: they are not among the faces
+  Places broken_normals; // that are not finite: here they are zero
   // Vertices that the file gives normals in clearly different directions; they have the normalized
   // sum.
   std::size_t vertices_with_several_normals = 0;
@@ -180,6 +196,14 @@ public:
   void drop(const std::string& what)
   {
     if (std::find(dropped.begin(), dropped.end(), what) == dropped.end()) dropped.push_back(what);
+  }
+  // The normal of a file, or none if it is not finite; place() says where it is.
+  template <class Place>
+  Triple finite_normal(const Triple& n, const Place& place)
+  {
+    if (std::isfinite(n[0]) && std::isfinite(n[1]) && std::isfinite(n[2])) return n;
+    broken_normals.add(place());
+    return {0, 0, 0};
   }
   std::size_t number_of_faces() const { return face_end_.size(); }
   std::size_t number_of_corners() const { return corners_.size(); }
@@ -209,6 +233,9 @@ public:
   {
     for (Index& v : corners_) v = numbers[v];
   }
+
+  // Those of all corners, one face after the other.
+  void set_vertices(std::vector<Index> corners) { corners_ = std::move(corners); }
 
   void clear_faces()
   {

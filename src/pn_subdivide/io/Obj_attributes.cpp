@@ -24,6 +24,12 @@ const Obj_statement obj_statements[4] = {{"o", "object", "objects", true},
                                          {"usemtl", "material", "materials", true},
                                          {"s", "smoothing_group", "smoothing groups", false}};
 
+namespace {
+
+constexpr std::array<double, 4> white = {1, 1, 1, 1}; // where there is no color
+
+} // namespace
+
 bool Obj_attributes::read(std::string_view keyword, Text_reader& in, Mesh_data& mesh)
 {
   if (keyword == "vt") {
@@ -42,6 +48,15 @@ bool Obj_attributes::read(std::string_view keyword, Text_reader& in, Mesh_data& 
   return false;
 }
 
+void Obj_attributes::skip(std::string_view keyword, Text_reader& in)
+{
+  const bool has_name = std::any_of(std::begin(obj_statements), std::end(obj_statements),
+                                    [keyword](const Obj_statement& statement) {
+                                      return statement.has_words && keyword == statement.keyword;
+                                    });
+  if (has_name || keyword == "mtllib") in.name();
+}
+
 void Obj_attributes::read_texture_point(Text_reader& in)
 {
   Texture_point t = {0, 0, 0};
@@ -54,27 +69,28 @@ void Obj_attributes::read_texture_point(Text_reader& in)
   points_.push_back(t);
 }
 
-void Obj_attributes::read_color(Text_reader& in)
+void Obj_attributes::read_color(Text_reader& in, Mesh_data& mesh)
 {
   ++vertices_;
   const std::size_t left = in.words_left();
-  if (left < 3) return;
-  if (left > 3) in.number("a weight");
-  colors_.resize(vertices_ - 1, {1, 1, 1});
-  const double red = in.number("a color");
-  const double green = in.number("a color");
-  const double blue = in.number("a color");
-  for (const double x : {red, green, blue})
-    if (!(x >= 0 && x <= 1))
+  if (left < 2) return;
+  if (left != 3 && left != 4) return mesh.drop("numbers behind coordinates that are no color");
+  std::array<double, 4> color = white;
+  for (std::size_t i = 0; i < left; ++i) {
+    color[i] = in.number("a color");
+    if (!(color[i] >= 0 && color[i] <= 1))
       in.fail(std::string("a color out of range: its numbers must be from 0 to 1") +
               reading_without_it);
-  colors_.push_back({red, green, blue});
+  }
+  has_alpha_ = has_alpha_ || left == 4;
+  colors_.resize(vertices_ - 1, white);
+  colors_.push_back(color);
 }
 
 void Obj_attributes::read_statement(const Obj_statement& statement, State& state, Text_reader& in,
                                     Mesh_data& mesh)
 {
-  std::string_view name = in.name();
+  std::string_view name = statement.has_words ? in.name() : in.word();
   if (name.empty()) name = "default";
   if (!statement.has_words) {
     double number = 0;
@@ -145,10 +161,11 @@ void Obj_attributes::put_texture(Mesh_data& mesh) const
 void Obj_attributes::put_colors(Mesh_data& mesh)
 {
   if (colors_.empty()) return;
-  colors_.resize(vertices_, {1, 1, 1}); // white, where there is none
-  for (std::size_t i = 0; i < 3; ++i) {
+  colors_.resize(vertices_, white);
+  const char* const names[] = {"red", "green", "blue", "alpha"};
+  for (std::size_t i = 0; i < (has_alpha_ ? 4 : 3); ++i) {
     Column column;
-    column.name = i == 0 ? "red" : i == 1 ? "green" : "blue";
+    column.name = names[i];
     for (const auto& color : colors_) column.values.push_back(color[i]);
     mesh.attributes.of_vertices.push_back(std::move(column));
   }

@@ -40,9 +40,11 @@ public:
 
   // Reads the rest of the line; false if the keyword is none of these.
   bool read(std::string_view keyword, Text_reader& in, Mesh_data& mesh);
+  // Without reading it: a backslash at the end of a name does not join the next line to it.
+  static void skip(std::string_view keyword, Text_reader& in);
 
-  // The rest of a vertex's line: a weight, which says nothing here, a color, or both.
-  void read_color(Text_reader& in);
+  // The rest of a vertex's line: a weight, which says nothing here, or a color, perhaps with alpha.
+  void read_color(Text_reader& in, Mesh_data& mesh);
 
   // `corner` counts through all faces, `point` through the lines vt; there is one call for each face
   // when its corners are known.
@@ -78,7 +80,8 @@ private:
 
   std::vector<Texture_point> points_;
   std::vector<Corner> corners_;
-  std::vector<std::array<double, 3>> colors_;
+  std::vector<std::array<double, 4>> colors_;
+  bool has_alpha_ = false;
   std::size_t vertices_ = 0, faces_ = 0;
   State states_[4]; // of `obj_statements`
 };

@@ -40,11 +40,23 @@ bool is_utf_16(const std::string& text)
   return (text[0] == '\0') != (text[1] == '\0');
 }
 
+// Lines of classic Mac OS end with carriage returns. The first two tell: behind a header there may be anything.
+bool has_classic_lines(const std::string& text)
+{
+  const std::size_t first = text.find_first_of("\r\n");
+  if (first == std::string::npos || text[first] != '\r') return false;
+  const std::size_t second = text.find_first_of("\r\n", first + 1);
+  return second == std::string::npos ||
+         (text[second] == '\r' && text.compare(second + 1, 1, "\n") != 0);
+}
+
 } // namespace
 
-Text_reader::Text_reader(const std::string& text, char comment_sign)
+Text_reader::Text_reader(const std::string& text, char comment_sign, bool joins_lines)
   : text_(text)
   , comment_sign_(comment_sign)
+  , newline_(has_classic_lines(text) ? '\r' : '\n')
+  , joins_lines_(joins_lines)
 {
   const std::string_view byte_order_mark = "\xEF\xBB\xBF"; // some editors put it in front
   if (text.compare(0, byte_order_mark.size(), byte_order_mark) == 0) next_ = byte_order_mark.size();
@@ -63,33 +75,48 @@ std::string Text_reader::printable(std::string_view word)
 
 bool Text_reader::next_line()
 {
+  while (joins_lines_ && !at_end_of_line()) word(); // this one may go on
   while (next_ < text_.size()) {
-    pos_ = next_;
-    const std::size_t newline = std::min(text_.find('\n', pos_), text_.size());
-    next_ = std::min(newline + 1, text_.size());
-    ++line_;
-    const std::string_view line(text_.data() + pos_, newline - pos_);
-    if (newline == text_.size() && line_ == 1) require_newlines(line);
-    end_ = newline;
-    if (comment_sign_ != '\0') end_ = pos_ + std::min(line.find(comment_sign_), line.size());
+    begin_line();
     if (!at_end_of_line()) return true;
   }
   pos_ = end_ = text_.size();
   return false;
 }
 
-// A text of one line only: are there others that end with a carriage return?
-void Text_reader::require_newlines(std::string_view line) const
+void Text_reader::begin_line()
 {
-  const std::size_t end = line.find('\r');
-  if (end < line.size() && line.find_first_not_of("\r\n \t", end) < line.size())
-    throw Error("the lines end with carriage returns only (classic Mac OS): turn these into line "
-                "feeds, for instance with tr '\\r' '\\n'");
+  pos_ = next_;
+  end_ = std::min(text_.find(newline_, pos_), text_.size());
+  next_ = std::min(end_ + 1, text_.size());
+  ++line_;
+  if (comment_sign_ != '\0') end_ = comment_begin(end_);
+}
+
+// In "1.#INF" and "-1.#IND", which Microsoft's programs write for what is no number, it begins no comment.
+std::size_t Text_reader::comment_begin(std::size_t end) const
+{
+  const std::string_view line(text_.data() + pos_, end - pos_);
+  std::size_t i = line.find(comment_sign_);
+  while (i < line.size() && i >= 2 && line.substr(i - 2, 2) == "1." && i + 1 < line.size() &&
+         line[i + 1] >= 'A' && line[i + 1] <= 'Z')
+    i = line.find(comment_sign_, i + 1);
+  return pos_ + std::min(i, line.size());
+}
+
+bool Text_reader::goes_on_behind(std::size_t place) const
+{
+  return joins_lines_ && text_[place] == '\\' &&
+         (place + 1 == end_ || (place + 2 == end_ && text_[place + 1] == '\r'));
 }
 
 void Text_reader::skip_blanks()
 {
-  while (pos_ < end_ && is_blank(text_[pos_])) ++pos_;
+  for (;;) {
+    while (pos_ < end_ && is_blank(text_[pos_])) ++pos_;
+    if (pos_ == end_ || !goes_on_behind(pos_)) return;
+    begin_line();
+  }
 }
 
 bool Text_reader::at_end_of_line()
@@ -102,7 +129,7 @@ std::string_view Text_reader::word()
 {
   skip_blanks();
   const std::size_t begin = pos_;
-  while (pos_ < end_ && !is_blank(text_[pos_])) ++pos_;
+  while (pos_ < end_ && !is_blank(text_[pos_]) && !goes_on_behind(pos_)) ++pos_;
   return std::string_view(text_.data() + begin, pos_ - begin);
 }
 
@@ -122,26 +149,19 @@ std::string_view Text_reader::rest_of_line()
 
 std::string_view Text_reader::name()
 {
-  skip_blanks();
-  const std::size_t begin = pos_;
-  const std::size_t newline = std::min(text_.find('\n', begin), text_.size());
-  std::size_t end = begin;
-  while (end < newline &&
-         (text_[end] != comment_sign_ || (end > begin && !is_blank(text_[end - 1]))))
-    ++end;
+  end_ = next_ > pos_ && text_[next_ - 1] == newline_ ? next_ - 1 : next_;
+  std::size_t begin = pos_, end = end_;
   pos_ = end_;
+  while (begin < end && is_blank(text_[begin])) ++begin;
   while (end > begin && is_blank(text_[end - 1])) --end;
   return std::string_view(text_.data() + begin, end - begin);
 }
 
 std::size_t Text_reader::words_left() const
 {
+  Text_reader rest = *this;
   std::size_t n = 0;
-  bool blank = true;
-  for (std::size_t i = pos_; i < end_; ++i) {
-    if (blank && !is_blank(text_[i])) ++n;
-    blank = is_blank(text_[i]);
-  }
+  while (!rest.word().empty()) ++n;
   return n;
 }
 

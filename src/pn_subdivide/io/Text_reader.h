@@ -22,12 +22,11 @@ namespace pn_subdivide {
 class Text_reader
 {
 public:
-  // What follows `comment_sign` in a line is skipped; '\0' if there are no comments. Throws Error if the
-  // text is in UTF-16.
-  Text_reader(const std::string& text, char comment_sign);
+  // What follows `comment_sign` in a line is skipped; '\0' if there are no comments. A line that ends with a backslash
+  // goes on in the next one, if lines are joined. Throws Error if the text is in UTF-16.
+  Text_reader(const std::string& text, char comment_sign, bool joins_lines = false);
 
-  // Goes to the next line that is not blank; false at the end of the text. Throws Error if the lines
-  // end with carriage returns only.
+  // Goes to the next line that is not blank; false at the end of the text.
   bool next_line();
   // The next word of the line; empty at its end.
   std::string_view word();
@@ -35,8 +34,8 @@ public:
   std::string_view word_across_lines();
   // What is left of the line, without blanks in front.
   std::string_view rest_of_line();
-  // What is left of the line without blanks around, also behind a comment sign that follows no blank:
-  // there are materials called "wire#2".
+  // What is left of the line without blanks around, with comment signs and a last backslash: there are materials
+  // called "Material #25", and files in "C:\parts\".
   std::string_view name();
   // Is nothing left in this line?
   bool at_end_of_line();
@@ -57,7 +56,7 @@ public:
   // A number of things: not negative, and none that this machine cannot count, which may have 32 bits.
   std::size_t to_count(std::string_view word, const char* what) const;
 
-  std::size_t line() const { return line_; } // counted from 1
+  std::size_t line() const { return line_; } // of the last word, counted from 1
   // Where the next word is looked for in the text.
   std::size_t position() const { return pos_; }
   // Where the next line begins.
@@ -70,12 +69,15 @@ public:
   [[noreturn]] void fail(const std::string& what) const;
 
 private:
-  void require_newlines(std::string_view line) const;
+  void begin_line();
+  std::size_t comment_begin(std::size_t end) const;
+  bool goes_on_behind(std::size_t place) const;
   void skip_blanks();
   std::string_view required_word(const char* what);
 
   const std::string& text_;
-  char comment_sign_;
+  char comment_sign_, newline_;
+  bool joins_lines_;
   std::size_t pos_ = 0, end_ = 0, next_ = 0, line_ = 0;
   std::array<std::string_view, 3> last_words_;
 };

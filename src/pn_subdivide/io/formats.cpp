@@ -9,6 +9,7 @@
 #include "io/formats.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -87,9 +88,18 @@ fs::path folder_of(const Mesh_file& file)
   return error ? path.parent_path() : folder;
 }
 
+// "C:\parts\a.mtl" and "\\server\a.mtl", on every system
+bool is_of_windows(const std::string& name)
+{
+  const bool has_drive = name.size() > 2 &&
+                         std::isalpha(static_cast<unsigned char>(name[0])) != 0 && name[1] == ':' &&
+                         (name[2] == '\\' || name[2] == '/');
+  return has_drive || name.compare(0, 2, "\\\\") == 0;
+}
+
 std::string moved(const std::string& name, const fs::path& from, const fs::path& to)
 {
-  if (fs::path(name).is_absolute()) return name;
+  if (fs::path(name).is_absolute() || is_of_windows(name)) return name;
   return (from / name).lexically_normal().lexically_proximate(to).generic_string();
 }
 
@@ -97,7 +107,8 @@ std::string moved(const std::string& name, const fs::path& from, const fs::path&
 std::string all_moved(const std::string& names, const fs::path& from, const fs::path& to)
 {
   std::error_code error;
-  if (names.find(' ') == std::string::npos || fs::exists(from / names, error))
+  if (names.find(' ') == std::string::npos || is_of_windows(names) ||
+      fs::exists(from / names, error))
     return moved(names, from, to);
   std::istringstream in(names);
   std::string result, name;

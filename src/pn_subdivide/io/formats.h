@@ -31,7 +31,7 @@ Mesh_data read_stl(const std::string& content, bool with_attributes);
 void write_ply(Output_file& out, const Mesh_data& mesh, Encoding encoding);
 void write_off(Output_file& out, const Mesh_data& mesh, Encoding encoding);
 void write_obj(Output_file& out, const Mesh_data& mesh, Encoding encoding);
-// Binary. Faces must be triangles. Throws Error if a coordinate is too great for its float.
+// Faces must be triangles. Throws Error if a coordinate is too great for the floats of a binary file.
 void write_stl(Output_file& out, const Mesh_data& mesh, Encoding encoding);
 void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding);
 
@@ -45,11 +45,14 @@ void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding, const
 std::string pvtp_arrays(const Mesh_data& like, bool has_texture);
 
 // What of the attributes the format has no place for.
-std::vector<std::string> not_held_by_ply(const Mesh_data& mesh);
-std::vector<std::string> not_held_by_off(const Mesh_data& mesh);
-std::vector<std::string> not_held_by_obj(const Mesh_data& mesh);
-std::vector<std::string> not_held_by_stl(const Mesh_data& mesh);
-std::vector<std::string> not_held_by_vtp(const Mesh_data& mesh);
+std::vector<std::string> not_held_by_ply(const Mesh_data& mesh, Encoding encoding);
+std::vector<std::string> not_held_by_off(const Mesh_data& mesh, Encoding encoding);
+std::vector<std::string> not_held_by_obj(const Mesh_data& mesh, Encoding encoding);
+std::vector<std::string> not_held_by_stl(const Mesh_data& mesh, Encoding encoding);
+std::vector<std::string> not_held_by_vtp(const Mesh_data& mesh, Encoding encoding);
+
+// What the floats of a binary file do to the points, for people; empty if nobody will notice.
+std::string loss_in_stl(const Mesh_data& mesh);
 
 // Where the format has types, other programs read colors as bytes and texture coordinates as floats. Those that
 // a file has given no type become such.

@@ -25,7 +25,7 @@ namespace {
 
 using Reader = Mesh_data (*)(const std::string&, bool);
 using Writer = void (*)(Output_file&, const Mesh_data&, Encoding);
-using Not_held = std::vector<std::string> (*)(const Mesh_data&);
+using Not_held = std::vector<std::string> (*)(const Mesh_data&, Encoding);
 
 struct Format
 {
@@ -149,9 +149,14 @@ bool same_file(const std::string& a, const std::string& b)
   return place(a) == place(b);
 }
 
-std::vector<std::string> not_held(const Mesh_file& file, const Mesh_data& mesh)
+std::vector<std::string> not_held(const Mesh_file& file, const Mesh_data& mesh, Encoding encoding)
 {
-  return format_of(file).not_held(mesh);
+  return format_of(file).not_held(mesh, encoding);
+}
+
+std::string lost_precision(const Mesh_file& file, const Mesh_data& mesh, Encoding encoding)
+{
+  return file.format == "stl" && encoding == Encoding::binary ? loss_in_stl(mesh) : "";
 }
 
 Mesh_data read_mesh(const Mesh_file& file, bool with_attributes)

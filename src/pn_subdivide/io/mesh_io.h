@@ -56,17 +56,21 @@ void require_writable_place(const std::string& file);
 // Do the names mean one file, through links or other folders?
 bool same_file(const std::string& a, const std::string& b);
 
+enum class Encoding { binary, text };
+
 // What of the mesh's attributes the format has no place for, for people: "groups".
-std::vector<std::string> not_held(const Mesh_file& file, const Mesh_data& mesh);
+std::vector<std::string> not_held(const Mesh_file& file, const Mesh_data& mesh,
+                                  Encoding encoding = Encoding::binary);
+
+// What the format's numbers do to the points, for people; empty if nobody will notice.
+std::string lost_precision(const Mesh_file& file, const Mesh_data& mesh, Encoding encoding);
 
 // Indices are within range and faces have three vertices or more; everything else is left to the
 // soup checks. Throws Error, which names the file and the place.
 Mesh_data read_mesh(const Mesh_file& file, bool with_attributes = true);
 Mesh_data read_mesh(const std::string& name);
 
-enum class Encoding { binary, text };
-
-// The file appears as a whole or not at all; OFF and OBJ are always text, STL is always binary.
+// The file appears as a whole or not at all; OFF and OBJ are always text.
 // Throws Error.
 void write_mesh(const Mesh_file& file, const Mesh_data& mesh, Encoding encoding);
 void write_mesh(const std::string& name, const Mesh_data& mesh, Encoding encoding);

@@ -13,8 +13,6 @@
 #include "io/corner_normals.h"
 #include "io/formats.h"
 
-#include <boost/algorithm/string/replace.hpp>
-
 #include <algorithm>
 #include <cstdint>
 #include <string>
@@ -143,7 +141,7 @@ class Obj_reader
 {
 public:
   Obj_reader(const std::string& content, bool with_attributes)
-    : in_(content, '#')
+    : in_(content, '#', true)
     , with_attributes_(with_attributes)
   {}
 
@@ -159,7 +157,9 @@ public:
         read_face();
       else if (keyword == "t")
         read_tag();
-      else if (with_attributes_ && !attributes_.read(keyword, in_, mesh_))
+      else if (!with_attributes_)
+        Obj_attributes::skip(keyword, in_);
+      else if (!attributes_.read(keyword, in_, mesh_))
         note_what_is_dropped(keyword);
     }
     if (mesh_.points.empty())
@@ -208,7 +208,7 @@ private:
     const double y = in_.number("a coordinate");
     const double z = in_.number("a coordinate");
     mesh_.points.push_back({x, y, z});
-    if (with_attributes_) attributes_.read_color(in_);
+    if (with_attributes_) attributes_.read_color(in_, mesh_);
     if (mesh_.points.size() > Mesh_data::max_number_of_points) in_.fail("too many vertices");
   }
 
@@ -217,15 +217,19 @@ private:
     const double x = in_.number("a normal's coordinate");
     const double y = in_.number("a normal's coordinate");
     const double z = in_.number("a normal's coordinate");
-    normals_.add_normal({x, y, z});
+    normals_.add_normal(mesh_.finite_normal({x, y, z}, [this] { return place(); }));
     mesh_.digits_of_normals.see(in_.last_words(), {x, y, z});
   }
 
   void read_face()
   {
     face_.clear();
-    for (std::string_view w = in_.word(); !w.empty(); w = in_.word()) read_corner(w);
-    if (face_.size() < 3) in_.fail("a face with " + std::to_string(face_.size()) + " vertices");
+    words_.clear();
+    for (std::string_view w = in_.word(); !w.empty(); w = in_.word()) words_.push_back(w);
+    if (words_.size() < 3)
+      return mesh_.short_faces.add(place() + " has a face with " +
+                                   plural(words_.size(), "vertex", "vertices"));
+    for (const std::string_view w : words_) read_corner(w);
     mesh_.add_face(face_);
     attributes_.end_face();
     line_of_face_.push_back(in_.line());
@@ -270,7 +274,10 @@ private:
   Obj_normals normals_;
   Obj_attributes attributes_;
   Obj_tags tags_;
+  std::string place() const { return "line " + std::to_string(in_.line()); }
+
   std::vector<Mesh_data::Index> face_;
+  std::vector<std::string_view> words_;
   std::vector<std::size_t> line_of_face_;
 };
 
@@ -278,12 +285,7 @@ private:
 
 Mesh_data read_obj(const std::string& content, bool with_attributes)
 {
-  if (content.find('\\') == std::string::npos) return Obj_reader(content, with_attributes).read();
-
-  // A line that ends with a backslash goes on in the next one.
-  std::string joined = boost::algorithm::replace_all_copy(content, "\\\r\n", " ");
-  boost::algorithm::replace_all(joined, "\\\n", " ");
-  return Obj_reader(joined, with_attributes).read();
+  return Obj_reader(content, with_attributes).read();
 }
 
 } // namespace pn_subdivide

@@ -118,6 +118,8 @@ struct Off_header
 {
   bool texture = false, colors = false, normals = false;
   std::size_t points = 0, faces = 0;
+
+  bool is_plain() const { return !texture && !colors && !normals; }
 };
 
 // [ST][C][N]OFF in any order of the prefixes, since programs differ. What follows OFF in the same
@@ -209,34 +211,36 @@ struct Off_attributes
   }
 };
 
-// Colors have 0 to 4 numbers, whatever the header says. A plain OFF file with three more numbers
-// could mean normals or colors; this is not guessed. Without attributes what is there is skipped.
-void read_rest_of_vertex(Text_reader& in, const Off_header& header, Off_attributes* attributes)
+// Colors have 0 to 4 numbers, whatever the header says. Four are a color in plain OFF files, too; three could mean
+// normals or colors there, and this is not guessed.
+void read_rest_of_vertex(Text_reader& in, const Off_header& header, Off_attributes& attributes)
 {
-  const std::size_t texture = header.texture ? 2 : 0;
-  const std::size_t most = texture + (header.colors ? 4 : 0);
   const std::size_t left = in.words_left();
+  const bool has_color = header.colors || (header.is_plain() && left == 4);
+  const std::size_t texture = header.texture ? 2 : 0;
+  const std::size_t most = texture + (has_color ? 4 : 0);
   if (left < texture || left > most)
     in.fail("the vertex has " + std::to_string(left) + " numbers behind its coordinates" +
             (header.normals ? " and normal" : "") + " where the header announces " +
             (texture == most ? std::to_string(most)
-                             : std::to_string(texture) + " to " + std::to_string(most)));
-  if (attributes != nullptr && header.colors) attributes->of_vertices.read(in, left - texture);
+                             : std::to_string(texture) + " to " + std::to_string(most)) +
+            (header.is_plain() ? " (COFF has colors, NOFF normals)" : "") + reading_without_it);
+  if (has_color || header.is_plain()) attributes.of_vertices.read(in, left - texture);
   while (!in.at_end_of_line()) {
     const double x = in.number("a number");
-    if (attributes == nullptr) continue;
     if (!std::isfinite(x))
       in.fail(std::string("a texture coordinate that is not finite") + reading_without_it);
-    attributes->texture.push_back(x);
+    attributes.texture.push_back(x);
   }
 }
 
-// Without attributes a color is skipped.
-void read_face(Text_reader& in, std::size_t number_of_points, std::vector<Mesh_data::Index>& face,
+// False if it has less than three vertices.
+bool read_face(Text_reader& in, std::size_t number_of_points, std::vector<Mesh_data::Index>& face,
                Off_attributes* attributes)
 {
   const std::int64_t n = in.integer("the face's number of vertices");
-  if (n < 3) in.fail("a face with " + std::to_string(n) + " vertices");
+  if (n < 0) in.fail("a face with " + std::to_string(n) + " vertices");
+  if (n < 3) return false;
   face.clear();
   for (std::int64_t i = 0; i < n; ++i) {
     const std::int64_t v = in.integer("a vertex index");
@@ -245,10 +249,13 @@ void read_face(Text_reader& in, std::size_t number_of_points, std::vector<Mesh_d
               std::to_string(number_of_points) + " vertices");
     face.push_back(static_cast<Mesh_data::Index>(v));
   }
+  if (attributes == nullptr) return true;
   const std::size_t left = in.words_left();
   if (left > 4)
-    in.fail("too many numbers for a face with " + std::to_string(n) + " vertices and a color");
-  if (attributes != nullptr) attributes->of_faces.read(in, left);
+    in.fail("too many numbers for a face with " + std::to_string(n) + " vertices and a color" +
+            reading_without_it);
+  attributes->of_faces.read(in, left);
+  return true;
 }
 
 } // namespace
@@ -259,25 +266,27 @@ Mesh_data read_off(const std::string& content, bool with_attributes)
   const Off_header header = read_header(in);
 
   Mesh_data mesh;
+  const auto place = [&in] { return "line " + std::to_string(in.line()); };
   Off_attributes read_attributes;
-  Off_attributes* const attributes = with_attributes ? &read_attributes : nullptr;
   const std::size_t plausible = content.size() / 6; // a damaged header may announce anything
   mesh.points.reserve(std::min(header.points, plausible));
   for (std::size_t i = 0; i < header.points; ++i) {
     next_line_of(in, "vertices", i, header.points);
     mesh.points.push_back(read_point(in));
     if (header.normals) {
-      mesh.normals.push_back(read_normal(in));
+      mesh.normals.push_back(mesh.finite_normal(read_normal(in), place));
       mesh.digits_of_normals.see(in.last_words(), mesh.normals.back());
     }
-    read_rest_of_vertex(in, header, attributes);
+    if (with_attributes) read_rest_of_vertex(in, header, read_attributes);
   }
   std::vector<Mesh_data::Index> face;
   mesh.reserve_faces(std::min(header.faces, plausible), 4 * std::min(header.faces, plausible));
   for (std::size_t i = 0; i < header.faces; ++i) {
     next_line_of(in, "faces", i, header.faces);
-    read_face(in, header.points, face, attributes);
-    mesh.add_face(face);
+    if (read_face(in, header.points, face, with_attributes ? &read_attributes : nullptr))
+      mesh.add_face(face);
+    else
+      mesh.short_faces.add(place() + " has a face with less than three vertices");
   }
   if (in.next_line()) in.fail("more lines than the header announces");
   read_attributes.put(mesh);

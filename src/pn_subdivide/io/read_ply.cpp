@@ -68,12 +68,27 @@ const std::vector<std::string>& names_at_faces()
   return names;
 }
 
+// Faces as strips of triangles, one after the other in one list or several, with -1 between them.
+constexpr const char* strips_element = "tristrips";
+
+// They are read if there are no other faces.
+bool has_strips(const Ply_header& header)
+{
+  bool result = false;
+  for (const Ply_element& element : header.elements) {
+    if (element.name == "face" && element.size > 0) return false;
+    result = result || element.name == strips_element;
+  }
+  return result;
+}
+
 // Lists, but for those of indices and of texture coordinates, and elements other than vertices and
 // faces.
 void note_what_is_dropped(const Ply_header& header, const Ply_tags& tags, Mesh_data& mesh)
 {
   for (const Ply_element& element : header.elements) {
     if (element.size == 0 || tags.is_edge(element) || element.name == origin_element) continue;
+    if (element.name == strips_element && has_strips(header)) continue;
     const bool is_face = element.name == "face";
     if (!is_face && element.name != "vertex") {
       // their names differ: drop() need not look for them
@@ -102,6 +117,7 @@ public:
 
   Mesh_data read()
   {
+    const bool by_strips = has_strips(header_);
     bool has_vertices = false, has_faces = false;
     for (const Ply_element& element : header_.elements) {
       if (element.name == "vertex") {
@@ -110,6 +126,9 @@ public:
       } else if (element.name == "face") {
         has_faces = true;
         read_faces(element);
+      } else if (by_strips && element.name == strips_element) {
+        has_faces = true;
+        read_strips(element);
       } else if (tags_.is_edge(element)) {
         read_edges(element);
       } else if (element.name == origin_element) {
@@ -119,7 +138,8 @@ public:
       }
     }
     if (!has_vertices) throw Error("the PLY file has no element 'vertex'");
-    if (!has_faces) throw Error("the PLY file has no element 'face', so it is not a mesh");
+    if (!has_faces)
+      throw Error("the PLY file has no element 'face' and no 'tristrips', so it is not a mesh");
     if (!values_.at_end()) throw Error("more data than the PLY header announces");
     check_indices();
     put_corner_normals();
@@ -212,7 +232,7 @@ private:
     for (std::size_t i = 0; i < element.size; ++i) {
       read_item(element, i, Lists());
       mesh_.points.push_back({scalars_[p[0]], scalars_[p[1]], scalars_[p[2]]});
-      if (has_normals) add_normal(element, n);
+      if (has_normals) add_normal(element, n, i);
       if (roundness != Ply_element::none) mesh_.roundness.push_back(scalars_[roundness]);
       columns_.add(scalars_);
       if (sharpness != Ply_element::none) add_sharpness(element, i, scalars_[sharpness]);
@@ -224,9 +244,10 @@ private:
         require_finite_texture(column->values[i], element, i);
   }
 
-  void add_normal(const Ply_element& element, const std::array<std::size_t, 3>& n)
+  void add_normal(const Ply_element& element, const std::array<std::size_t, 3>& n, std::size_t i)
   {
-    mesh_.normals.push_back({scalars_[n[0]], scalars_[n[1]], scalars_[n[2]]});
+    mesh_.normals.push_back(mesh_.finite_normal({scalars_[n[0]], scalars_[n[1]], scalars_[n[2]]},
+                                                [i] { return "vertex " + std::to_string(i); }));
     Written_digits& digits = mesh_.digits_of_normals;
     if (values_.is_text())
       digits.see({words_[n[0]], words_[n[1]], words_[n[2]]}, mesh_.normals.back());
@@ -287,13 +308,48 @@ private:
                   reading_without_it);
   }
 
+  static std::size_t list_of_indices(const Ply_element& element)
+  {
+    std::size_t list = element.find("vertex_indices");
+    if (list == Ply_element::none) list = element.find("vertex_index");
+    if (list == Ply_element::none || !element.properties[list].is_list)
+      throw Error("the element '" + element.name + "' has no list 'vertex_indices'");
+    return list;
+  }
+
+  static void require_index(double v, const Ply_element& element, std::size_t i)
+  {
+    if (!(v >= 0 && v < 4294967295.0) || v != std::floor(v))
+      throw Error(name_of(element, i) + " has a negative or broken vertex index");
+  }
+
+  // Every second triangle of a strip goes the other way round. Strips are joined by triangles that visit a vertex twice.
+  void read_strips(const Ply_element& element)
+  {
+    Lists lists;
+    lists.indices = list_of_indices(element);
+    scalars_.assign(element.properties.size(), 0);
+    columns_ = Ply_columns();
+    for (std::size_t i = 0; i < element.size; ++i) {
+      read_item(element, i, lists);
+      std::size_t length = 0; // of the strip so far
+      for (auto v = indices_.begin(); v != indices_.end(); ++v) {
+        if (*v == -1) {
+          length = 0;
+          continue;
+        }
+        require_index(*v, element, i);
+        if (++length < 3 || v[0] == v[-1] || v[0] == v[-2] || v[-1] == v[-2]) continue;
+        const bool is_turned = length % 2 == 0;
+        mesh_.add_face(std::array<double, 3>{v[is_turned ? -1 : -2], v[is_turned ? -2 : -1], v[0]});
+      }
+    }
+  }
+
   void read_faces(const Ply_element& element)
   {
     Lists lists;
-    lists.indices = element.find("vertex_indices");
-    if (lists.indices == Ply_element::none) lists.indices = element.find("vertex_index");
-    if (lists.indices == Ply_element::none || !element.properties[lists.indices].is_list)
-      throw Error("the faces have no list 'vertex_indices'");
+    lists.indices = list_of_indices(element);
     const std::size_t texture = element.find(texture_list);
     if (with_attributes_ && texture != Ply_element::none && element.properties[texture].is_list) {
       lists.texture = texture;
@@ -311,11 +367,12 @@ private:
     begin(element, names_at_faces());
     for (std::size_t i = 0; i < element.size; ++i) {
       read_item(element, i, lists);
-      if (indices_.size() < 3)
-        throw Error(name_of(element, i) + " has " + std::to_string(indices_.size()) + " vertices");
-      for (const double v : indices_)
-        if (!(v >= 0 && v < 4294967295.0) || v != std::floor(v))
-          throw Error(name_of(element, i) + " has a negative or broken vertex index");
+      if (indices_.size() < 3) {
+        mesh_.short_faces.add(name_of(element, i) + " has " +
+                              plural(indices_.size(), "vertex", "vertices"));
+        continue;
+      }
+      for (const double v : indices_) require_index(v, element, i);
       mesh_.add_face(indices_);
       columns_.add(scalars_);
       if (lists.texture != Ply_element::none) add_texture(element, i);
@@ -347,8 +404,11 @@ private:
     if (!normals_.empty() && normals_.size() != 3 * indices_.size())
       throw Error(name_of(element, i) + " has " + std::to_string(normals_.size()) +
                   " numbers of normals for " + std::to_string(indices_.size()) + " vertices");
-    normals_of_corners_.insert(normals_of_corners_.end(), normals_.begin(), normals_.end());
-    if (!normals_.empty()) faces_with_normals_.push_back(i);
+    for (std::size_t k = 0; k < normals_.size(); k += 3)
+      for (const double x : mesh_.finite_normal({normals_[k], normals_[k + 1], normals_[k + 2]},
+                                                [&] { return name_of(element, i); }))
+        normals_of_corners_.push_back(x);
+    if (!normals_.empty()) faces_with_normals_.push_back(mesh_.number_of_faces() - 1);
   }
 
   // Not earlier, because the vertices may come behind the faces. Faces without a list have the normals of their

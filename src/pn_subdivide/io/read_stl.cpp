@@ -71,13 +71,20 @@ std::string first_word(const std::string& content)
 class Stl_reader
 {
 public:
+  explicit Stl_reader(bool with_attributes)
+    : with_attributes_(with_attributes)
+  {}
+
   Mesh_data read_text(const std::string& content)
   {
     Text_reader in(content, '\0');
     while (in.next_line()) read_solid(in);
+    if (with_attributes_ && !groups_.words.empty())
+      mesh_.attributes.of_faces.push_back(std::move(groups_));
     return std::move(mesh_);
   }
 
+  // Attribute bytes that are the same everywhere are no colors: programs write what they like.
   Mesh_data read_binary(const std::string& content)
   {
     const std::size_t facets = announced_facets(content);
@@ -86,7 +93,9 @@ public:
       const unsigned char* const facet = bytes(content) + header_size + facet_size * f;
       for (std::size_t i = 0; i < 3; ++i) triangle_[i] = index(corner(facet + 12 * (i + 1)));
       mesh_.add_face(triangle_);
-      if (facet[48] != 0 || facet[49] != 0) mesh_.drop("colors (attribute bytes of triangles)");
+      const bool differs = !std::equal(facet + facet_size - 2, facet + facet_size,
+                                       bytes(content) + header_size + facet_size - 2);
+      if (with_attributes_ && differs) mesh_.drop("colors (attribute bytes of triangles)");
     }
     return std::move(mesh_);
   }
@@ -132,7 +141,7 @@ private:
   void read_solid(Text_reader& in)
   {
     expect(in, "solid");
-    in.rest_of_line();
+    const double group = group_of(std::string(in.name()));
     for (;;) {
       const std::string_view word = in.word_across_lines();
       if (word == "endsolid") break;
@@ -141,6 +150,17 @@ private:
       read_facet(in);
     }
     in.rest_of_line();
+    if (!groups_.words.empty()) groups_.values.resize(mesh_.number_of_faces(), group);
+  }
+
+  // Solids before the first one with a name are in none.
+  double group_of(const std::string& name)
+  {
+    if (name.empty()) return -1;
+    groups_.values.resize(mesh_.number_of_faces(), -1.);
+    const auto [place, is_new] = numbers_.emplace(name, double(groups_.words.size()));
+    if (is_new) groups_.words.push_back(name);
+    return place->second;
   }
 
   void read_facet(Text_reader& in)
@@ -158,17 +178,21 @@ private:
     mesh_.add_face(triangle_);
   }
 
+  bool with_attributes_;
   Mesh_data mesh_;
+  Column groups_{"group", Scalar_type::int32, {}, {}};
+  std::map<std::string, double> numbers_; // of their names
   std::map<Triple, Mesh_data::Index> indices_;
   std::array<Mesh_data::Index, 3> triangle_;
 };
 
 } // namespace
 
-Mesh_data read_stl(const std::string& content, bool)
+Mesh_data read_stl(const std::string& content, bool with_attributes)
 {
-  if (is_binary(content)) return Stl_reader().read_binary(content);
-  if (first_word(content) == "solid") return Stl_reader().read_text(content);
+  Stl_reader reader(with_attributes);
+  if (is_binary(content)) return reader.read_binary(content);
+  if (first_word(content) == "solid") return reader.read_text(content);
   fail_as_no_stl(content);
 }
 

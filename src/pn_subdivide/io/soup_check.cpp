@@ -104,31 +104,6 @@ std::string first_of(const Soup_defects::Edges& edges)
   return " (first: " + std::to_string(edges.first[0]) + "-" + std::to_string(edges.first[1]) + ")";
 }
 
-void require_finite(const std::vector<Triple>& triples, const char* what)
-{
-  for (std::size_t v = 0; v < triples.size(); ++v) {
-    const Triple& t = triples[v];
-    if (std::isfinite(t[0]) && std::isfinite(t[1]) && std::isfinite(t[2])) continue;
-    std::ostringstream message;
-    message << "vertex " << v << " has " << what << " that is not finite: (" << t[0] << ", " << t[1]
-            << ", " << t[2] << ")";
-    throw Error(message.str());
-  }
-}
-
-void require_finite_corner_normals(const Mesh_data& mesh)
-{
-  if (!mesh.has_corner_normals()) return;
-  std::size_t corner = 0;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for (const Index v : mesh.face(f)) {
-      const Triple& n = mesh.corner_normals[corner++];
-      if (!std::isfinite(n[0]) || !std::isfinite(n[1]) || !std::isfinite(n[2]))
-        throw Error("face " + std::to_string(f) + " has a normal at vertex " + std::to_string(v) +
-                    " that is not finite");
-    }
-}
-
 } // namespace
 
 Soup_defects find_defects(const Mesh_data& mesh)
@@ -188,14 +163,21 @@ void require_finite_elements(const Mesh_data& mesh)
   if (mesh.has_normals() && mesh.normals.size() != mesh.points.size())
     throw Error(plural(mesh.normals.size(), "normal", "normals") + " for " +
                 plural(mesh.points.size(), "vertex", "vertices"));
-  require_finite(mesh.points, "a coordinate");
-  require_finite(mesh.normals, "a normal");
-  require_finite_corner_normals(mesh);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const Triple& p = mesh.points[v];
+    if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])) continue;
+    std::ostringstream message;
+    message << "vertex " << v << " has a coordinate that is not finite: (" << p[0] << ", " << p[1]
+            << ", " << p[2] << ")";
+    throw Error(message.str());
+  }
 }
 
 void require_sound_elements(const Mesh_data& mesh)
 {
   require_finite_elements(mesh);
+  if (mesh.short_faces.number > 0)
+    throw Error(mesh.short_faces.first + "; --repair removes such faces");
   std::vector<std::size_t> last_face(mesh.points.size(), static_cast<std::size_t>(-1));
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     if (mesh.face(f).size() < 3)

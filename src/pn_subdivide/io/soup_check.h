@@ -47,12 +47,11 @@ Soup_defects find_defects(const Mesh_data& mesh);
 // Those at edges that have one face or more than two, and those without faces, in order.
 std::vector<Mesh_data::Index> vertices_at_open_edges(const Mesh_data& mesh);
 
-// What no repair mends: no faces, coordinates or normals that are not finite, a number of normals
-// other than that of vertices. Throws Error, which names the first such element; vertices and faces
-// are counted from 0.
+// What no repair mends: no faces, coordinates that are not finite, a number of normals other than that of vertices.
+// Throws Error, which names the first such element; vertices and faces are counted from 0.
 void require_finite_elements(const Mesh_data& mesh);
 
-// That, and a face that visits a vertex twice.
+// That, and a face of less than three vertices or that visits one twice.
 void require_sound_elements(const Mesh_data& mesh);
 
 } // namespace pn_subdivide

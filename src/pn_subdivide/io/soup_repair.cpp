@@ -118,6 +118,7 @@ private:
 
 void split_faces(Mesh_data& mesh, Soup_repair& repair, Old_faces& old_faces)
 {
+  repair.removed_degenerate_faces += std::exchange(mesh.short_faces, {}).number;
   Face_splitter splitter(mesh.points.size());
   std::vector<Polygon> faces;
   std::vector<std::size_t> origins;
@@ -130,7 +131,7 @@ void split_faces(Mesh_data& mesh, Soup_repair& repair, Old_faces& old_faces)
     origins.insert(origins.end(), parts.size(), f);
     for (Polygon& part : parts) faces.push_back(std::move(part));
   }
-  if (repair.removed_degenerate_faces + repair.split_faces == 0) return;
+  if (faces.size() == mesh.number_of_faces() && repair.split_faces == 0) return;
   mesh.clear_faces();
   for (const Polygon& face : faces) mesh.add_face(face);
   old_faces.renumber(origins);

@@ -118,9 +118,7 @@ struct Obj_content
 std::string word_of(const Column& column, double value, bool has_words)
 {
   if (!has_words) return value > 0 ? std::to_string(static_cast<std::int64_t>(value)) : "off";
-  if (value >= 0 && value < static_cast<double>(column.words.size()))
-    return column.words[static_cast<std::size_t>(value)];
-  return value < 0 ? "default" : std::to_string(static_cast<std::int64_t>(value));
+  return value < 0 ? "default" : word_of(column, value);
 }
 
 // What holds for face f and did not for the one before. Where a file begins, nothing holds.
@@ -263,7 +261,7 @@ void write_corner(Output_file& out, std::size_t v, std::size_t t, std::size_t n)
 
 } // namespace
 
-std::vector<std::string> not_held_by_obj(const Mesh_data& mesh)
+std::vector<std::string> not_held_by_obj(const Mesh_data& mesh, Encoding)
 {
   return Obj_content(mesh).held.rest();
 }

@@ -65,7 +65,7 @@ void write_color(Output_file& out, const Column_group& color, std::size_t elemen
 
 } // namespace
 
-std::vector<std::string> not_held_by_off(const Mesh_data& mesh)
+std::vector<std::string> not_held_by_off(const Mesh_data& mesh, Encoding)
 {
   return Off_content(mesh).held.rest();
 }

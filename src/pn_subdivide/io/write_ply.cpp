@@ -316,7 +316,7 @@ void write_in_text(Output_file& out, const Ply_content& content)
 
 } // namespace
 
-std::vector<std::string> not_held_by_ply(const Mesh_data& mesh)
+std::vector<std::string> not_held_by_ply(const Mesh_data& mesh, Encoding)
 {
   return Ply_content(mesh).lost_texture();
 }

@@ -125,7 +125,7 @@ void write_cell_data(Vtp_writer& vtp, const Mesh_data& mesh, const Vtp_content& 
 
 } // namespace
 
-std::vector<std::string> not_held_by_vtp(const Mesh_data& mesh)
+std::vector<std::string> not_held_by_vtp(const Mesh_data& mesh, Encoding)
 {
   return Vtp_content(mesh).held.rest();
 }

@@ -135,6 +135,7 @@ void require_options_for_pieces(const Surface_options& options, const Mesh_file&
   refuse(options.limit.points && options.output_normals == "both",
          "--limit together with --output-normals both");
   refuse(options.ascii, "--ascii");
+  refuse(options.split_seams, "--split-seams");
   refuse(options.write_tags.has_value(), "--write-tags");
   if (wants_surfaces(options.creases))
     throw Usage_error("--sharp surfaces is not known for refinement in pieces (--memory, --pieces, "

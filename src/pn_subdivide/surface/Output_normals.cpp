@@ -63,7 +63,10 @@ Output_normals Output_normals::make(const Surface_options& options, const Mesh_f
 {
   Output_normals normals;
   normals.choice = choice_of(options, output);
-  if (normals.choice == Choice::automatic && !holds_normals(output)) normals.choice = Choice::none;
+  // many programs refuse NOFF
+  const bool are_wanted = options.output_normals || (options.levels == 0 && options.normals);
+  const bool is_bare = !holds_normals(output) || (output.format == "off" && !are_wanted);
+  if (normals.choice == Choice::automatic && is_bare) normals.choice = Choice::none;
   const bool is_default = normals.choice == Choice::automatic || normals.choice == Choice::both;
   const bool has_control_normals = !options.linear && options.normals != "none";
   const bool is_adaptive = options.chord && !options.auto_levels;

@@ -65,7 +65,17 @@ bool may_choose_normals(const Surface_options& options)
 
 bool are_normals_taken(const Surface_options& options)
 {
-  return may_choose_normals(options) || (!options.linear && options.normals == "file");
+  return may_choose_normals(options) ||
+         (!options.linear && (options.normals == "file" || options.normals == "smooth"));
+}
+
+void report_broken_normals(const Mesh_data& mesh, const std::string& name,
+                           const Surface_options& options, Report& report)
+{
+  const Places& broken = mesh.broken_normals;
+  if (broken.number > 0 && are_normals_taken(options))
+    report.warn(name + ": " + plural(broken.number, "normal is", "normals are") +
+                " not finite (first: " + broken.first + "), which means none there");
 }
 
 // Shading is looked for in the faces as they are in the file, and as they have been turned.
@@ -210,6 +220,7 @@ Mesh_data read_control_mesh(const Mesh_file& file, const Surface_options& option
   if (mesh.number_of_faces() >= faces_worth_a_report)
     report.progress("read " + name + ": " + size_of(mesh));
   report_what_is_dropped(mesh, name, report);
+  report_broken_normals(mesh, name, options, report);
 
   require_finite_elements(mesh);
   const double distance = distance_to_join(mesh, file, options);

@@ -411,6 +411,8 @@ std::vector<double> estimated_roundness(const Mesh_data& mesh, const Creases& cr
   return std::move(points.roundness);
 }
 
+constexpr const char* no_creases = " (--sharp none takes none)";
+
 void settle_file_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,
                          bool can_be_sharp, const std::string& name, Report& report)
 {
@@ -427,7 +429,8 @@ void settle_file_normals(Mesh_data& mesh, const Normals_option& option, const Cr
   const Flat_shading& flat = mesh.flat_shading;
   if (!flat.is_there()) {
     if (creases.are_by_normals)
-      report.remark(name + ": the normals in the file differ at " + edges + ", taken for creases");
+      report.remark(name + ": the normals in the file differ at " + edges + ", taken for creases" +
+                    no_creases);
     if (!may_drop || mesh.are_said_to_be_control) return;
     if (mesh.shading.is_there()) return drop_shading(mesh, name, report);
     if (!mesh.roundness.empty()) return;
@@ -439,7 +442,7 @@ void settle_file_normals(Mesh_data& mesh, const Normals_option& option, const Cr
                      std::to_string(flat.normals) + " different on " + std::to_string(flat.faces) +
                      (flat.faces == 1 ? " face): " : " faces): ");
   if (creases.are_by_normals)
-    return report.remark(text + edges + " where they differ, taken for creases");
+    return report.remark(text + edges + " where they differ, taken for creases" + no_creases);
   const bool has_edges = mesh.has_corner_normals() && can_be_sharp;
   if (has_edges) text += "not taken for creases (--sharp file takes them)";
   if (may_drop) {

@@ -9,6 +9,7 @@
 #include "surface/surface_command.h"
 
 #include "io/Error.h"
+#include "io/Held_attributes.h"
 #include "io/Report.h"
 #include "io/formats.h"
 #include "io/mesh_io.h"
@@ -145,6 +146,20 @@ Limit_choice limit_choice(const Surface_options& options, const Output_normals& 
   return limit;
 }
 
+void require_consistent_seams(const Surface_options& options, const Plan& plan)
+{
+  if (!options.split_seams) return;
+  if (plan.output.format != "ply" && plan.output.format != "vtp")
+    throw Usage_error("--split-seams is for .ply files: " + plan.output.title("standard output") +
+                      " (" + plan.output.format + ") is none");
+  const bool is_control = options.output_normals == "control" || options.output_normals == "both";
+  if (is_control || options.write_tags)
+    throw Usage_error(
+      "--split-seams and " +
+      (is_control ? "--output-normals " + *options.output_normals : "--write-tags") +
+      " exclude each other: with vertices that are doubled it is no mesh for further rounds");
+}
+
 Plan make_plan(const Surface_options& options)
 {
   Plan plan{input_mesh_file(options.input, options.format),
@@ -174,6 +189,7 @@ Plan make_plan(const Surface_options& options)
   plan.creases = Crease_plan::make(options.creases);
   plan.creases.require_schemes(options.creases, options.scheme);
   plan.normals = parse_normals_option(options.linear ? "none" : options.normals.value_or("auto"));
+  require_consistent_seams(options, plan);
   if (plan.interpolation) plan.normals.is_reciprocal = true; // natural normals begin with it
   if (options.roundness) plan.roundness = parse_roundness_option(*options.roundness);
   if (options.curvature) plan.curvature = parse_curvature_option(*options.curvature, plan.output);
@@ -584,6 +600,17 @@ void warn_of_lost_attributes(const std::vector<std::string>& names, const Plan& 
                            names);
 }
 
+// As .vtp has texture coordinates always, and .ply if it is asked for.
+void split_seams(Mesh_data& mesh, const Plan& plan, const Surface_options& options, Report& report)
+{
+  if (plan.output.format != "vtp" && !options.split_seams) return;
+  const std::size_t without = split_at_seams(mesh);
+  if (options.split_seams && plan.output.format == "ply") move_texture_to_vertices(mesh);
+  if (without > 0)
+    report.warn(plan.output.title("standard output") + ": " + plural(without, "corner", "corners") +
+                " without texture coordinates have 0 0, since those of vertices are written");
+}
+
 std::string rounds_of(const Plan& plan, const Surface_options& options, const Scheme_choice& scheme,
                       bool has_normals)
 {
@@ -609,6 +636,9 @@ std::string closing_line(const Mesh_data& mesh, const Plan& plan, const Surface_
                   creases.description();
   if (has_normals && !holds_normals(plan.output))
     s += " (not written, " + plan.output.format + " files hold none)";
+  else if (has_normals && plan.output.format == "off" && !plan.output_normals.any() &&
+           !options.output_normals)
+    s += " (not written; --output-normals writes some)";
   return s + turning + time_of(report);
 }
 
@@ -794,13 +824,17 @@ void run_surface_command(const Surface_options& given_options)
     report.progress("writing " + plan.output.title("standard output") + ": " + size_of(mesh));
   if (part) suit_segments(mesh, plan.output);
   warn_of_lost_normals(mesh.has_corner_normals(), plan, report);
-  warn_of_lost_attributes(not_held(plan.output, mesh), plan, report);
+  split_seams(mesh, plan, options, report);
+  const Encoding encoding = options.ascii ? Encoding::text : Encoding::binary;
+  warn_of_lost_attributes(not_held(plan.output, mesh, encoding), plan, report);
+  const std::string loss = lost_precision(plan.output, mesh, encoding);
+  if (!loss.empty()) report.warn(plan.output.title("standard output") + ": " + loss);
   take_types_of_format(plan.output, mesh.attributes);
   move_file_references(mesh.attributes, plan.input, plan.output);
   Tags_file tags(options, mesh.tags, report);
   Labels_file labels(options, part ? &*part : nullptr);
   suit_tags(mesh, plan.output, options, plan.output_normals, report);
-  write_mesh(plan.output, mesh, options.ascii ? Encoding::text : Encoding::binary);
+  write_mesh(plan.output, mesh, encoding);
   tags.commit();
   labels.commit();
   report.note(

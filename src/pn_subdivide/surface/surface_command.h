@@ -38,7 +38,7 @@ struct Surface_options
   bool merge_points = false, repair = false, triangulate = false;
   bool drop_attributes = false;
   bool check = false;
-  bool ascii = false;
+  bool ascii = false, split_seams = false;
   Report_options report;
 };
 

@@ -288,7 +288,9 @@ TEST_F(Pn_subdivide, FormatsAgree)
   const std::string input = folder.write("cube.off", cube);
   const Mesh_data reference = refined(input, "--scheme catmull-clark --levels 2");
   for (const char* name : {"a.ply", "a.off", "a.obj"}) {
-    ASSERT_EQ(surface(input, folder.file(name), "--ascii --scheme catmull-clark --levels 2").code,
+    ASSERT_EQ(surface(input, folder.file(name),
+                      "--ascii --scheme catmull-clark --levels 2 --output-normals auto")
+                .code,
               0);
     const Mesh_data mesh = read_mesh(folder.file(name));
     EXPECT_EQ(mesh.points, reference.points);
@@ -474,6 +476,42 @@ TEST_F(Pn_subdivide, WhatIsNotCarriedIsSaidOnceTheOutputIsComplete)
 
 // --- failures ---
 
+// A normal that is not finite is none.
+TEST_F(Pn_subdivide, BrokenNormalsAreNone)
+{
+  const std::string ply =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::pair<std::string, std::string> files[] = {
+    {"a.off", "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 nan 1\n0 1 0 0 inf 1\n3 0 1 2\n"},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn nan 0 0\nvn 0 1e999 0\n"
+              "f 1//1 2//2 3//3\n"},
+    {"a.ply", ply + "0 0 0 0 0 1\n1 0 0 0 0 nan\n0 1 0 -inf 0 0\n3 0 1 2\n"}};
+  for (const auto& [name, content] : files) {
+    const std::string input = folder.write(name, content), output = folder.file("o.ply");
+    const std::string place = name == "a.off" ? "line 4" : name == "a.obj" ? "line 5" : "vertex 1";
+    EXPECT_EQ(surface(input, output, "--quiet --levels 0 --normals file").err,
+              "warning: " + input + ": 2 normals are not finite (first: " + place +
+                "), which means none there\n");
+    const Mesh_data mesh = read_mesh(output);
+    EXPECT_EQ(mesh.normals, (std::vector<Triple>{{0, 0, 1}, {0, 0, 0}, {0, 0, 0}}));
+    for (const char* const options :
+         {"--normals estimate", "--linear", "--normals none", "--normals sphere:0,0,5"})
+      EXPECT_EQ(
+        surface(input, output, "--quiet --strict --drop-attributes " + std::string(options)).err,
+        "")
+        << name << options;
+  }
+  // the others at a vertex count
+  const std::string corners =
+    folder.write("c.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nvn nan 0 0\n"
+                          "f 1//1 2//1 3//1\nf 2//2 4//2 3//2\n");
+  const Mesh_data mesh = refined(corners, "--levels 0 --normals file --sharp none");
+  EXPECT_EQ(mesh.normals[1], triple(0, 0, 1));
+  EXPECT_EQ(mesh.normals[3], triple(0, 0, 0));
+}
+
 TEST_F(Pn_subdivide, BadMeshesFailWithOneLine)
 {
   const std::string head = "OFF\n3 1 0\n0 0 0\n1 0 0\n";
@@ -492,8 +530,6 @@ TEST_F(Pn_subdivide, BadMeshesFailWithOneLine)
     {"degenerate.off", head + "0 1 0\n3 0 1 1\n", "visits vertex 1 twice"},
     {"nan.off", head + "0 nan 0\n3 0 1 2\n", "vertex 2 has a coordinate"},
     {"inf.off", head + "0 1e999 0\n3 0 1 2\n", "vertex 2 has a coordinate"},
-    {"nan_normal.off", "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 nan 1\n3 0 1 2\n",
-     "vertex 2 has a normal"},
     {"short_normal.off", "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n", "line 4"},
     {"faceless.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "no face"}};
   for (const auto& c : cases) {

@@ -141,7 +141,7 @@ const std::string obj =
   "v 0 0 0 0 0.25 1\nv 1 0 0 0.1 0 0\nv 1 1 0 1 1 1\nv 0 1 0 0 0 0\nv -1 0.5 0 0.5 0.5 0.5\n"
   "vt 0 0\nvt 0.1 0\nvt 0.1 0.30000000000000004\nvt 0.7 1e-300\nvt -0.0 1\n"
   "f 1/1 2/2 3/3\n"
-  "g left upper\nusemtl wood#2 # not that\ns 1\n"
+  "g left upper\nusemtl wood #2\ns 1 # not that\n"
   "f 1/4 3/-1 4/5\n"
   "usemtl red\ns off\n"
   "f 1 4 5\n";
@@ -164,7 +164,7 @@ TEST_F(Pn_subdivide_attributes, ObjIsRead)
   EXPECT_EQ(values(a.of_faces, "group"), (Numbers{-1, 0, 0}));
   EXPECT_EQ(values(a.of_faces, "material"), (Numbers{-1, 0, 1}));
   EXPECT_EQ(values(a.of_faces, "smoothing_group"), (Numbers{0, 1, 0}));
-  EXPECT_EQ(find_column(a.of_faces, "material")->words, (Names{"wood#2", "red"}));
+  EXPECT_EQ(find_column(a.of_faces, "material")->words, (Names{"wood #2", "red"}));
   EXPECT_EQ(find_column(a.of_faces, "group")->words, (Names{"left upper"}));
   EXPECT_TRUE(read("a.obj", obj, false).attributes.empty());
   EXPECT_TRUE(read("a.obj", obj, false).dropped.empty());
@@ -184,7 +184,7 @@ TEST_F(Pn_subdivide_attributes, ObjComesBackFromObjAndPlyAsItWas)
   write_mesh(folder.file("b.obj"), mesh, Encoding::text);
   const std::string text = Temporary_folder::content(folder.file("b.obj"));
   EXPECT_NE(
-    text.find("\no thing\nf 1/1 2/2 3/3\ng left upper\nusemtl wood#2\ns 1\nf 1/4 3/5 4/6\n"),
+    text.find("\no thing\nf 1/1 2/2 3/3\ng left upper\nusemtl wood #2\ns 1\nf 1/4 3/5 4/6\n"),
     std::string::npos)
     << text; // texture points are written once a vertex
 }
@@ -209,6 +209,42 @@ TEST_F(Pn_subdivide_attributes, ObjStatementsOfEveryKind)
   EXPECT_EQ(mesh.attributes.texture[0], (Texture_point{1, 2, 3}));
   expect_same(written_and_read("b.obj", mesh).attributes, mesh.attributes);
   EXPECT_EQ(not_held_by("a.ply", mesh), Names{"third texture coordinates"});
+}
+
+// Four numbers behind the coordinates are a color with alpha, of which OBJ files of ours have none.
+TEST_F(Pn_subdivide_attributes, ObjColorsWithAlpha)
+{
+  Mesh_data mesh = read("a.obj", "v 0 0 0 1 0.5 0.25 0.75\nv 1 0 0 0 0 1\nv 0 1 0 9\nf 1 2 3\n");
+  const Columns& columns = mesh.attributes.of_vertices;
+  ASSERT_EQ(columns.size(), 4u);
+  EXPECT_EQ(values(columns, "red"), (Numbers{1, 0, 1}));
+  EXPECT_EQ(values(columns, "green"), (Numbers{0.5, 0, 1}));
+  EXPECT_EQ(values(columns, "blue"), (Numbers{0.25, 1, 1}));
+  EXPECT_EQ(values(columns, "alpha"), (Numbers{0.75, 1, 1}));
+  EXPECT_EQ(not_held_by("b.ply", mesh), Names());
+  EXPECT_EQ(not_held_by("b.obj", mesh), Names{"'alpha' of vertices"});
+  mesh = read("a.obj", "v 0 0 0 1 1\nv 1 0 0 1 1 0 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_TRUE(mesh.attributes.empty());
+  EXPECT_EQ(mesh.dropped, Names{"numbers behind coordinates that are no color"});
+}
+
+// Names go to the end of the line; other statements have comments.
+TEST_F(Pn_subdivide_attributes, ObjNames)
+{
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", face = "f 1 2 3\n";
+  const Mesh_data mesh = read("a.obj", "mtllib C:\\my parts\\\nmtllib a #1.mtl # x\n" + points +
+                                         "usemtl Material #25\no #1\n" + face +
+                                         "usemtl Material #26\r\ng a\\\ns 3 # x\n" + face);
+  const Attributes& a = mesh.attributes;
+  EXPECT_EQ(a.material_files, (Names{"C:\\my parts\\", "a #1.mtl # x"}));
+  EXPECT_EQ(find_column(a.of_faces, "material")->words, (Names{"Material #25", "Material #26"}));
+  EXPECT_EQ(values(a.of_faces, "material"), (Numbers{0, 1}));
+  EXPECT_EQ(find_column(a.of_faces, "object")->words, Names{"#1"});
+  EXPECT_EQ(find_column(a.of_faces, "group")->words, Names{"a\\"});
+  EXPECT_EQ(values(a.of_faces, "smoothing_group"), (Numbers{0, 3}));
+  EXPECT_EQ(mesh.dropped, Names());
+  for (const char* const name : {"b.obj", "b.ply"})
+    expect_same(written_and_read(name, mesh).attributes, a);
 }
 
 TEST_F(Pn_subdivide_attributes, ObjDamage)
@@ -418,6 +454,19 @@ TEST_F(Pn_subdivide_attributes, OffColorsAndTexture)
   }
 }
 
+// Some programs leave the C out; three numbers could be normals.
+TEST_F(Pn_subdivide_attributes, OffColorsWithoutTheirLetter)
+{
+  const std::string colored = "OFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 9 0 128\n0 1 0\n3 0 1 2\n";
+  const Mesh_data mesh = read("a.off", colored);
+  EXPECT_EQ(values(mesh.attributes.of_vertices, "green"), (Numbers{0, 9, 170}));
+  EXPECT_EQ(values(mesh.attributes.of_vertices, "alpha"), (Numbers{255, 128, 255}));
+  EXPECT_TRUE(read("a.off", colored, false).attributes.empty());
+  for (const std::string rest : {" 1 2 3", " 1 2 3 4 5", " x"})
+    expect_error("a.off", "OFF\n3 1 0\n0 0 0" + rest + "\n1 0 0\n0 1 0\n3 0 1 2\n",
+                 "--drop-attributes");
+}
+
 TEST_F(Pn_subdivide_attributes, OffFractionsAndMixedColors)
 {
   const std::string points = "3 3 0\n0 0 0\n1 0 0\n0 1 0\n";
@@ -544,7 +593,7 @@ TEST_F(Pn_subdivide_attributes, VtpTextHoldsArraysAndWords)
         "\n0 0.25 1\n0.10000000000000001 0 0\n", "<CellData>",
         "type=\"Int32\" Name=\"material\" NumberOfComponents=\"1\" format=\"ascii\">\n-1\n0\n1\n",
         "<Array type=\"String\" Name=\"material\" NumberOfTuples=\"2\" format=\"ascii\">\n"
-        "119 111 111 100 35 50 0\n114 101 100 0\n"})
+        "119 111 111 100 32 35 50 0\n114 101 100 0\n"})
     EXPECT_NE(s.find(part), std::string::npos) << part << "\n" << s;
   EXPECT_EQ(s.find("TCoords"), std::string::npos);
   EXPECT_LT(s.find("</FieldData>"), s.find("<Piece"));
@@ -569,6 +618,61 @@ TEST_F(Pn_subdivide_attributes, FileNamesFollowTheOutput)
   EXPECT_EQ(moved("in/a.obj", "out/b.obj", "/x/a.mtl"), "/x/a.mtl|/x/a.mtl");
   EXPECT_EQ(moved("in/a.obj", "b.obj", "a.mtl b.mtl"), "in/a.mtl in/b.mtl|in/a.mtl b.mtl");
   EXPECT_EQ(moved("in/a.obj", "b.obj", "two words.mtl"), "in/two words.mtl|in/two words.mtl");
+  for (const std::string name : {"C:\\my parts\\a.mtl", "d:/a b.mtl", "\\\\server\\a.mtl"})
+    EXPECT_EQ(moved("in/a.obj", "b.obj", name), name + "|" + name);
+}
+
+// --- vertices of their own on both sides of seams ---
+
+namespace {
+
+// Two squares that are apart, with the same texture coordinates and a seam across each; one face has none.
+const std::string two_squares =
+  "v 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 6 1 0\nv 5 1 0\n"
+  "vt 0 0\nvt 6 0\nvt 6 6\nvt 0.1 0\nvt 0.9 1\nvt 0 -1\n"
+  "f 1/1 2/2 3/3\nf 1/4 3/5 4/6\nf 5/1 6/2 7/3\nf 5/4 7/5 8/6\n";
+
+} // namespace
+
+TEST_F(Pn_subdivide_attributes, SeamsAreSplit)
+{
+  const Mesh_data whole = read("a.obj", two_squares);
+  Mesh_data mesh = whole;
+  for (const Triple& p : whole.points) mesh.normals.push_back({p[0], 0, 1});
+  EXPECT_EQ(split_at_seams(mesh), 0u);
+  ASSERT_EQ(mesh.points.size(), 12u);
+  for (std::size_t f = 0; f < 4; ++f)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto v = mesh.face(f)[std::ptrdiff_t(i)], old = whole.face(f)[std::ptrdiff_t(i)];
+      EXPECT_TRUE(v == old || v >= 8); // copies are behind the others
+      EXPECT_EQ(mesh.points[v], whole.points[old]);
+      EXPECT_EQ(mesh.normals[v][0], whole.points[old][0]);
+    }
+  EXPECT_EQ(values(mesh.attributes.of_vertices, "green"),
+            (Numbers{0, 1, 1, 1, 1, 1, 1, 1, 0, 1, 1, 1}));
+  const std::vector<Texture_point> of_vertices = texture_of_vertices(mesh);
+  ASSERT_EQ(of_vertices.size(), 12u);
+  for (std::size_t f = 0, corner = 0; f < 4; ++f)
+    for (const Mesh_data::Index v : mesh.face(f))
+      EXPECT_EQ(of_vertices[v], whole.attributes.texture[corner++]);
+  EXPECT_EQ(not_held_by("a.vtp", mesh), Names());
+
+  // and joined again
+  move_texture_to_vertices(mesh);
+  EXPECT_TRUE(mesh.attributes.texture.empty());
+  Mesh_data joined = written_and_read("a.ply", mesh);
+  EXPECT_EQ(merge_equal_points(joined).merged_vertices, 4u);
+  EXPECT_EQ(joined.points, whole.points);
+  EXPECT_EQ(flat(joined.attributes.texture), flat(whole.attributes.texture));
+
+  // nothing to split, and corners without
+  Mesh_data plain = read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(split_at_seams(plain), 0u);
+  move_texture_to_vertices(plain);
+  EXPECT_TRUE(plain.attributes.empty());
+  Mesh_data some = read("a.obj", obj);
+  EXPECT_EQ(split_at_seams(some), 3u);
+  EXPECT_EQ(texture_of_vertices(some).size(), some.points.size());
 }
 
 // --- repair, merged points, split faces ---
@@ -992,6 +1096,34 @@ TEST_F(Pn_subdivide_carries, WhatIsLostIsSaidOnce)
   EXPECT_EQ(averaged.code, 0);
   EXPECT_NE(averaged.err.find("whole numbers of vertices are averaged and rounded: 'label'"),
             std::string::npos);
+}
+
+TEST_F(Pn_subdivide_carries, SeamsAreSplitInVtpAndWhereItIsAskedFor)
+{
+  const std::string input = folder.write("a.obj", two_squares);
+  const std::string vtp = folder.file("b.vtp"), ply = folder.file("b.ply");
+  EXPECT_EQ(surface(input, vtp, "--quiet --levels 0 --ascii").err, "");
+  const std::string text = Temporary_folder::content(vtp);
+  EXPECT_NE(text.find("NumberOfPoints=\"12\""), std::string::npos);
+  EXPECT_NE(text.find("Name=\"TCoords\""), std::string::npos);
+  EXPECT_EQ(surface(input, ply, "--quiet --levels 0").err, "");
+  EXPECT_EQ(read_mesh(ply).points.size(), 8u);
+  EXPECT_EQ(surface(input, ply, "--quiet --levels 0 --split-seams").err, "");
+  const Mesh_data mesh = read_mesh(ply);
+  EXPECT_EQ(mesh.points.size(), 12u);
+  EXPECT_TRUE(mesh.attributes.texture.empty());
+  EXPECT_EQ(values(mesh.attributes.of_vertices, "texture_v"),
+            (Numbers{0, 0, 6, -1, 0, 0, 6, -1, 0, 1, 0, 1}));
+  expect_one_line(surface(input, folder.file("b.off"), "--split-seams"), 2,
+                  "--split-seams is for .ply");
+  for (const char* const other :
+       {"--pieces 2", "--output-normals both", "--write-tags x.selection.txt"})
+    expect_one_line(surface(input, ply, std::string("--split-seams ") + other), 2, "--split-seams");
+  // of the faces without any
+  const Outcome some = surface(folder.write("c.obj", obj), vtp, "--quiet --levels 0");
+  EXPECT_EQ(some.err, "warning: " + vtp +
+                        ": 3 corners without texture coordinates have 0 0, since those of "
+                        "vertices are written\n");
 }
 
 TEST_F(Pn_subdivide_carries, CurvatureTakesThePlaceOfColors)

@@ -226,11 +226,32 @@ TEST_F(Pn_subdivide_curve, NumbersOfPointsByEndRules)
   EXPECT_EQ(points("--scheme chaikin"), 10u);
   EXPECT_EQ(points("--scheme bspline:4"), 8u);
   EXPECT_EQ(points("--scheme chaikin --end none"), 10u);
-  EXPECT_EQ(points("--scheme chaikin --end reflect"), 10u);
   EXPECT_EQ(points("--scheme bspline:4 --end reflect"), 10u);
   EXPECT_EQ(points("--scheme bspline:3 --end none"), 9u);
   EXPECT_EQ(points("--scheme 4-point --end none"), 7u);
   EXPECT_EQ(points("--scheme bspline:3 --levels 3"), 41u);
+}
+
+// Stencils that leave no polygon reflect nothing.
+TEST_F(Pn_subdivide_curve, ReflectionThatChangesNothingIsSaid)
+{
+  const std::string input = folder.write("p.txt", "0 0\n4 0\n4 3\n0 3\n"),
+                    output = folder.file("o.txt");
+  const auto err = [&](const std::string& options) {
+    const Outcome outcome =
+      run("curve '" + input + "' '" + output + "' --quiet --levels 2 " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.err;
+  };
+  for (const char* const scheme : {"chaikin", "bspline:2"}) {
+    const std::string options = std::string("--scheme ") + scheme;
+    EXPECT_EQ(err(options + " --end none"), "");
+    const std::string curve = Temporary_folder::content(output);
+    EXPECT_NE(err(options + " --end reflect").find("warning: --end reflect: "), std::string::npos);
+    EXPECT_EQ(Temporary_folder::content(output), curve);
+  }
+  EXPECT_EQ(err("--scheme bspline:4 --end reflect"), "");
+  EXPECT_EQ(err("--scheme bspline:3 --end reflect"), "");
 }
 
 TEST_F(Pn_subdivide_curve, RoundsInOneCallEqualCallsWithOneRound)

@@ -251,7 +251,8 @@ TEST_F(Pn_subdivide_file_normals, FlatShadingMakesCreasesOfFewOrLargeSides)
       expect_part(outcome.err, "for flat shading (" + std::to_string(c.normals) + " different on " +
                                  std::to_string(c.shape.faces.size()) + " faces)");
       if (has_creases) {
-        expect_part(outcome.err, std::to_string(c.creases) + " edges where they differ, taken for");
+        expect_part(outcome.err, std::to_string(c.creases) +
+                                   " edges where they differ, taken for creases (--sharp none");
         expect_part(outcome.err,
                     "normals of the file, " + std::to_string(c.creases) + " sharp edges");
       } else {
@@ -302,7 +303,8 @@ TEST_F(Pn_subdivide_file_normals, CreasesOfOtherFilesMayBeMany)
   }
   const std::string input = folder.write("cylinder.obj", obj.str());
   const Outcome outcome = surface(input, "--levels 3", "out.obj"); // 24 of 36 inner edges
-  expect_part(outcome.err, "the normals in the file differ at 24 edges, taken for creases");
+  expect_part(outcome.err,
+              "the normals in the file differ at 24 edges, taken for creases (--sharp none");
   expect_part(outcome.err, "24 sharp edges");
   expect_no_part(outcome.err, "warning");
   for (const Triple& p : read_mesh(folder.file("out.obj")).points) {

@@ -104,6 +104,20 @@ TEST_F(Pn_subdivide_habits, FilesWithTheNameOfACommandNeedAPath)
   }
 }
 
+TEST_F(Pn_subdivide_habits, FilesThatBeginWithAHyphenNeedAPath)
+{
+  const std::string before = "cd '" + folder.file("") + "'; ";
+  for (const std::string name : {"-x.off", "-h.off", "--help.off"}) {
+    folder.write(name, square);
+    expect_one_line(run(name + " o.ply", before), 2,
+                    "'" + name + "' looks like an option: the file is ./" + name);
+    expect_one_line(run("./" + name + " " + name, before), 2, "./" + name);
+    EXPECT_EQ(run("./" + name + " ./-o.ply", before).code, 0);
+  }
+  folder.write("-p.txt", polygon);
+  expect_one_line(run("curve -p.txt o.txt", before), 2, "./-p.txt");
+}
+
 TEST_F(Pn_subdivide_habits, NearMissesAreNamed)
 {
   const std::string input = folder.write("cube.off", square),
@@ -260,6 +274,27 @@ TEST_F(Pn_subdivide_habits, StrictTurnsWarningsIntoAnExitCode)
   }
   EXPECT_EQ(run(arguments(good) + "--strict").code, 0);
   EXPECT_EQ(run(arguments(folder.file("missing.off")) + "--strict").code, 1);
+}
+
+// Coordinates of a map, as a file that this program could not read back.
+TEST_F(Pn_subdivide_habits, SinglePrecisionOfStlIsWarnedOf)
+{
+  std::string map = square;
+  for (const auto& [x, moved] : {std::pair("\n-1 ", "\n4400000 "), {"\n1 ", "\n4400002 "}})
+    for (std::size_t i = map.find(x); i != std::string::npos; i = map.find(x))
+      map.replace(i, std::string(x).size(), moved);
+  const std::string input = folder.write("map.off", map), output = folder.file("o.stl");
+  const std::string arguments =
+    "'" + input + "' '" + output + "' --levels 5 --strict --normals none --triangulate ";
+  EXPECT_EQ(run(arguments).code, 4);
+  EXPECT_NE(
+    run(arguments + "--quiet").err.find(output + ": its single precision moves points by up to 0."),
+    std::string::npos);
+  const Outcome text = run(arguments + "--ascii");
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_EQ(run("'" + output + "' '" + folder.file("p.ply") + "' --strict").code, 0);
+  EXPECT_EQ(
+    run("'" + folder.write("c.off", square) + "' '" + output + "' --levels 5 --strict").code, 0);
 }
 
 TEST_F(Pn_subdivide_habits, TheToleranceWinsOverStrict)

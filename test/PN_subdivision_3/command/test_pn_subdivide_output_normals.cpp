@@ -192,9 +192,9 @@ TEST_F(Pn_subdivide_output_normals, AutoIsThoseOfTheFacesForEveryScheme)
       for (const char* const more : {" --levels 1", " --levels 2 --normals angle --threads 2"})
         for (const char* const output : {"o.ply", "o.obj", "o.off"}) {
           SCOPED_TRACE(scheme + more + output);
-          const Mesh_data mesh =
-            refined(input_of(scheme, is_open), output,
-                    "--drop-attributes --scheme " + scheme + std::string(more));
+          const Mesh_data mesh = refined(input_of(scheme, is_open), output,
+                                         "--drop-attributes --output-normals auto --scheme " +
+                                           scheme + std::string(more));
           ASSERT_TRUE(mesh.has_normals());
           EXPECT_LE(largest_distance(normals_of_corners(mesh), area_normals(mesh, {})), rounding);
         }
@@ -376,6 +376,25 @@ TEST_F(Pn_subdivide_output_normals, NoneIsNone)
   EXPECT_FALSE(contains(creased, "vn "));
 }
 
+// Other programs refuse NOFF.
+TEST_F(Pn_subdivide_output_normals, OffHasThemIfTheyAreAskedFor)
+{
+  const auto begins = [&](const std::string& options) {
+    const std::string text = written("quads.obj", "o.off", "--drop-attributes " + options);
+    return text.substr(0, text.find('\n'));
+  };
+  for (const char* const plain :
+       {"--levels 1", "--levels 1 --normals angle", "--levels 0", "--levels 1 --limit"})
+    EXPECT_EQ(begins(plain), "OFF") << plain;
+  for (const char* const asked :
+       {"--levels 1 --output-normals auto", "--levels 1 --output-normals surface",
+        "--levels 1 --output-normals control", "--levels 1 --surface-normals",
+        "--levels 0 --normals angle"})
+    EXPECT_EQ(begins(asked), "NOFF") << asked;
+  const Outcome outcome = run("'" + folder.file("quads.obj") + "' '" + folder.file("o.off") + "'");
+  EXPECT_TRUE(contains(outcome.err, "(not written; --output-normals writes some)")) << outcome.err;
+}
+
 TEST_F(Pn_subdivide_output_normals, SurfaceIsTheOldFlag)
 {
   for (const std::string more : {"", " --linear", " --limit", " --linear --limit"})
@@ -502,8 +521,12 @@ TEST_F(Pn_subdivide_output_normals, DamagedListsOfNormals)
   folder.write("a.ply", ply("0"));
   EXPECT_EQ(read_mesh(folder.file("a.ply")).corner_normals,
             (std::vector<Triple>{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}));
+  folder.write("a.ply", ply("9 0 0 1 0 1 nan 0 1 0")); // that one is none
+  const Mesh_data broken = read_mesh(folder.file("a.ply"));
+  EXPECT_EQ(broken.corner_normals, (std::vector<Triple>{{0, 0, 1}, {0, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(broken.broken_normals.first, "face 0 of 1");
   folder.write("o.ply", "old");
-  for (const std::string list : {"3 0 0 1", "8 0 0 1 0 0 1 0 1", "9 0 0 1 0 0 1 0 1 nan"}) {
+  for (const std::string list : {"3 0 0 1", "8 0 0 1 0 0 1 0 1"}) {
     folder.write("a.ply", ply(list));
     expect_one_line(surface("a.ply", "o.ply", ""), 1, "normal");
     EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <locale>
 #include <numeric>
 #include <stdexcept>
 
@@ -302,6 +303,32 @@ TEST(Curve_svg, TextIsEscapedAndFailuresAreTold)
   EXPECT_NE(svg::drawing(title, {}).find("<title>x &lt; y &amp; y &gt; z</title>"),
             std::string::npos);
   EXPECT_FALSE(svg::write("no such folder/drawing.svg", title, {}));
+}
+
+namespace {
+
+struct Commas : std::numpunct<char>
+{
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\1"; }
+};
+
+} // namespace
+
+TEST(Curve_svg, NumbersAreThoseOfSvgInEveryLocale)
+{
+  namespace svg = CGAL::PN_subdivision_3::curve_svg;
+  const Curve square = {
+    {Point(0, 0), Vector(-1, -1)}, {Point(4, 0), Vector(1, -1)}, {Point(4, 3), Vector(1, 1)}};
+  const auto drawing = [&] {
+    return svg::drawing("title", {svg::panel("", square, square, Curve_end::closed)});
+  };
+  const std::string expected = drawing();
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Commas));
+  const std::string with_commas = drawing();
+  std::locale::global(before);
+  EXPECT_EQ(with_commas, expected);
 }
 
 // --- intervals ---

@@ -66,6 +66,44 @@ class Render(unittest.TestCase):
                 self.assertGreater(blue, TILE * TILE // 20)
                 self.assertGreater(red, TILE // 2)
 
+    def test_hidden_control_edges_are_faint(self) -> None:
+        """All edges of a smaller cube inside the surface."""
+        small = (MESHES / "cube.off").read_text().splitlines()
+        corners = [" ".join(str(0.6 * float(x)) for x in line.split()) for line in small[2:10]]
+        (self.folder / "small.off").write_text("\n".join(small[:2] + corners + small[10:]))
+        rows = self.draw("--view", "front", "--control", self.folder / "small.off", MESHES / "cube.off")
+        edge = [r - b for row in rows for r, g, b in row if r > b + 8]
+        self.assertGreater(len(edge), TILE)  # most of a square
+        self.assertLess(max(edge), 130)  # solid: 166
+
+    def test_stl(self) -> None:
+        triangle = "\n".join(f"vertex {p}" for p in ("0 0 0", "1 0 0", "0 0 1"))
+        stl = f"solid a\nfacet normal 0 1 0\nouter loop\n{triangle}\nendloop\nendfacet\nendsolid\n"
+        (self.folder / "a.stl").write_text(stl)
+        self.draw(self.folder / "a.stl")
+
+    def test_texture_coordinates_of_ply_do_not_move_points(self) -> None:
+        """Two squares with the same ones and a seam across each: VTK joins points of both."""
+        vertices = "".join(f"{x} 0 {z}\n" for at in (0, 5) for x, z in ((at, 0), (at + 1, 0), (at + 1, 1), (at, 1)))
+        header = "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
+        faces, texture = ("3 0 1 2", "3 0 2 3", "3 4 5 6", "3 4 6 7"), ("6 0 0 1 0 1 1", "6 .1 0 .9 1 0 1") * 2
+        lists = "element face 4\nproperty list uchar int vertex_indices\n"
+        (self.folder / "a.ply").write_text(f"{header}{lists}end_header\n{vertices}" + "\n".join(faces) + "\n")
+        (self.folder / "b.ply").write_text(
+            f"{header}{lists}property list uchar float texcoord\nend_header\n{vertices}"
+            + "".join(f"{f} {t}\n" for f, t in zip(faces, texture)))
+        self.assertEqual(*(self.draw("--view", "front", "--caption", "", self.folder / name)
+                           for name in ("a.ply", "b.ply")))
+
+    def test_a_checker_on_two_materials(self) -> None:
+        square = "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+        one, two = "f 1/1 2/2 3/3\n", "f 1/1 3/3 4/4\n"
+        pictures = []
+        for name, faces in (("a.obj", one + two), ("b.obj", f"usemtl a\n{one}usemtl b\n{two}")):
+            (self.folder / name).write_text(square + faces)
+            pictures.append(self.draw("--view", "front", "--caption", "", "--checker", 3, self.folder / name))
+        self.assertEqual(*pictures)
+
     def test_every_mesh_has_a_tile(self) -> None:
         rows = self.draw("--columns", 3, *[MESHES / "cube.off"] * 3)
         self.assertEqual((len(rows), len(rows[0])), (TILE, 3 * TILE))

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iomanip>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -44,8 +43,7 @@ inline std::string drawing(const std::string& title, const std::vector<Panel>& p
   if (panels.size() > 1) unit = (std::min)(several * panel_width / width, panel_height / height);
   const double inner = unit * height;
 
-  std::ostringstream body;
-  body << std::fixed << std::setprecision(1);
+  std::ostringstream body = drawing_stream();
   double left = margin;
   for (const Panel& panel : panels) {
     const CGAL::Bbox_2 b = box(panel, s);
@@ -59,8 +57,7 @@ inline std::string drawing(const std::string& title, const std::vector<Panel>& p
     left += place + gap;
   }
 
-  std::ostringstream out;
-  out << std::fixed << std::setprecision(1);
+  std::ostringstream out = drawing_stream();
   const double whole_width = left - gap + margin;
   const double whole_height = 2 * margin + inner + caption_height - 6;
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << whole_width << ' '

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iomanip>
+#include <locale>
 #include <ostream>
 #include <set>
 #include <sstream>
@@ -39,6 +40,15 @@ constexpr double tooth_distance = 7; // in units of the drawing
 constexpr double detail = 1.8, longest = 60, straight = 0.025;
 // below which two points are one, and the size of the cells that show one dot or arrow
 constexpr double invisible = 0.25, dot = 1;
+
+// of numbers as SVG has them, whatever the global locale
+inline std::ostringstream drawing_stream()
+{
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  stream << std::fixed << std::setprecision(1);
+  return stream;
+}
 
 inline double length(const Vector& v)
 {
@@ -157,8 +167,8 @@ private:
 
   std::string pair(const Point& p) const
   {
-    std::ostringstream s;
-    s << std::fixed << std::setprecision(1) << x(p) << ' ' << y(p);
+    std::ostringstream s = drawing_stream();
+    s << x(p) << ' ' << y(p);
     return s.str();
   }
 
