@@ -218,6 +218,12 @@ TEST(ProvenTessellation, NamesTheFirstVertexThatIsNotCovered)
     if (poles.degree(v) == 13) pole = (std::min)(pole, unsigned(v.idx()));
   expect_refused(poles, PN::Loop_scheme(),
                  "vertex number " + std::to_string(pole) + ", whose valence is 13", normals);
+  Control_mesh half = disturbed(test_meshes::grid(6, 8, true, true, test_meshes::Cells::quads));
+  for (const std::size_t v : {0, 1, 2, 6, 7, 8, 12, 13, 14}) half.normals[v] = {0, 0, 0};
+  Surface_mesh torus = to_surface_mesh(half);
+  expect_refused(torus, PN::CatmullClark_scheme(),
+                 "vertex number 7, which has no normals about it, while a neighbor has",
+                 PN::parameters::border(PN::Border::curve).vertex_normal_map(normal_map(torus)));
   Surface_mesh open =
     to_surface_mesh(disturbed(test_meshes::grid(3, 3, false, false, test_meshes::Cells::quads)));
   expect_refused(open, PN::CatmullClark_scheme(), "vertex number 0, which is on the border",

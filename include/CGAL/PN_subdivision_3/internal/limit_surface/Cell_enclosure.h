@@ -211,6 +211,24 @@ bool has_proven_bound(const Scheme& scheme)
            name_in_message(scheme) == name_in_message(Loop_scheme());
 }
 
+// Whether there is a normal in the faces at the target of a half-edge. A vertex without has none after any round.
+template <class Cells>
+bool has_normals_about(const Cells& cells, Level_connectivity::Index h)
+{
+  using Index = Level_connectivity::Index;
+  const Level_connectivity& level = cells.control().level;
+  Index g = h;
+  do {
+    Index k = level.is_border(g) ? g : level.next(g);
+    for (;; k = level.next(k)) {
+      if (cells.control().values[level.target(k)].normal != zero_vector<double, 3>()) return true;
+      if (k == g) break;
+    }
+    g = level.next_around_target(g);
+  } while (g != h);
+  return false;
+}
+
 // Calls f(vertex, what) with what the proof does not cover about a face. Rounding may take half of a tolerance: it counts on
 // the surface and on its sides, and points may be farther out than those of the control mesh.
 template <class Cells, class Function>
@@ -235,6 +253,9 @@ void for_each_unproven(const Cells& cells, Level_connectivity::Index face, unsig
     if (!(rounding <= tolerance))
       f(v, "whose coordinates leave " + text_of(rounding) +
              " to rounding, more than the tolerance (move the mesh to the origin)");
+    if constexpr (has_normal_v<typename Cells::Value>)
+      if (!has_normals_about(cells, h) && has_normals_about(cells, level.next(h)))
+        f(v, std::string("which has no normals about it, while a neighbor has"));
     if constexpr (are_creases_v<std::decay_t<decltype(cells.creases())>>)
       for (const Crease_star& star : cells.creases().stars)
         if (star.vertex == v) f(v, std::string("which is sharp"));
