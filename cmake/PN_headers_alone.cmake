@@ -1,4 +1,4 @@
-# Target pn_headers_alone: all headers compile in the company of what <windows.h> defines; with PN_TEST_FULL
+# Target pn_headers_alone: all headers compile in the company of what <windows.h>, Qt and <X11/Xlib.h> define; with PN_TEST_FULL
 # together without it and every one alone, too, those with a documented name where they are used
 # (test/PN_subdivision_3/headers). The internal ones take the headers of others precompiled, which saves minutes: that
 # they include those themselves is seen where precompiled headers are off (build preset clang-headers).
@@ -38,16 +38,27 @@ list(TRANSFORM external REPLACE "(.+)" "<\\1>")
 # the headers of others are not ours to mend: they come before the macros
 list(TRANSFORM external REPLACE "(.+)" "#include \\1\n" OUTPUT_VARIABLE others)
 string(CONCAT others ${others})
-file(GENERATE OUTPUT ${generated}/beside_windows_h.cpp
+file(GENERATE OUTPUT ${generated}/beside_macros.cpp
      CONTENT "${others}
 #define near
 #define far
 #define small char
 #define min(a, b) (((a) < (b)) ? (a) : (b))
 #define max(a, b) (((a) > (b)) ? (a) : (b))
+#define interface struct
+#define emit
+#define slots
+#define signals public
+#define foreach(variable, container) for (variable : container)
+#define Bool int
+#define Status int
+#define None 0L
+#define True 1
+#define False 0
+#define Success 0
 ${all_headers}")
 file(GENERATE OUTPUT ${generated}/all_headers.cpp CONTENT "${all_headers}")
-set(together ${generated}/all_headers.cpp ${generated}/beside_windows_h.cpp)
+set(together ${generated}/all_headers.cpp ${generated}/beside_macros.cpp)
 
 set(targets pn_headers_alone)
 if(PN_TEST_FULL)
@@ -59,7 +70,7 @@ if(PN_TEST_FULL)
   add_dependencies(pn_headers_alone pn_internal_headers_alone)
   list(APPEND targets pn_internal_headers_alone)
 else()
-  add_library(pn_headers_alone OBJECT EXCLUDE_FROM_ALL ${generated}/beside_windows_h.cpp)
+  add_library(pn_headers_alone OBJECT EXCLUDE_FROM_ALL ${generated}/beside_macros.cpp)
   add_dependencies(pn_long_tests pn_headers_alone)
 endif()
 foreach(target ${targets})

@@ -28,6 +28,7 @@
 #include <CGAL/PN_subdivision_3/curves/curve_masks.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/sqrt_extension_normals.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/PN_subdivision_3/subdivide_curve.h>
 #include <CGAL/Real_timer.h>
@@ -35,7 +36,6 @@
 
 #ifdef CGAL_USE_GMP
 #  include <CGAL/Gmpq.h>
-#  include <CGAL/Sqrt_extension.h>
 #  ifdef CGAL_USE_MPFR
 #    include <CGAL/Gmpfr.h>
 #  endif
@@ -60,27 +60,6 @@
 #include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
-
-#ifdef CGAL_USE_GMP
-// a + b sqrt(r) with rational a, b and r: exact, and one square root a vertex is all that a round
-// from rational control data needs. The next round would mix two roots.
-using One_root = CGAL::Sqrt_extension<CGAL::Gmpq, CGAL::Gmpq, CGAL::Tag_true>;
-
-template <>
-struct CGAL::PN_subdivision_3::Unit_normal_traits<One_root>
-{
-  static One_root inverse_length(const One_root& squared_length)
-  {
-    const CGAL::Gmpq square = squared_length.a0();
-    CGAL::Gmpq root;
-    if (CGAL::Algebraic_structure_traits<CGAL::Gmpq>::Is_square()(square, root))
-      return One_root(1 / root);
-    return One_root(0, 1 / square, square);
-  }
-  static One_root vanishing_tolerance() { return One_root(0); }
-  static One_root unit_tolerance() { return One_root(0); }
-};
-#endif
 
 namespace {
 
@@ -248,6 +227,8 @@ void measure_kernels(Table& table)
   using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
   measure<Epeck>(table, "EPECK", 0, 2, 2);
 #ifdef CGAL_USE_GMP
+  // a + b sqrt(r) with rational a, b and r; the next round would mix two roots
+  using One_root = CGAL::Sqrt_extension<CGAL::Gmpq, CGAL::Gmpq, CGAL::Tag_true>;
   measure<CGAL::Simple_cartesian<One_root>>(table, "Sqrt_extension", 0, 1, 1);
 #endif
 #ifdef CGAL_USE_CORE

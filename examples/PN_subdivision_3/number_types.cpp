@@ -21,6 +21,7 @@
 
 #ifdef CGAL_USE_GMP
 #  include <CGAL/Gmpq.h>
+#  include <CGAL/PN_subdivision_3/sqrt_extension_normals.h>
 #endif
 #ifdef CGAL_USE_MPFR
 #  include <CGAL/Gmpfr.h>
@@ -109,6 +110,8 @@ int main()
 #endif
 #ifdef CGAL_USE_GMP
   is_kept &= refine_in<CGAL::Gmpq>("Gmpq", 2, nearly_exact);
+  is_kept &= refine_in<CGAL::Sqrt_extension<CGAL::Gmpq, CGAL::Gmpq, CGAL::Tag_true>>(
+    "Sqrt_extension", 1, {0, true});
 #endif
 #ifdef CGAL_USE_GMPXX
   is_kept &= refine_in<mpq_class>("mpq_class", 2, nearly_exact);

@@ -197,10 +197,16 @@ Interval_nt<> distance_in_ulps(const Point& p, const Shape& shape)
 /*!
 \ingroup PkgPNSubdivision3Reproduction
 
-returns whether a point is on a shape: `true` or `false` where the coordinates are exact or floating
-point numbers (as they are: computed points that are on a sphere up to rounding are not on it), and
-for intervals `true`, `false` or `indeterminate`. `CGAL::Uncertain<bool>` converts to `bool`, which
-throws if it is indeterminate.
+returns whether a point is on a shape, which in exact numbers is a proof that it is kept:
+ - where lengths of normals are exact (fields with square root, `Sqrt_extension` with the header `sqrt_extension_normals.h`)
+   `true` or `false`;
+ - where they are rounded (`Gmpq`, EPECK, `Sqrt_extension` without the header; `Unit_normal_traits::rounds_exact_numbers`) `true` or
+   `indeterminate`, since a point may have left the shape for that alone;
+ - for intervals `true`, `false` or `indeterminate`;
+ - for floating point numbers `true` or `false` as they are: computed points that are on a sphere up to rounding are not on it.
+
+`CGAL::Uncertain<bool>` converts to `bool`, which throws if it is indeterminate. Whether the coordinates as they are
+fulfill the equation of the shape is told by the tolerance 0 below.
 
 \tparam Point, Shape as for `squared_deviation()`
 */
@@ -209,7 +215,8 @@ Uncertain<bool> is_on(const Point& p, const Shape& shape)
 {
   const auto r = internal::shape_for<Point>(shape).residual(
     internal::checked_coordinates<Point>(p, "position", internal::Point_itself()));
-  return internal::is_zero_number(r.radial) & internal::is_zero_number(r.squared_distance);
+  using FT = internal::FT_of<Point>;
+  return internal::is_proved_zero<FT>(r.radial) & internal::is_proved_zero<FT>(r.squared_distance);
 }
 
 /*!
@@ -239,8 +246,8 @@ Uncertain<bool> is_on(const Point& p, const Shape& shape, double tolerance)
 \ingroup PkgPNSubdivision3Reproduction
 
 returns how far the vertices of a mesh, and their normals, are from a shape. Nothing is rounded but
-the two intervals of the result; in particular an exact number type proves or refutes that all points
-are on the shape.
+the two intervals of the result; in particular an exact number type proves that all points are on the shape, or refutes
+it if lengths of normals are exact, see `is_on()`.
 
 \tparam PolygonMesh a model of `VertexListGraph` with a vertex point map
 \tparam Shape `Sphere_3`, `Circle_3`, `Plane_3` or `Line_3` of any kernel, or `Cylinder_3`
@@ -264,7 +271,8 @@ auto mesh_deviation(const PolygonMesh& mesh, const Shape& shape,
   using Point =
     std::decay_t<typename boost::property_traits<std::decay_t<decltype(points)>>::value_type>;
   const auto measure = internal::shape_for<Point>(shape);
-  internal::Deviation_of_all<std::decay_t<decltype(measure)>, Vertex> all(measure);
+  internal::Deviation_of_all<std::decay_t<decltype(measure)>, Vertex, internal::FT_of<Point>> all(
+    measure);
   std::size_t i = 0;
   const auto name = [&] { return "vertex " + std::to_string(i); };
   for (Vertex v : vertices(mesh)) {
@@ -304,7 +312,8 @@ auto curve_deviation(const Range& curve, const Shape& shape,
   using Points = internal::Curve_points<Range, NamedParameters>;
   using Point = typename Points::Point;
   const auto measure = internal::shape_for<Point>(shape);
-  internal::Deviation_of_all<std::decay_t<decltype(measure)>, std::size_t> all(measure);
+  internal::Deviation_of_all<std::decay_t<decltype(measure)>, std::size_t, internal::FT_of<Point>>
+    all(measure);
   const auto points = Points::point_map(np);
   const auto normals = Points::normal_map(np);
   std::size_t i = 0;

@@ -150,7 +150,7 @@ coarse as the control mesh is, apart from faces with more than four corners, whi
 
 \throws std::invalid_argument if `chord_error` is not positive and finite, if the scheme does not split edges, if `out` is
   not empty, if an array of attributes does not fit, belongs to edges, or to corners by another rule, if a bound is not proven, naming
-  the first vertex for which it is not, and as `limit_points()` does
+  the first vertex for which it is not (which may be one with coordinates so large that rounding alone takes more than the tolerance), and as `limit_points()` does
 \throws std::length_error,std::overflow_error,std::domain_error as `subdivide()` and `limit_points()` do; `out` stays
   empty
 */

@@ -14,8 +14,14 @@
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/PN_subdivision_3/boost_multiprecision_floats.h>
+#include <CGAL/PN_subdivision_3/rational_normals.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/sqrt_extension_normals.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
 
 #ifdef CGAL_USE_GMPXX
 #  include <CGAL/mpq_class.h>
@@ -25,6 +31,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace {
 
@@ -95,7 +102,7 @@ TEST(Certificates_beyond_the_range_of_double, AreTight)
       EXPECT_GE(distance.inf(), std::numeric_limits<double>::max());
     }
     const K::Point_3 near(Q(radius * (Q(1) + tiny * tiny * tiny)), 0, 0);
-    EXPECT_TRUE(certainly_not(PN::is_on(near, sphere)));
+    EXPECT_TRUE(certainly_not(PN::is_on(near, sphere, 0.)));
     EXPECT_LE(PN::distance_in_ulps(near, sphere).sup(), 4 * denormal);
   }
 }
@@ -114,6 +121,68 @@ TEST(Certificates_beyond_the_range_of_double, TakeCoordinatesAsTheyAre)
   EXPECT_LE(PN::distance_interval(K::Point_3(0, tiny * 2, 0), small).sup(),
             4 * std::numeric_limits<double>::denorm_min()); // 2^-1300
   CGAL::Gmpfr::set_default_precision(old);
+}
+
+// \name Numbers with one square root: a cube with rational points on the unit sphere
+struct Cube_with_roots
+{
+  using K = Kernel_of<CGAL::Sqrt_extension<CGAL::Gmpq, CGAL::Gmpq, CGAL::Tag_true>>;
+  using Mesh = CGAL::Surface_mesh<K::Point_3>;
+
+  Cube_with_roots()
+  {
+    using P = K::Point_3;
+    CGAL::make_hexahedron(P(-1, -1, -1), P(1, -1, -1), P(1, 1, -1), P(-1, 1, -1), P(-1, 1, 1),
+                          P(-1, -1, 1), P(1, -1, 1), P(1, 1, 1), mesh);
+    for (auto v : mesh.vertices()) {
+      normals[v] = PN::rational_unit_normal(mesh.point(v) - CGAL::ORIGIN, 20);
+      mesh.point(v) = CGAL::ORIGIN + normals[v];
+    }
+  }
+  void refine()
+  {
+    PN::subdivide(mesh, PN::CatmullClark_scheme(), CGAL::parameters::vertex_normal_map(normals));
+  }
+  auto deviation() const
+  {
+    return PN::mesh_deviation(mesh, K::Sphere_3(CGAL::ORIGIN, 1),
+                              CGAL::parameters::vertex_normal_map(normals));
+  }
+
+  Mesh mesh;
+  Mesh::Property_map<CGAL::SM_Vertex_index, K::Vector_3> normals =
+    mesh.add_property_map<CGAL::SM_Vertex_index, K::Vector_3>("n").first;
+};
+
+TEST(Certificates_with_roots, ProveOrRefute)
+{
+  Cube_with_roots cube;
+  cube.refine();
+  EXPECT_EQ(cube.mesh.number_of_vertices(), 26u);
+  const auto exact = cube.deviation();
+  EXPECT_TRUE(certainly(exact.points_are_on_shape) && certainly(exact.normals_are_exact));
+  EXPECT_STREQ(exact.advice, "");
+  const CGAL::SM_Vertex_index last(25);
+  cube.mesh.point(last) =
+    cube.mesh.point(last) + CGAL::Gmpq(std::ldexp(1., -60)) * cube.normals[last];
+  const auto moved = cube.deviation();
+  EXPECT_TRUE(certainly_not(moved.points_are_on_shape));
+  EXPECT_EQ(moved.farthest_point, last);
+}
+
+// of an edge whose ends have roots, in the words of CGAL where its preconditions are on
+TEST(Certificates_with_roots, RefuseWhatNeedsMoreThanOne)
+{
+  using FT = Cube_with_roots::K::FT;
+  using Traits = PN::Unit_normal_traits<FT>;
+  EXPECT_THROW(Traits::inverse_length(FT(1, 1, 2)), std::domain_error);
+  EXPECT_THROW(Traits::inverse_length(FT(0, 1, 2) * FT(0, 1, 2)), std::domain_error);
+  EXPECT_TRUE(Traits::inverse_length(FT(CGAL::Gmpq(9, 4))) == FT(CGAL::Gmpq(2, 3)));
+  Cube_with_roots cube;
+  cube.refine();
+  EXPECT_THROW(cube.refine(), std::logic_error);
+  EXPECT_EQ(cube.mesh.number_of_vertices(), 26u);
+  EXPECT_TRUE(certainly(cube.deviation().points_are_on_shape));
 }
 
 // points (1, 1, 0) and (1, 1, 2^-30) of doubles, a sphere of squared radius 2 of another kernel

@@ -23,6 +23,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Sqrt_extension.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 
@@ -31,6 +32,8 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,6 +49,11 @@ using Rational = CGAL::Simple_cartesian<Q>;
 using Double = CGAL::Simple_cartesian<double>;
 using Interval = CGAL::Simple_cartesian<CGAL::Interval_nt<>>;
 using Rooted = CGAL::Simple_cartesian<One_root_number>;
+
+// in which lengths of normals are rounded, so that averages leave shapes
+template <class FT>
+constexpr bool is_rounded_exact =
+  std::is_same_v<FT, CGAL::Gmpq> || std::is_same_v<FT, CGAL::Epeck::FT>;
 
 const double ulp = std::numeric_limits<double>::epsilon();
 
@@ -119,7 +127,10 @@ TYPED_TEST(Exact_checks, ShapesByHand)
   Shapes<TypeParam>().all(
     [](const auto& shape, const auto& p, const auto& n, const auto& wrong, int twice_off) {
       EXPECT_EQ(certainly(PN::is_on(p, shape)), twice_off == 0);
-      EXPECT_EQ(certainly_not(PN::is_on(p, shape)), twice_off != 0);
+      EXPECT_EQ(certainly_not(PN::is_on(p, shape)),
+                twice_off != 0 && !is_rounded_exact<typename TypeParam::FT>);
+      EXPECT_EQ(certainly(PN::is_on(p, shape, 0.)), twice_off == 0);
+      EXPECT_EQ(certainly_not(PN::is_on(p, shape, 0.)), twice_off != 0);
       EXPECT_EQ(certainly(PN::squared_deviation(p, shape) == Number(0)), twice_off == 0);
       const auto d = PN::distance_interval(p, shape);
       EXPECT_LE(d.inf(), twice_off / 2.);
@@ -171,7 +182,7 @@ TYPED_TEST(Exact_checks, NamedPredicates)
   EXPECT_TRUE(PN::is_on(s.o + s.v + s.v, s.circle_3));
   EXPECT_TRUE(PN::is_on(s.o + s.v, s.plane));
   EXPECT_TRUE(PN::is_on(s.o + s.w, s.line_3));
-  EXPECT_FALSE(PN::is_on(s.o + s.w + s.u, s.line_3));
+  EXPECT_FALSE(PN::is_on(s.o + s.w + s.u, s.line_3, 0.));
   EXPECT_TRUE(PN::is_on(s.o + s.w + s.u, s.line_3, 3.));
   EXPECT_FALSE(PN::is_on(s.o + s.w + s.u, s.line_3, 2.75));
 }
@@ -321,6 +332,7 @@ void expect_worst_vertex()
   EXPECT_TRUE(d.points_are_on_shape);
   EXPECT_EQ(d.squared_deviation, 0);
   EXPECT_EQ(d.distance.sup(), 0);
+  EXPECT_STREQ(d.advice, "");
 
   for (auto v : mesh.vertices()) n[v] = mesh.point(v) - center;
   d = PN::mesh_deviation(mesh, sphere, np);
@@ -333,8 +345,11 @@ void expect_worst_vertex()
   mesh.point(two) = typename K::Point_3(FT(3), FT(2) - FT(1) / FT(16), FT(-1));
   n[three] = typename K::Vector_3(-1, -2, -1);
   d = PN::mesh_deviation(mesh, sphere, np);
-  EXPECT_FALSE(d.points_are_on_shape);
-  EXPECT_FALSE(d.normals_are_exact);
+  EXPECT_FALSE(certainly(d.points_are_on_shape));
+  EXPECT_FALSE(certainly(d.normals_are_exact));
+  EXPECT_EQ(is_indeterminate(d.points_are_on_shape), is_rounded_exact<FT>);
+  EXPECT_EQ(std::string(d.advice).find("rational_unit_normal()") != std::string::npos,
+            is_rounded_exact<FT>);
   EXPECT_EQ(d.farthest_point, one); // farther than the other by the square of 1/16
   EXPECT_EQ(d.squared_deviation, PN::squared_deviation(mesh.point(one), sphere));
   EXPECT_EQ(d.most_turned_normal, three);
@@ -353,6 +368,25 @@ TEST(Meshes, TheWorstVertexIsFound)
   expect_worst_vertex<Double>();
   expect_worst_vertex<CGAL::Simple_cartesian<CGAL::Gmpq>>();
   expect_worst_vertex<CGAL::Exact_predicates_exact_constructions_kernel>();
+}
+
+// Without the header sqrt_extension_normals.h lengths of normals are rounded: a point near the sphere proves nothing.
+TEST(Meshes, NumbersOfRoundedAveragesRefuteNothing)
+{
+  using K = CGAL::Simple_cartesian<CGAL::Sqrt_extension<CGAL::Gmpq, CGAL::Gmpq, CGAL::Tag_true>>;
+  const K::Sphere_3 unit({0, 0, 0}, 1);
+  CGAL::Surface_mesh<K::Point_3> mesh;
+  mesh.add_vertex({0, 1, 0});
+  EXPECT_TRUE(PN::mesh_deviation(mesh, unit).points_are_on_shape);
+  const K::Point_3 near(K::FT(CGAL::Gmpq(1 + ulp)), 0, 0);
+  mesh.add_vertex(near);
+  EXPECT_TRUE(is_indeterminate(PN::is_on(near, unit)));
+  EXPECT_TRUE(certainly_not(PN::is_on(near, unit, 0.)));
+  const auto d = PN::mesh_deviation(mesh, unit);
+  EXPECT_TRUE(is_indeterminate(d.points_are_on_shape));
+  EXPECT_TRUE(certainly(d.normals_are_exact)); // there is none
+  EXPECT_NE(std::string(d.advice).find("sqrt_extension_normals.h"), std::string::npos);
+  EXPECT_NE(std::string(d.advice).find("rational_unit_normal()"), std::string::npos);
 }
 
 TEST(Meshes, OtherMeshTypesAndPointMaps)

@@ -10,8 +10,12 @@
 
 #include "support/Temporary_folder.h"
 
+#include <CGAL/Gmpq.h>
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
+#include <CGAL/PN_subdivision_3/rational_normals.h>
+#include <CGAL/PN_subdivision_3/reproduction.h>
+#include <CGAL/PN_subdivision_3/sqrt_extension_normals.h>
 #include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -32,6 +36,9 @@ namespace obj_to_limit {
 }
 namespace creases_by_angle {
 #include "../../../examples/PN_subdivision_3/first_steps/creases_by_angle.cpp"
+}
+namespace certificate {
+#include "../../../examples/PN_subdivision_3/first_steps/certificate.cpp"
 }
 namespace own_scheme {
 #include "../../../examples/PN_subdivision_3/first_steps/own_scheme.cpp"
@@ -121,6 +128,11 @@ TEST_F(First_steps, SharpEdgesOfAPrismStay)
     on_cylinder += std::abs(r - 1) < 1e-5;
   }
   EXPECT_EQ(on_cylinder, 96u * 9);
+}
+
+TEST_F(First_steps, ASphereIsProvedToBeKept)
+{
+  EXPECT_EQ(certificate::main(), 0);
 }
 
 TEST_F(First_steps, MiddlesOfAnIcosahedronAreOnItsSphere)

@@ -74,10 +74,11 @@ void expect_bound(const Control_mesh& shape, const Scheme& scheme, double eps, d
   EXPECT_TRUE(result.reached);
   EXPECT_LE(result.bound, eps);
   expect_conforming(out, control);
-  PN::subdivide_to_limit(control, scheme,
-                         PN::parameters::roundness(roundness)
-                           .number_of_iterations((std::min)(result.depth + 4, tests_are_full ? 6u : 4u))
-                           .vertex_normal_map(normal_map(control)));
+  PN::subdivide_to_limit(
+    control, scheme,
+    PN::parameters::roundness(roundness)
+      .number_of_iterations((std::min)(result.depth + 4, tests_are_full ? 6u : 4u))
+      .vertex_normal_map(normal_map(control)));
   const std::vector<Triangle> all = triangles(out);
   double largest = 0;
   for (auto v : control.vertices()) largest = (std::max)(largest, distance(control.point(v), all));
@@ -114,6 +115,52 @@ TEST(ProvenTessellation, OfLinearSchemes)
     EXPECT_LE(largest, result.bound);
     EXPECT_GE(largest, 0.15 * result.bound);
   }
+}
+
+template <class Scheme>
+PN::Tessellation_result proven(const Control_mesh& shape, const Scheme& scheme, double eps,
+                               Surface_mesh& out)
+{
+  Surface_mesh control = to_surface_mesh(shape);
+  return PN::tessellate(
+    control, scheme, eps, out,
+    PN::parameters::proven_bound(true).number_of_iterations(4).vertex_normal_map(
+      normal_map(control)));
+}
+
+// Squares of the small one's lengths are 0.
+TEST(ProvenTessellation, OfPartsOfVeryDifferentSize)
+{
+  const Control_mesh cube = disturbed(named_shapes::cube());
+  Surface_mesh alone, out;
+  Control_mesh both = cube;
+  for (std::size_t i = 0; i < cube.points.size(); ++i) {
+    both.points.push_back(cube.points[i]);
+    for (double& x : both.points.back()) x *= 1e-170;
+    both.normals.push_back(cube.normals[i]);
+  }
+  for (reference::Face f : cube.faces) {
+    for (int& v : f) v += int(cube.points.size());
+    both.faces.push_back(f);
+  }
+  const auto scheme = PN::CatmullClark_scheme();
+  const auto expected = proven(cube, scheme, 0.1, alone);
+  const auto result = proven(both, scheme, 0.1, out);
+  EXPECT_TRUE(result.reached);
+  EXPECT_EQ(result.bound, expected.bound);
+  // no bound is known of normals like those of its control faces
+  EXPECT_LE(result.number_of_triangles, expected.number_of_triangles + 48);
+}
+
+// Linear averages, whose bound is not that of normals which differ from none.
+TEST(ProvenTessellation, WithoutNormals)
+{
+  Control_mesh cube = named_shapes::cube();
+  cube.normals.assign(cube.points.size(), {0, 0, 0});
+  Surface_mesh out;
+  const auto result = proven(cube, PN::CatmullClark_scheme(), 0.1, out);
+  EXPECT_TRUE(result.reached);
+  EXPECT_LE(result.bound, 0.1);
 }
 
 // \name Out of reach
@@ -171,10 +218,35 @@ TEST(ProvenTessellation, NamesTheFirstVertexThatIsNotCovered)
     if (poles.degree(v) == 13) pole = (std::min)(pole, unsigned(v.idx()));
   expect_refused(poles, PN::Loop_scheme(),
                  "vertex number " + std::to_string(pole) + ", whose valence is 13", normals);
+  Control_mesh half = disturbed(test_meshes::grid(6, 8, true, true, test_meshes::Cells::quads));
+  for (const std::size_t v : {0, 1, 2, 6, 7, 8, 12, 13, 14}) half.normals[v] = {0, 0, 0};
+  Surface_mesh torus = to_surface_mesh(half);
+  expect_refused(torus, PN::CatmullClark_scheme(),
+                 "vertex number 7, which has no normals about it, while a neighbor has",
+                 PN::parameters::border(PN::Border::curve).vertex_normal_map(normal_map(torus)));
   Surface_mesh open =
     to_surface_mesh(disturbed(test_meshes::grid(3, 3, false, false, test_meshes::Cells::quads)));
   expect_refused(open, PN::CatmullClark_scheme(), "vertex number 0, which is on the border",
                  normals);
+}
+
+// Numbers of 1e13 are 2^-9 apart, and 64 times half of that may count twice and grow twofold.
+TEST(ProvenTessellation, SaysWhatIsLeftToRounding)
+{
+  Control_mesh cube = disturbed(named_shapes::cube());
+  for (auto& p : cube.points) p[0] += 1e13;
+  Surface_mesh out;
+  EXPECT_TRUE(proven(cube, PN::CatmullClark_scheme(), 0.6, out).reached);
+  out.clear();
+  try {
+    proven(cube, PN::CatmullClark_scheme(), 0.3, out);
+    ADD_FAILURE();
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find("vertex number 0, whose coordinates leave 0.568 to"),
+              std::string::npos)
+      << e.what();
+  }
+  EXPECT_EQ(out.number_of_vertices(), 0U);
 }
 
 TEST(ProvenTessellation, TellsWhatIsNotReached)

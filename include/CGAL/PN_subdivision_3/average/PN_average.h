@@ -274,7 +274,7 @@ private:
     else if constexpr (std::is_floating_point_v<FT>)
       divide(sum, std::sqrt(squared_length));
     else {
-      if constexpr (internal::is_exact_v<FT> && !internal::has_sqrt_v<FT>)
+      if constexpr (internal::Rounds_exact_numbers<FT>::value)
         if (const int bits = internal::bits_of_refined_normals(); bits != 0)
           return internal::rational_unit_vector<FT, dimension>(sum, bits);
       multiply(sum, Traits::inverse_length(squared_length));

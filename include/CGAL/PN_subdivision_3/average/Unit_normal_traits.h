@@ -126,6 +126,11 @@ error, unless they are rounded to unit vectors, see `Rounded_exact_normals`. All
 template <class FT>
 struct Unit_normal_traits
 {
+  /// whether lengths are rounded although `FT` is exact. A point may then have left a shape for that alone, and `is_on()` refutes
+  /// nothing. A specialization without this constant does not round.
+  static constexpr bool rounds_exact_numbers =
+    internal::is_exact_v<FT> && !internal::has_sqrt_v<FT>;
+
   /// returns 1/sqrt(`squared_length`). \pre `squared_length > 0`
   static FT inverse_length(const FT& squared_length)
   {
@@ -145,12 +150,24 @@ struct Unit_normal_traits
   /// the machine epsilon; in exact types 0, or 2<sup>-46</sup> where normalization is approximate.
   static FT unit_tolerance()
   {
-    if constexpr (internal::is_exact_v<FT> && !internal::has_sqrt_v<FT>)
+    if constexpr (rounds_exact_numbers)
       return FT(std::ldexp(1.0, -46));
     else
       return FT(4) * internal::machine_epsilon<FT>();
   }
 };
+
+namespace internal {
+
+template <class FT, class = void>
+struct Rounds_exact_numbers : std::false_type
+{};
+template <class FT>
+struct Rounds_exact_numbers<FT, std::enable_if_t<Unit_normal_traits<FT>::rounds_exact_numbers>>
+  : std::true_type
+{};
+
+} // namespace internal
 
 } // namespace PN_subdivision_3
 } // namespace CGAL

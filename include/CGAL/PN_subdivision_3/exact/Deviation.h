@@ -88,13 +88,16 @@ struct Deviation
   Interval_nt<> normal_sine = 0;
   /// whether all normals are those of the shape or opposite to them
   Uncertain<bool> normals_are_exact = true;
+
+  /// empty, or what to do where one of the two answers is indeterminate: the message names a header and a function
+  const char* advice = "";
 };
 
 namespace internal {
 
 // Two deviations are compared by intervals around their roots: numbers of two vertices may lie in
 // different fields, and exact comparisons of what is not zero would prove nothing.
-template <class Shape, class Element>
+template <class Shape, class Element, class FT>
 class Deviation_of_all
 {
   using Number = typename Shape::Number;
@@ -110,7 +113,8 @@ public:
     const bool first = d_.number_of_points++ == 0;
     if (first) d_.farthest_point = e;
     const auto r = shape_.residual(p);
-    const Uncertain<bool> on = is_zero_number(r.radial) & is_zero_number(r.squared_distance);
+    const Uncertain<bool> on =
+      is_proved_zero<FT>(r.radial) & is_proved_zero<FT>(r.squared_distance);
     if (certainly(on)) return;
     d_.points_are_on_shape = d_.points_are_on_shape & on;
     if (raise(d_.distance, shape_.distance(r).interval())) {
@@ -125,7 +129,7 @@ public:
     const bool first = d_.number_of_normals++ == 0;
     if (first) d_.most_turned_normal = e;
     const Number s = shape_.squared_sine(n, p);
-    const Uncertain<bool> exact = is_zero_number(s);
+    const Uncertain<bool> exact = is_proved_zero<FT>(s);
     if (certainly(exact)) return;
     d_.normals_are_exact = d_.normals_are_exact & exact;
     if (raise(d_.normal_sine, sqrt(Scaled_interval::of(s)).interval())) {
@@ -134,7 +138,13 @@ public:
     }
   }
 
-  const Deviation<Number, Element>& result() const { return d_; }
+  Deviation<Number, Element> result() const
+  {
+    Deviation<Number, Element> d = d_;
+    if (is_indeterminate(d.points_are_on_shape) || is_indeterminate(d.normals_are_exact))
+      d.advice = advice_for_proofs<FT>();
+    return d;
+  }
 
 private:
   // the interval becomes one around the maximum; whether its upper end rises

@@ -141,6 +141,32 @@ Uncertain<bool> is_zero_number(const Number& x)
   return make_uncertain(x == Number(0));
 }
 
+// Whether a point is on a shape, of which a number vanishes there. That it is not is no proof where the averages that may have
+// made it are rounded.
+template <class FT, class Number>
+Uncertain<bool> is_proved_zero(const Number& x)
+{
+  const Uncertain<bool> is_zero = is_zero_number(x);
+  if constexpr (Rounds_exact_numbers<FT>::value)
+    return certainly(is_zero) ? is_zero : Uncertain<bool>::indeterminate();
+  else
+    return is_zero;
+}
+
+// what to do where that is not known
+template <class FT>
+constexpr const char* advice_for_proofs()
+{
+  if constexpr (Rounds_exact_numbers<FT>::value)
+    return "PN_subdivision_3: lengths of normals are rounded in this number type, so that points "
+           "may have left the "
+           "shape: take Sqrt_extension, include CGAL/PN_subdivision_3/sqrt_extension_normals.h, "
+           "and make control "
+           "normals by rational_unit_normal()";
+  else
+    return "PN_subdivision_3: the intervals do not tell: call is_on() with a tolerance";
+}
+
 // an interval around x, tight unless x is an interval itself or out of the range of double
 template <class Number>
 Interval_nt<> interval_around(const Number& x)

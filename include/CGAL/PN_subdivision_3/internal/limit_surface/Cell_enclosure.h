@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -30,6 +31,9 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// what computing with the points of a net adds to a bound, per unit of the largest coordinate
+constexpr double rounding_of_bound = 64 * std::numeric_limits<double>::epsilon();
 
 // The faces round the corners of a cell, on whose vertices the linear limit of its face depends.
 template <class Cells>
@@ -71,23 +75,23 @@ public:
     return all;
   }
 
-  // the largest differences over edges, infinite where there are no normals; calls f(point)
+  // The largest differences over edges, infinite where one end has no normal; without any the average is linear. Calls
+  // f(point).
   template <class Function>
   std::pair<double, double> differences(const Function& f) const
   {
-    const typename Cells::Cell_slots slots(cell_.level.level, cell_.creases);
+    const typename Cells::Cell_slots slot_of(cell_.level.level, cell_.creases);
     double delta = 0, d = 0;
     for_each_halfedge([&](Index h) {
-      const auto &a = cell_.level.values[slots(h)],
-                 &b = cell_.level.values[slots(cell_.level.level.next(h))];
+      const auto &a = cell_.level.values[slot_of(h)],
+                 &b = cell_.level.values[slot_of(cell_.level.level.next(h))];
       f(point_of(a));
       d = (std::max)(d, quick_length(difference<double, 3>(point_of(a), point_of(b))));
       if constexpr (has_normal_v<typename Cells::Value>) {
-        const bool have_normals =
-          a.normal != zero_vector<double, 3>() && b.normal != zero_vector<double, 3>();
-        delta =
-          (std::max)(delta, have_normals ? quick_length(difference<double, 3>(a.normal, b.normal))
-                                         : std::numeric_limits<double>::infinity());
+        const auto none = zero_vector<double, 3>();
+        delta = (std::max)(delta, (a.normal == none) == (b.normal == none)
+                                    ? quick_length(difference<double, 3>(a.normal, b.normal))
+                                    : std::numeric_limits<double>::infinity());
       }
     });
     return {delta, d};
@@ -169,7 +173,7 @@ private:
     if (is_pn_ && !is_proven_)
       distance = (std::min)(distance, estimated_part() * (std::min)(delta, 2.) * d);
     if (!std::isfinite(distance)) return false;
-    const double growth = distance + 64 * std::numeric_limits<double>::epsilon() * largest;
+    const double growth = distance + rounding_of_bound * largest;
     result_.box += Bbox_3(box.xmin() - growth, box.ymin() - growth, box.zmin() - growth,
                           box.xmax() + growth, box.ymax() + growth, box.zmax() + growth);
     result_.distance = (std::max)(result_.distance, distance);
@@ -187,6 +191,14 @@ private:
   Surface_box result_;
 };
 
+inline std::string text_of(double x)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << x;
+  return text.str();
+}
+
 // whether it is Catmull-Clark or Loop, with the same weights for points and normals
 template <class Scheme>
 bool has_proven_bound(const Scheme& scheme)
@@ -199,10 +211,30 @@ bool has_proven_bound(const Scheme& scheme)
            name_in_message(scheme) == name_in_message(Loop_scheme());
 }
 
-// Calls f(vertex, what) with what the proof does not cover about a face.
+// Whether there is a normal in the faces at the target of a half-edge. A vertex without has none after any round.
+template <class Cells>
+bool has_normals_about(const Cells& cells, Level_connectivity::Index h)
+{
+  using Index = Level_connectivity::Index;
+  const Level_connectivity& level = cells.control().level;
+  Index g = h;
+  do {
+    Index k = level.is_border(g) ? g : level.next(g);
+    for (;; k = level.next(k)) {
+      if (cells.control().values[level.target(k)].normal != zero_vector<double, 3>()) return true;
+      if (k == g) break;
+    }
+    g = level.next_around_target(g);
+  } while (g != h);
+  return false;
+}
+
+// Calls f(vertex, what) with what the proof does not cover about a face. Rounding may take half of a tolerance: it counts on
+// the surface and on its sides, and points may be farther out than those of the control mesh.
 template <class Cells, class Function>
 void for_each_unproven(const Cells& cells, Level_connectivity::Index face, unsigned degree,
-                       const Function& f)
+                       const Function& f,
+                       double tolerance = std::numeric_limits<double>::infinity())
 {
   using Index = Level_connectivity::Index;
   const Level_connectivity& level = cells.control().level;
@@ -216,6 +248,14 @@ void for_each_unproven(const Cells& cells, Level_connectivity::Index face, unsig
     if (level.is_border_vertex(v)) f(v, std::string("which is on the border"));
     if (!is_covered(level.valence(v)))
       f(v, "whose valence is " + std::to_string(level.valence(v)) + ", not from 3 to 12");
+    const double rounding =
+      4 * rounding_of_bound * largest_coordinate(point_of(cells.control().values[v]));
+    if (!(rounding <= tolerance))
+      f(v, "whose coordinates leave " + text_of(rounding) +
+             " to rounding, more than the tolerance (move the mesh to the origin)");
+    if constexpr (has_normal_v<typename Cells::Value>)
+      if (!has_normals_about(cells, h) && has_normals_about(cells, level.next(h)))
+        f(v, std::string("which has no normals about it, while a neighbor has"));
     if constexpr (are_creases_v<std::decay_t<decltype(cells.creases())>>)
       for (const Crease_star& star : cells.creases().stars)
         if (star.vertex == v) f(v, std::string("which is sharp"));
@@ -245,7 +285,7 @@ void require_proof(const Cells& cells, Level_connectivity::Index face, unsigned 
 
 // Refuses what distances of tessellations are not proven for, naming the first vertex of all.
 template <class Cells>
-void require_proof_of_all(const Cells& cells)
+void require_proof_of_all(const Cells& cells, double tolerance)
 {
   using Index = Level_connectivity::Index;
   const std::string rest = ": take the estimated one";
@@ -255,12 +295,13 @@ void require_proof_of_all(const Cells& cells)
                                 ", except for Catmull-Clark and Loop" + rest);
   Index first = Level_connectivity::null;
   std::string why;
+  const auto note = [&](Index v, const std::string& what) {
+    if (first != Level_connectivity::null && v >= first) return;
+    first = v;
+    why = what;
+  };
   for (Index f = 0; f < cells.control().level.number_of_faces(); ++f)
-    for_each_unproven(cells, f, Cells::degree, [&](Index v, const std::string& what) {
-      if (first != Level_connectivity::null && v >= first) return;
-      first = v;
-      why = what;
-    });
+    for_each_unproven(cells, f, Cells::degree, note, tolerance);
   if (first != Level_connectivity::null)
     throw std::invalid_argument("PN_subdivision_3: no distance is proven at vertex number " +
                                 std::to_string(first) + ", " + why + rest);

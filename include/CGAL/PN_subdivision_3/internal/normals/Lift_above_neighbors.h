@@ -68,7 +68,8 @@ private:
 
   double excess_in_length(const Vector& normal) const
   {
-    const double own = 1 - weight_of_neighbors, each = weight_of_neighbors / neighbors_.size();
+    const double own = 1 - weight_of_neighbors,
+                 each = weight_of_neighbors / double(neighbors_.size());
     Vector slide{0, 0, 0}, n = multiple(own, normal);
     double lowest = 0, highest = 0;
     for (const Neighbor& j : neighbors_) {

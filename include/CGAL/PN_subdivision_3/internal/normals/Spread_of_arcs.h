@@ -70,7 +70,7 @@ private:
   // of the heights
   double mean_error()
   {
-    const double weight = 1. / corners_.size();
+    const double weight = 1. / double(corners_.size());
     Vector q{0, 0, 0}, n{0, 0, 0};
     for (const Corner& c : corners_) {
       add_multiple<double, 3>(q, weight, c.point);

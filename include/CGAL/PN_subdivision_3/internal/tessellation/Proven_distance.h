@@ -15,9 +15,6 @@
 #include <CGAL/PN_subdivision_3/internal/limit_surface/Spline_piece.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Flatness.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/squared_distance_3.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -54,17 +51,12 @@ public:
   {
     Search search{corners, 0, 0, 0};
     if (degree == 4)
-      search.twist =
-        std::sqrt(CGAL::squared_distance(Segment(point(corners[0]), point(corners[2])),
-                                         Segment(point(corners[1]), point(corners[3]))));
+      search.twist = distance_of_segments(corners[0], corners[2], corners[1], corners[3]);
     add(cells_.of_face(face), (1u << degree) - 1, search);
     return search.total();
   }
 
 private:
-  using Kernel = Simple_cartesian<double>;
-  using Segment = Kernel::Segment_3;
-  using Triangle = Kernel::Triangle_3;
   static constexpr Index degree = Cells::degree;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   // of look-ahead: in regular faces, whose bound falls by a fourth a round, and where hulls shrink to a vertex
@@ -76,8 +68,6 @@ private:
     double twist, surface, sides; // the largest distances so far
     double total() const { return surface + sides + 2 * twist; }
   };
-
-  static Kernel::Point_3 point(const Vector& p) { return {p[0], p[1], p[2]}; }
 
   Vector place(const Vector& p) const
   {
@@ -112,10 +102,9 @@ private:
     }
     double largest = 0, of_surface = 0, of_sides = 0;
     const auto note = [&](const Vector& p, unsigned of) {
-      of_surface = (std::max)(of_surface, distance(p, search));
+      raise(of_surface, distance(p, search));
       for (Index i = 0; i < degree; ++i)
-        if ((of & sides & 1u << i) != 0)
-          of_sides = (std::max)(of_sides, distance_from_side(p, i, search));
+        if ((of & sides & 1u << i) != 0) raise(of_sides, distance_from_side(p, i, search));
     };
     bool is_regular = false;
     cells_.with_kinds(cell, [&](const Level_connectivity& level, const auto& kind) {
@@ -130,27 +119,75 @@ private:
       if (!is_regular) note(place(p), ~0u);
     });
     const double rest =
-      64 * std::numeric_limits<double>::epsilon() * largest +
+      rounding_of_bound * largest +
       (is_pn_v<typename Cells::Scheme_type> ? net.proven_distance(delta, std::ldexp(d, -exponent_))
                                             : 0);
-    search.surface = (std::max)(search.surface, of_surface + rest);
-    if (sides != 0) search.sides = (std::max)(search.sides, of_sides + rest);
+    raise(search.surface, of_surface + rest);
+    if (sides != 0) raise(search.sides, of_sides + rest);
     return is_regular;
   }
 
+  // what is no number is infinite
+  static void raise(double& largest, double x)
+  {
+    if (!(x <= largest)) largest = x < infinity ? x : infinity;
+  }
+
+  // \name Distances of points that are there, hence bounds, also where a square or a quotient is beyond the range of double
   static double distance(const Vector& p, const Search& search)
   {
     const auto& c = search.corners;
-    const auto from = [&](std::size_t i, std::size_t j, std::size_t k) {
-      return CGAL::squared_distance(point(p), Triangle(point(c[i]), point(c[j]), point(c[k])));
-    };
-    return std::sqrt(degree == 3 ? from(0, 1, 2) : (std::min)(from(0, 1, 2), from(2, 3, 0)));
+    const double first = distance_from_triangle(p, c[0], c[1], c[2]);
+    return degree == 3 ? first : (std::min)(first, distance_from_triangle(p, c[2], c[3], c[0]));
   }
   static double distance_from_side(const Vector& p, Index i, const Search& search)
   {
-    return std::sqrt(CGAL::squared_distance(
-      point(p), Segment(point(search.corners[i]), point(search.corners[(i + 1) % degree]))));
+    return distance_from_segment(p, search.corners[i], search.corners[(i + 1) % degree]);
   }
+
+  static double distance_from_segment(const Vector& p, const Vector& a, const Vector& b)
+  {
+    using namespace flatness;
+    const double t = product(minus(p, a), minus(b, a)) / product(minus(b, a), minus(b, a));
+    return quick_length(minus(p, between(a, b, t > 0 ? (std::min)(t, 1.) : 0)));
+  }
+
+  static double distance_from_triangle(const Vector& p, const Vector& a, const Vector& b,
+                                       const Vector& c)
+  {
+    const Combination inside(flatness::minus(p, a), flatness::minus(b, a), flatness::minus(c, a));
+    if (inside.s >= 0 && inside.t >= 0 && inside.s + inside.t <= 1) return inside.distance;
+    return (std::min)({distance_from_segment(p, a, b), distance_from_segment(p, b, c),
+                       distance_from_segment(p, c, a)});
+  }
+
+  // from a to b, and from c to d
+  static double distance_of_segments(const Vector& a, const Vector& b, const Vector& c,
+                                     const Vector& d)
+  {
+    const Combination inside(flatness::minus(c, a), flatness::minus(b, a), flatness::minus(c, d));
+    if (inside.s >= 0 && inside.s <= 1 && inside.t >= 0 && inside.t <= 1) return inside.distance;
+    return (std::min)({distance_from_segment(a, c, d), distance_from_segment(b, c, d),
+                       distance_from_segment(c, a, b), distance_from_segment(d, a, b)});
+  }
+
+  // s a + t b next to r, and its distance; no numbers if a and b have one direction
+  struct Combination
+  {
+    Combination(Vector r, const Vector& a, const Vector& b)
+    {
+      const double square = flatness::product(a, a);
+      Vector across = b;
+      add_multiple<double, 3>(across, -flatness::product(a, b) / square, a);
+      t = flatness::product(r, across) / flatness::product(across, across);
+      add_multiple<double, 3>(r, -t, b);
+      s = flatness::product(r, a) / square;
+      add_multiple<double, 3>(r, -s, a);
+      distance = quick_length(r);
+    }
+
+    double s, t, distance;
+  };
 
   const Cells& cells_;
   const int exponent_;

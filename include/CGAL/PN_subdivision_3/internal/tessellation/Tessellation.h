@@ -82,7 +82,7 @@ std::vector<bool> used_vertices(const Split_edges<FT>& all, const Leaf_triangles
 {
   std::vector<bool> used(all.number_of_vertices(), false);
   for (const Tessellation_triangle& t : triangles.triangles())
-    for (const Level_connectivity::Index slot : t.slots) used[all.slot(slot).vertex] = true;
+    for (const Level_connectivity::Index slot : t.slot_ids) used[all.slot(slot).vertex] = true;
   return used;
 }
 
@@ -178,8 +178,10 @@ public:
         is_given_v<proven_bound_t, NamedParameters> && std::is_same_v<FT, double>;
       if constexpr (may_be_proven)
         if (demand.is_proven)
-          require_proof_of_all(Limit_cells<Rules_of<Scheme>, decltype(creases)>(
-            rules_of(scheme), decltype(control)(control), decltype(creases)(creases)));
+          require_proof_of_all(
+            Limit_cells<Rules_of<Scheme>, decltype(creases)>(
+              rules_of(scheme), decltype(control)(control), decltype(creases)(creases)),
+            chord_error_);
       using Data = Tessellation_data<Rules_of<Scheme>, FT, decltype(creases), may_be_proven>;
       auto attributes = table_.template read<typename Data::Attributes>(control.level);
       sink(Data{demand, std::move(control), std::move(creases), std::move(attributes)});
