@@ -312,6 +312,20 @@ void add_curvature(Mesh_data& mesh, const Plan& plan, Curvature_values values, R
                 ": the file's colors or values of vertices give way to those of the curvature");
 }
 
+// The control mesh is measured with its control normals, what has been refined with the normals of its limit.
+Curvature_values curvature_of(const Surface& surface, const Wedge_list& wedges, const Plan& plan,
+                              const Surface_options& options, const Scheme_choice& scheme,
+                              const std::optional<Crease_maps>& creases, const Report& report)
+{
+  if (surface.number_of_faces() >= faces_worth_a_report)
+    report.progress("measuring the curvature at " + std::to_string(surface.number_of_vertices()) +
+                    " vertices");
+  if (options.levels == 0 && !plan.limit.is_used())
+    return measure_curvature(surface, creases, *plan.curvature, plan.threads);
+  return measure_limit_curvature(surface, wedges, scheme, creases, options.levels, *plan.curvature,
+                                 plan.threads);
+}
+
 Limit_summary limits(Surface& surface, const Plan& plan, const Surface_options& options,
                      const Scheme_choice& scheme, const std::optional<Crease_maps>& creases,
                      const Limit_choice& limit)
@@ -482,8 +496,9 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   Wedge_list wedges;
   rounds.wedges = &wedges;
   if (is_creased)
-    rounds.creases = add_creases(
-      surface, creases, plan.limit.is_used() || has_tags || plan.interpolation.has_value());
+    rounds.creases = add_creases(surface, creases,
+                                 plan.limit.is_used() || has_tags ||
+                                   plan.interpolation.has_value() || plan.curvature.has_value());
   if (plan.interpolation)
     interpolate(surface, plan, scheme, has_file_normals, rounds.creases, report);
   if (check) check->set_net(surface, rounds.creases);
@@ -497,6 +512,9 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
       refine_surface(surface, scheme, rounds);
     attributes = carried.take(surface);
   }
+  std::optional<Curvature_values> curvature;
+  if (plan.curvature)
+    curvature = curvature_of(surface, wedges, plan, options, scheme, rounds.creases, report);
   Kept_normals control;
   if (plan.limit.is_used()) {
     if (!wedges.empty()) put_corner_normals(surface, std::exchange(wedges, {}));
@@ -506,13 +524,6 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   }
   if (table) table->measure(surface, attributes);
   if (check) check->compare(surface, scheme, {options.levels, plan.threads, plan.limit});
-  std::optional<Curvature_values> curvature;
-  if (plan.curvature) {
-    if (surface.number_of_faces() >= faces_worth_a_report)
-      report.progress("measuring the curvature at " + std::to_string(surface.number_of_vertices()) +
-                      " vertices");
-    curvature = measure_curvature(surface, rounds.creases, *plan.curvature, plan.threads);
-  }
   Crease_tags tags;
   if (has_tags) tags = tags_of(surface, *rounds.creases);
   if (must_split) split_for_output(surface, plan.output, attributes, report);
