@@ -115,6 +115,12 @@ void require_options_for_grids(const Surface_options& options, const Plan& plan)
 
 Texture_rule texture_rule(const Surface_options& options)
 {
+  for (const auto& [option, is_given] : {std::pair("--nearest", options.nearest.has_value()),
+                                         std::pair("--directions", options.directions.has_value())})
+    if (is_given && options.drop_attributes)
+      throw Usage_error(std::string(option) +
+                        " and --drop-attributes exclude each other: no numbers of vertices are "
+                        "read");
   if (!options.texture_rule)
     return options.chord && !options.auto_levels ? Texture_rule::all : Texture_rule::corners_plus1;
   const Texture_rule rule = parse_texture_rule(*options.texture_rule);
@@ -750,6 +756,7 @@ void run_surface_command(const Surface_options& given_options)
   const bool in_pieces = is_in_pieces(options, plan.output);
   try {
     mesh = read_control_mesh(plan.input, options, report);
+    set_rules(mesh.attributes, options.nearest, options.directions);
     scheme = chosen_scheme(mesh, options.scheme);
     if (options.levels > 0 || plan.limit.is_used() || plan.interpolation || in_pieces)
       require_faces_for_scheme(mesh, scheme);
