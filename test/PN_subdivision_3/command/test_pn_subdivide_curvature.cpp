@@ -127,6 +127,33 @@ TEST_F(Pn_subdivide_curvature, CylinderBetweenCreases)
   }
 }
 
+// With equal normals the surface is that of the linear scheme, a paraboloid here, and these normals are not its own.
+TEST_F(Pn_subdivide_curvature, IsThatOfTheLimitNotOfItsControlNormals)
+{
+  std::string text = "ply\nformat ascii 1.0\nelement vertex 81\n";
+  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"})
+    text += std::string("property double ") + name + '\n';
+  text += "element face 64\nproperty list uchar int vertex_indices\nend_header\n";
+  for (int i = -4; i <= 4; ++i)
+    for (int j = -4; j <= 4; ++j)
+      text += std::to_string(0.1 * i) + ' ' + std::to_string(0.1 * j) + ' ' +
+              std::to_string(0.01 * (i * i + j * j)) + " 0 0 1\n";
+  for (int v = 0; v < 72; ++v)
+    if (v % 9 < 8)
+      text += "4 " + std::to_string(v) + ' ' + std::to_string(v + 9) + ' ' +
+              std::to_string(v + 10) + ' ' + std::to_string(v + 1) + '\n';
+  const std::string input = folder.write("flat.ply", text);
+  const std::string options = "--normals file --curvature mean --levels ";
+  const Values_by_name c = columns(input, options + '2');
+  std::size_t found = 0;
+  for (std::size_t v = 0; v < c.at("x").size(); ++v)
+    if (std::hypot(c.at("x")[v], c.at("y")[v]) < 1e-9) {
+      EXPECT_NEAR(c.at("mean_curvature")[v], -2, 1e-3);
+      ++found;
+    }
+  EXPECT_EQ(found, 1u);
+}
+
 // Without limits at the vertices, and with edges that are sharp for some more rounds, points alone are measured.
 TEST_F(Pn_subdivide_curvature, WithoutLimits)
 {

@@ -309,8 +309,9 @@ TEST(Estimate_curvature, NormalsOfATorusTellMoreThanItsEdges)
   {
     std::size_t n;
     double even_gaussian, even_mean, uneven_gaussian, uneven_mean;
-  } bounds[] = {
-    {8, 0.02, 0.008, 0.06, 0.03}, {16, 0.002, 0.001, 0.015, 0.008}, {32, 4e-4, 2e-4, 0.004, 0.002}};
+  } bounds[] = {{8, 0.02, 0.008, 0.06, 0.03},
+                {16, 0.004, 0.001, 0.015, 0.008},
+                {32, 0.001, 3e-4, 0.004, 0.002}};
   for (const auto& b : bounds) {
     SCOPED_TRACE(b.n);
     const auto [gaussian, mean] = torus_errors(b.n, 0);

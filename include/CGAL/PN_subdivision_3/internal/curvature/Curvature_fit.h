@@ -196,7 +196,7 @@ private:
   // alone, and of S across t, where E is another one, has a small weight: it is for rings that do not tell otherwise.
   void add_normal(const Curvature_sample& s)
   {
-    constexpr double small = 0.1;
+    constexpr double small = 0.3; // less suits exact normals, more those that are estimated
     const Eigen::Vector3d p = graph_.frame.transpose() * s.offset;
     const bool has_normal = !s.normal.isZero(0), is_cubic = matrix_.cols() > 3;
     Eigen::Vector3d m(0, 0, 1);
