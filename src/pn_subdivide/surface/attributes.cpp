@@ -56,7 +56,8 @@ std::vector<std::string> names_in(const std::string& list)
 
 Column* find(Columns& columns, const std::string& name)
 {
-  return const_cast<Column*>(find_column(columns, name));
+  const Column* const column = find_column(columns, name);
+  return column == nullptr ? nullptr : &columns[std::size_t(column - columns.data())];
 }
 
 [[noreturn]] void throw_unknown(const char* option, const std::string& name, const Columns& columns)
