@@ -56,8 +56,9 @@ std::vector<std::string> names_in(const std::string& list)
 
 Column* find(Columns& columns, const std::string& name)
 {
-  const Column* const column = find_column(columns, name);
-  return column == nullptr ? nullptr : &columns[std::size_t(column - columns.data())];
+  const auto is_named = [&](const Column& column) { return column.name == name; };
+  const auto found = std::find_if(columns.begin(), columns.end(), is_named);
+  return found == columns.end() ? nullptr : &*found;
 }
 
 [[noreturn]] void throw_unknown(const char* option, const std::string& name, const Columns& columns)

@@ -43,13 +43,13 @@ public:
 
   void add(const Control_shares& other, float weight)
   {
-    for (const auto& [v, share] : other.shares_) {
+    for (const Share& added : other.shares_) {
       const auto own = std::find_if(shares_.begin(), shares_.end(),
-                                    [v = v](const Share& s) { return s.first == v; });
+                                    [&](const Share& s) { return s.first == added.first; });
       if (own != shares_.end())
-        own->second += weight * share;
+        own->second += weight * added.second;
       else
-        shares_.push_back({v, weight * share});
+        shares_.push_back({added.first, weight * added.second});
     }
   }
 
