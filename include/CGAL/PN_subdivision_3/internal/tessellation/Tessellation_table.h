@@ -196,7 +196,7 @@ private:
     const std::size_t all = dimension_of_corners();
     const double* p = triangles.corner_values().data() + all - dimension_of_places;
     for (const Tessellation_triangle& t : triangles.triangles())
-      for (const Index slot : t.slots) {
+      for (const Index slot : t.slot_ids) {
         const Index face = faces == nullptr ? t.origin : (*faces)[t.origin];
         vertices[refinement.all().slot(slot).vertex] = nearest_corner(data, face, p);
         p += all;
