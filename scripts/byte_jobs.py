@@ -130,7 +130,8 @@ def with_attributes():
                        ["--linear", "--levels 2 --threads 2", "--limit"])
     lines += by_scheme(CREASING, ["@charts.obj", "@charts.ply"], ["@charts_triangles.ply"],
                        ["--levels 2 --sharp angle:10", "--limit --sharp angle:10", "--levels 2 --border curve"])
-    return lines
+    return lines + product(["@smooth.ply out.ply"], ["--nearest quality", "--directions quality,s,t"],
+                           ["--levels 2", "--chord 1%", "--pieces 2"])
 
 
 def formats():

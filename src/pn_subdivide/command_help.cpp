@@ -39,7 +39,7 @@ const std::vector<Option_group>& option_groups()
      {"--triangulate", "--repair", "--merge-points", "--merge-distance", "--drop-attributes"}},
     {"What is written",
      {"--output-normals", "--surface-normals", "--curve-normals", "--curvature", "--texture-rule",
-      "--split-seams", "--ascii", "--format", "--comb"}},
+      "--nearest", "--directions", "--split-seams", "--ascii", "--format", "--comb"}},
     {"Limits and interpolation", {"--chord-bound", "--limit-tolerance", "--interpolate"}},
     {"Schemes", {"--normal-scheme", "--tension", "--cap", "--first-round", "--tuned-valences"}},
     {"Piece by piece", {"--memory", "--pieces", "--resume"}},

@@ -310,6 +310,12 @@ void add_surface_command(CLI::App& app, Surface_options& options)
                      "corners-only (corners of one face), corners-plus1 (default; and where three "
                      "charts meet), corners-plus2 (and concave corners and ends of seams), "
                      "boundaries (all of seams and borders) or all (linear inside faces)");
+  surface.add_option("--nearest", options.nearest,
+                     "Numbers of vertices that are labels, as whole numbers but colors are: names, "
+                     "separated by commas. A vertex gets that of the nearest control vertex");
+  surface.add_option("--directions", options.directions,
+                     "Numbers of vertices that are unit vectors, and are made unit again: three "
+                     "names for each, or one before x, y, z; separated by commas");
   surface.add_option("--threads", options.threads, "Number of threads; 0 for all cores")
     ->transform(whole_number())
     ->capture_default_str();

@@ -10,7 +10,8 @@
 A value at vertices or corners that `CGAL::PN_subdivision_3::subdivide()` refines by the linear rows of a scheme, see
 `CGAL::PN_subdivision_3::parameters::vertex_attribute()`. A type that is not among the models below
 specializes `CGAL::PN_subdivision_3::Attribute_traits`, or has the following; values of corners must also be comparable by `==`.
-Values of other types are refused when a call is compiled, by one line.
+Values of other types are refused when a call is compiled, by one line. Labels, of `CGAL::PN_subdivision_3::parameters::nearest_attribute()`, need
+only be copied.
 
 All built-in numbers are models, the number type of the points, and `std::array` of these.
 

@@ -39,12 +39,29 @@ constexpr bool splits_edges_v = internal::Splits_edges<typename Scheme::Host>::v
 namespace parameters {
 
 /// \ingroup PkgPNSubdivision3Attributes
-/// a map whose values at vertices are refined by the scheme's linear rows, see `Attribute_traits`. Keys are
-/// vertices.
+/// a map whose values at vertices are refined by the rule of their type, see `Attribute_traits`: integers are labels, all else
+/// is averaged by the scheme's linear rows. Keys are vertices.
 template <class Map>
 internal::Vertex_attribute<Map> vertex_attribute(Map map)
 {
-  return {map};
+  return {{map}};
+}
+
+/// \ingroup PkgPNSubdivision3Attributes
+/// a map of labels: each vertex gets the value of the nearest control vertex, see `Attribute_rule`. Keys are vertices, values of any
+/// type that can be copied.
+template <class Map>
+internal::Nearest_attribute<Map> nearest_attribute(Map map)
+{
+  return {{map}};
+}
+
+/// \ingroup PkgPNSubdivision3Attributes
+/// a map of unit vectors, which are unit vectors again when they have been averaged. Keys are vertices.
+template <class Map>
+internal::Direction_attribute<Map> direction_attribute(Map map)
+{
+  return {{map}};
 }
 
 /// \ingroup PkgPNSubdivision3Attributes

@@ -84,6 +84,7 @@ struct Column
   // stand for nothing.
   std::vector<std::string> words;
   bool has_type_of_file = false; // otherwise it is that of the numbers in memory
+  bool is_label = false;         // of vertices: no number between two others is one
 };
 
 using Columns = std::vector<Column>;
@@ -93,6 +94,7 @@ using Column_group = std::vector<const Column*>;
 struct Attributes
 {
   Columns of_vertices, of_faces;
+  std::vector<std::array<std::string, 3>> directions; // names of columns of vertices
 
   // Texture coordinates of the corners, face by face, or empty.
   std::vector<Texture_point> texture;

@@ -83,7 +83,10 @@ std::string name_of(const Mesh_data& mesh, const Creases& creases, const Surface
   text << ' ' << int(creases.border) << ' ' << int(normals.choice) << ' ' << int(normals.kind);
   text << ' ' << limit.points << limit.normals << ' ' << limit.tolerance.value_or(0);
   for (const Columns* columns : {&mesh.attributes.of_vertices, &mesh.attributes.of_faces})
-    for (const Column& column : *columns) text << ' ' << int(column.type) << column.words.size();
+    for (const Column& column : *columns)
+      text << ' ' << int(column.type) << column.words.size() << column.is_label;
+  for (const auto& names : mesh.attributes.directions)
+    for (const std::string& name : names) text << ' ' << name;
   for (const auto* files : {&mesh.attributes.texture_files, &mesh.attributes.material_files})
     for (const std::string& file : *files) text << ' ' << file;
   text << ' ' << options.texture_rule.value_or("-") << int(mesh.attributes.texture_type);

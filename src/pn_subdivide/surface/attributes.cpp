@@ -17,12 +17,15 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
+#include <sstream>
 
 namespace pn_subdivide {
 namespace {
 
 using Range = std::pair<double, double>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 // Colors between 0 and 1 stay there, others within their own bounds; everything else is not bounded.
 std::vector<Range> ranges_of(const Columns& columns)
@@ -40,6 +43,53 @@ std::vector<Range> ranges_of(const Columns& columns)
     ranges.push_back(range);
   }
   return ranges;
+}
+
+std::vector<std::string> names_in(const std::string& list)
+{
+  std::vector<std::string> names;
+  std::istringstream words(list);
+  for (std::string name; std::getline(words, name, ',');)
+    if (!name.empty()) names.push_back(name);
+  return names;
+}
+
+Column* find(Columns& columns, const std::string& name)
+{
+  const auto is_named = [&](const Column& column) { return column.name == name; };
+  const auto found = std::find_if(columns.begin(), columns.end(), is_named);
+  return found == columns.end() ? nullptr : &*found;
+}
+
+[[noreturn]] void throw_unknown(const char* option, const std::string& name, const Columns& columns)
+{
+  std::vector<std::string> names;
+  for (const Column& column : columns)
+    names.push_back("'" + Text_reader::printable(column.name) + "'");
+  throw Error(std::string(option) + " '" + name + "': the vertices have no such number" +
+              (names.empty() ? "" : "; they have " + enumeration(names)));
+}
+
+// A name that is none of a column is that before x, y and z.
+std::vector<std::string> names_of_directions(const Columns& columns, const std::string& list)
+{
+  std::vector<std::string> names;
+  for (const std::string& name : names_in(list)) {
+    if (find_column(columns, name) != nullptr) {
+      names.push_back(name);
+      continue;
+    }
+    const bool is_joined = find_column(columns, name + "x") != nullptr;
+    for (const char* const axis : {"x", "y", "z"}) {
+      names.push_back(name + (is_joined ? "" : "_") + axis);
+      if (find_column(columns, names.back()) == nullptr)
+        throw_unknown("--directions", name, columns);
+    }
+  }
+  if (names.size() % 3 != 0)
+    throw Error("--directions '" + list + "': a direction has three numbers, these are " +
+                std::to_string(names.size()));
+  return names;
 }
 
 struct Rule_name
@@ -67,6 +117,32 @@ Texture_rule parse_texture_rule(const std::string& text)
                     "': expected none, corners-only, corners-plus1, "
                     "corners-plus2, boundaries or all" +
                     did_you_mean(text, names));
+}
+
+void set_rules(Attributes& attributes, const std::optional<std::string>& nearest,
+               const std::optional<std::string>& directions)
+{
+  Columns& columns = attributes.of_vertices;
+  const Column_group color = find_color(columns);
+  for (Column& column : columns)
+    column.is_label = traits(column.type).is_integer &&
+                      std::find(color.begin(), color.end(), &column) == color.end();
+  for (const std::string& name : names_in(nearest.value_or(""))) {
+    Column* const column = find(columns, name);
+    if (column == nullptr) throw_unknown("--nearest", name, columns);
+    column->is_label = true;
+  }
+  const std::vector<std::string> names = names_of_directions(columns, directions.value_or(""));
+  for (std::size_t i = 0; i < names.size(); i += 3) {
+    attributes.directions.push_back({names[i], names[i + 1], names[i + 2]});
+    for (const std::string& name : attributes.directions.back()) {
+      Column& column = *find(columns, name);
+      const std::vector<std::string> labels = names_in(nearest.value_or(""));
+      if (std::find(labels.begin(), labels.end(), name) != labels.end())
+        throw Error("--directions '" + name + "': --nearest has it, too");
+      column.is_label = false;
+    }
+  }
 }
 
 void require_texture_rule(Texture_rule rule, const std::string& text, const std::string& scheme)
@@ -105,10 +181,9 @@ Carried_attributes::Carried_attributes(const Surface& surface, Attributes attrib
   : attributes_(std::move(attributes))
   , ranges_(ranges_of(attributes_.of_vertices))
 {
-  for (Column& column : attributes_.of_vertices) {
-    table_.vertices.emplace_back();
-    table_.vertices.back().values = std::move(column.values);
-  }
+  places_.assign(attributes_.of_vertices.size(), {none, 0});
+  add_directions();
+  add_others(surface.number_of_vertices());
   table_.has_face_parents = !attributes_.of_faces.empty();
   if (attributes_.texture.empty()) return;
 
@@ -125,6 +200,45 @@ Carried_attributes::Carried_attributes(const Surface& surface, Attributes attrib
   attributes_.texture = {};
 }
 
+void Carried_attributes::add_directions()
+{
+  const Columns& columns = attributes_.of_vertices;
+  for (const auto& names : attributes_.directions) {
+    CGAL::PN_subdivision_3::Attribute_array array;
+    array.dimension = names.size();
+    array.rule_of_vertices = CGAL::PN_subdivision_3::Attribute_rule::direction;
+    std::size_t component = 0;
+    for (const std::string& name : names) {
+      const Column& column = *find_column(columns, name);
+      places_[std::size_t(&column - columns.data())] = {table_.vertices.size(), component};
+      array.values.resize(names.size() * column.values.size());
+      for (std::size_t v = 0; v < column.values.size(); ++v)
+        array.values[names.size() * v + component] = column.values[v];
+      ++component;
+    }
+    table_.vertices.push_back(std::move(array));
+  }
+}
+
+void Carried_attributes::add_others(std::size_t vertices)
+{
+  bool has_labels = false;
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    Column& column = attributes_.of_vertices[i];
+    has_labels = has_labels || column.is_label;
+    if (places_[i].array != none || column.is_label) continue;
+    places_[i].array = table_.vertices.size();
+    table_.vertices.emplace_back();
+    table_.vertices.back().values = std::move(column.values);
+  }
+  if (!has_labels) return;
+  CGAL::PN_subdivision_3::Attribute_array numbers;
+  numbers.rule_of_vertices = CGAL::PN_subdivision_3::Attribute_rule::nearest;
+  numbers.values.resize(vertices);
+  std::iota(numbers.values.begin(), numbers.values.end(), 0.);
+  table_.vertices.push_back(std::move(numbers));
+}
+
 void Carried_attributes::suit(const Surface& surface, const std::string& scheme,
                               const std::string& input, Report& report)
 {
@@ -138,21 +252,13 @@ void Carried_attributes::suit(const Surface& surface, const std::string& scheme,
         scheme + " keeps no edges",
       {"texture coordinates"});
   }
-  const std::vector<std::string> integers = averaged_integers();
-  if (!integers.empty())
-    report.note(input +
-                ": whole numbers of vertices are averaged and rounded: " + enumeration(integers));
-}
-
-std::vector<std::string> Carried_attributes::averaged_integers() const
-{
-  const Column_group color = find_color(attributes_.of_vertices);
-  std::vector<std::string> names;
+  std::vector<std::string> integers;
   for (const Column& column : attributes_.of_vertices)
-    if (traits(column.type).is_integer &&
-        std::find(color.begin(), color.end(), &column) == color.end())
-      names.push_back("'" + Text_reader::printable(column.name) + "'");
-  return names;
+    if (column.is_label && traits(column.type).is_integer)
+      integers.push_back("'" + Text_reader::printable(column.name) + "'");
+  if (!integers.empty())
+    report.note(input + ": whole numbers of vertices are those of the nearest control vertex: " +
+                enumeration(integers));
 }
 
 template <class Corners>
@@ -160,7 +266,19 @@ void Carried_attributes::fill(Attributes& attributes, Table& table, const Corner
 {
   for (std::size_t i = 0; i < attributes.of_vertices.size(); ++i) {
     Column& column = attributes.of_vertices[i];
-    column.values = std::move(table.vertices[i].values);
+    if (column.is_label) {
+      select(column.values, table.vertices.back().values);
+      continue;
+    }
+    const Place& place = places_[i];
+    auto& array = table.vertices[place.array];
+    if (array.dimension == 1)
+      column.values = std::move(array.values);
+    else {
+      column.values.resize(array.values.size() / array.dimension);
+      for (std::size_t v = 0; v < column.values.size(); ++v)
+        column.values[v] = array.values[v * array.dimension + place.component];
+    }
     const auto [lowest, highest] = ranges_[i];
     for (double& x : column.values) {
       if (x < lowest) x = lowest;

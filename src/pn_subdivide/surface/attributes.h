@@ -16,6 +16,7 @@
 #include <CGAL/PN_subdivision_3/attributes.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,6 +45,11 @@ Texture_rule parse_texture_rule(const std::string& text);
 // Throws Usage_error if the scheme keeps no edges and the rule needs them.
 void require_texture_rule(Texture_rule rule, const std::string& text, const std::string& scheme);
 
+// Whole numbers of vertices that are no color, and those that --nearest names, are labels; --directions names unit vectors: each by
+// three names in a row, or by one before x, y and z. Throws Error if there is no such number.
+void set_rules(Attributes& attributes, const std::optional<std::string>& nearest,
+               const std::optional<std::string>& directions);
+
 // Attributes on their way through the rounds: the library gets the numbers of vertices and corners,
 // which follow the rows of the scheme, and tells the parents of faces, from which these have their
 // values.
@@ -59,7 +65,7 @@ public:
   const Table& table() const { return table_; }
 
   // Drops texture coordinates with seams or gaps, with a warning, if the scheme keeps no edges. Notes
-  // which integers are averaged.
+  // which integers are labels.
   void suit(const Surface& surface, const std::string& scheme, const std::string& input,
             Report& report);
 
@@ -70,12 +76,20 @@ public:
 
 private:
   using Range = std::pair<double, double>;
+  // of a column in the table: in which array, and behind how many others
+  struct Place
+  {
+    std::size_t array, component;
+  };
 
-  std::vector<std::string> averaged_integers() const; // but for those of colors
+  void add_directions();
+  // labels are those of the control vertices whose numbers the last array has
+  void add_others(std::size_t vertices);
   template <class Corners>
   void fill(Attributes& attributes, Table& table, const Corners& corners) const;
 
   Attributes attributes_;     // without the numbers that are in the table
+  std::vector<Place> places_; // of the columns of vertices
   std::vector<Range> ranges_; // of the columns of vertices
   Table table_;
 };

@@ -15,8 +15,11 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
+#include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
@@ -141,6 +144,38 @@ auto make_options(const Limit_choice& choice, unsigned levels)
     .rounds_done(levels);
 }
 
+bool are_limits_known(const Surface& surface, const Scheme_choice& choice,
+                      const std::optional<Crease_maps>& creases)
+{
+  if (is_grid_scheme(choice.scheme) ||
+      !make_scheme("--scheme", choice.scheme, choice).keeps_vertices())
+    return false;
+  if (!creases) return true;
+  const auto is_settled = [](double sharpness) {
+    return !(sharpness > 0) || std::isinf(sharpness);
+  };
+  const auto edges = surface.edges();
+  const auto vertices = surface.vertices();
+  return std::all_of(edges.begin(), edges.end(),
+                     [&](auto e) { return is_settled(creases->edges[e]); }) &&
+         std::all_of(vertices.begin(), vertices.end(),
+                     [&](auto v) { return is_settled(creases->vertices[v]); });
+}
+
+// Those of the corners on creases, at which control normals stand in for those of the surface.
+void remove_normals_on_creases(const Surface& surface, Corner_normal_map normals,
+                               const Crease_maps& creases)
+{
+  std::vector<bool> is_on_crease(surface.number_of_vertices());
+  for (const Surface::Edge_index e : surface.edges())
+    if (creases.edges[e] > 0 || (creases.border != Border::surface && surface.is_border(e)))
+      is_on_crease[surface.vertex(e, 0)] = is_on_crease[surface.vertex(e, 1)] = true;
+  for (const Surface::Halfedge_index h : surface.halfedges()) {
+    const Surface::Vertex_index v = surface.target(h);
+    if (is_on_crease[v] || creases.vertices[v] > 0) normals[h] = Vector_3(0, 0, 0);
+  }
+}
+
 } // namespace
 
 void require_limit_of_vertices(const std::string& scheme, const Limit_choice& choice)
@@ -177,6 +212,31 @@ Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Li
   const auto options = make_options(choice, levels).border(creases.border);
   const Limit_report report = move_to_limits_of(surface, scheme, creases, choice.normals, options);
   return {report, report.tolerance / choice.tolerance.value_or(default_limit_tolerance)};
+}
+
+bool move_to_surface(Surface& surface, const Scheme_choice& scheme,
+                     const std::optional<Crease_maps>& creases, unsigned levels,
+                     [[maybe_unused]] unsigned threads)
+{
+  if (!are_limits_known(surface, scheme, creases)) return false;
+  Limit_choice choice;
+  choice.points = choice.normals = true;
+  if (creases) {
+    set_limits(surface, scheme, choice, *creases, levels, threads);
+    remove_normals_on_creases(surface, *corner_normals_of(surface), *creases);
+    return true;
+  }
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+#endif
+  const std::optional<Normal_map> control = normals_of(surface);
+  Normal_map normals = control ? *control : add_normals(surface);
+  const Limit_map limits([&](Surface::Vertex_index v, const Limit_point& limit) {
+    surface.point(v) = limit.point;
+    normals[v] = limit.has_surface_normal ? limit.surface_normal : Vector_3(0, 0, 0);
+  });
+  limits_of(surface, control, scheme, limits, make_options(choice, levels));
+  return true;
 }
 
 } // namespace pn_subdivide

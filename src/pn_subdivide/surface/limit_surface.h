@@ -14,6 +14,7 @@
 #include "surface/creases.h"
 #include "surface/surface_schemes.h"
 
+#include <optional>
 #include <string>
 
 namespace pn_subdivide {
@@ -30,6 +31,12 @@ Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Li
 // those of corners afterwards.
 Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Limit_choice& choice,
                          const Crease_maps& creases, unsigned levels, unsigned threads);
+
+// Puts the vertices on the limit surface, with its normals: zero where it is not known to have one, on creases for
+// instance. False if limits are not known: of schemes without limits at vertices, and of edges that are sharp for some
+// more rounds.
+bool move_to_surface(Surface& surface, const Scheme_choice& scheme,
+                     const std::optional<Crease_maps>& creases, unsigned levels, unsigned threads);
 
 } // namespace pn_subdivide
 

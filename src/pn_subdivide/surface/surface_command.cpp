@@ -116,6 +116,12 @@ void require_options_for_grids(const Surface_options& options, const Plan& plan)
 
 Texture_rule texture_rule(const Surface_options& options)
 {
+  for (const auto& [option, is_given] : {std::pair("--nearest", options.nearest.has_value()),
+                                         std::pair("--directions", options.directions.has_value())})
+    if (is_given && options.drop_attributes)
+      throw Usage_error(std::string(option) +
+                        " and --drop-attributes exclude each other: no numbers of vertices are "
+                        "read");
   if (!options.texture_rule)
     return options.chord && !options.auto_levels ? Texture_rule::all : Texture_rule::corners_plus1;
   const Texture_rule rule = parse_texture_rule(*options.texture_rule);
@@ -328,6 +334,20 @@ void add_curvature(Mesh_data& mesh, const Plan& plan, Curvature_values values, R
                 ": the file's colors or values of vertices give way to those of the curvature");
 }
 
+// The control mesh is measured with its control normals, what has been refined with the normals of its limit.
+Curvature_values curvature_of(const Surface& surface, const Wedge_list& wedges, const Plan& plan,
+                              const Surface_options& options, const Scheme_choice& scheme,
+                              const std::optional<Crease_maps>& creases, const Report& report)
+{
+  if (surface.number_of_faces() >= faces_worth_a_report)
+    report.progress("measuring the curvature at " + std::to_string(surface.number_of_vertices()) +
+                    " vertices");
+  if (options.levels == 0 && !plan.limit.is_used())
+    return measure_curvature(surface, creases, *plan.curvature, plan.threads);
+  return measure_limit_curvature(surface, wedges, scheme, creases, options.levels, *plan.curvature,
+                                 plan.threads);
+}
+
 Limit_summary limits(Surface& surface, const Plan& plan, const Surface_options& options,
                      const Scheme_choice& scheme, const std::optional<Crease_maps>& creases,
                      const Limit_choice& limit)
@@ -498,8 +518,9 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   Wedge_list wedges;
   rounds.wedges = &wedges;
   if (is_creased)
-    rounds.creases = add_creases(
-      surface, creases, plan.limit.is_used() || has_tags || plan.interpolation.has_value());
+    rounds.creases = add_creases(surface, creases,
+                                 plan.limit.is_used() || has_tags ||
+                                   plan.interpolation.has_value() || plan.curvature.has_value());
   if (plan.interpolation)
     interpolate(surface, plan, scheme, has_file_normals, rounds.creases, report);
   if (check) check->set_net(surface, rounds.creases);
@@ -513,6 +534,9 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
       refine_surface(surface, scheme, rounds);
     attributes = carried.take(surface);
   }
+  std::optional<Curvature_values> curvature;
+  if (plan.curvature)
+    curvature = curvature_of(surface, wedges, plan, options, scheme, rounds.creases, report);
   Kept_normals control;
   if (plan.limit.is_used()) {
     if (!wedges.empty()) put_corner_normals(surface, std::exchange(wedges, {}));
@@ -522,13 +546,6 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   }
   if (table) table->measure(surface, attributes);
   if (check) check->compare(surface, scheme, {options.levels, plan.threads, plan.limit});
-  std::optional<Curvature_values> curvature;
-  if (plan.curvature) {
-    if (surface.number_of_faces() >= faces_worth_a_report)
-      report.progress("measuring the curvature at " + std::to_string(surface.number_of_vertices()) +
-                      " vertices");
-    curvature = measure_curvature(surface, rounds.creases, *plan.curvature, plan.threads);
-  }
   Crease_tags tags;
   if (has_tags) tags = tags_of(surface, *rounds.creases);
   if (must_split) split_for_output(surface, plan.output, attributes, report);
@@ -769,6 +786,7 @@ void run_surface_command(const Surface_options& given_options)
   const bool in_pieces = is_in_pieces(options, plan.output);
   try {
     mesh = read_control_mesh(plan.input, options, report);
+    set_rules(mesh.attributes, options.nearest, options.directions);
     scheme = chosen_scheme(mesh, options.scheme);
     if (options.levels > 0 || plan.limit.is_used() || plan.interpolation || in_pieces)
       require_faces_for_scheme(mesh, scheme);

@@ -29,7 +29,7 @@ struct Surface_options
   bool has_levels = false, auto_levels = false; // --levels is given, as auto
   bool linear = false;
   std::optional<std::string> normals, roundness, output_normals, curvature, interpolate,
-    merge_distance, texture_rule, write_tags, chord, chord_bound, planes;
+    merge_distance, texture_rule, write_tags, chord, chord_bound, planes, nearest, directions;
   unsigned threads = 1; // 0: all cores
   Crease_options creases;
   Limit_choice limit;

@@ -11,6 +11,7 @@
 #include "io/Error.h"
 #include "surface/Wedges.h"
 #include "surface/diverging_colors.h"
+#include "surface/limit_surface.h"
 
 #if __has_include(<Eigen/Core>)
 #  include <CGAL/PN_subdivision_3/estimate_curvature.h>
@@ -87,7 +88,12 @@ Curvature_values measure(const Surface& surface, Curvature_kind kind, unsigned t
   (void)threads;
 #  endif
   result.values.resize(surface.number_of_vertices());
-  PN::estimate_curvature<CGAL::Parallel_if_available_tag>(surface, Scalar_map{&result, kind});
+  using Tag = CGAL::Parallel_if_available_tag;
+  const Scalar_map map{&result, kind};
+  if (const std::optional<Normal_map> normals = normals_of(surface))
+    PN::estimate_curvature<Tag>(surface, map, CGAL::parameters::vertex_normal_map(*normals));
+  else
+    PN::estimate_curvature<Tag>(surface, map);
 #else
   (void)surface;
   (void)kind;
@@ -96,17 +102,24 @@ Curvature_values measure(const Surface& surface, Curvature_kind kind, unsigned t
   return result;
 }
 
-// Each wedge has a vertex of its own.
+// Each wedge has a vertex of its own, with its normal.
 Surface cut_between(const Surface& surface, const Wedges& wedges)
 {
+  const std::optional<Normal_map> normals = normals_of(surface);
+  const std::optional<Corner_normal_map> of_corners = corner_normals_of(surface);
   Mesh_data mesh;
   for (const Surface::Vertex_index v : wedges.vertex)
     mesh.points.push_back(to_triple(surface.point(v)));
+  if (normals) mesh.normals.resize(mesh.points.size());
   std::vector<std::size_t> face;
   for (const Surface::Face_index f : surface.faces()) {
     face.clear();
-    for (const auto h : halfedges_around_face(surface.halfedge(f), surface))
+    for (const auto h : halfedges_around_face(surface.halfedge(f), surface)) {
       face.push_back(wedges.of_corner[h]);
+      if (normals)
+        mesh.normals[face.back()] =
+          to_triple(of_corners ? (*of_corners)[h] : (*normals)[surface.target(h)]);
+    }
     mesh.add_face(face);
   }
   return make_surface(mesh);
@@ -202,6 +215,18 @@ Curvature_values measure_curvature(const Surface& surface,
   if (!creases) return measure(surface, kind, threads);
   const Wedges wedges(surface, [&](Surface::Edge_index e) { return creases->edges[e] > 0; });
   return means_of_wedges(measure(cut_between(surface, wedges), kind, threads), wedges);
+}
+
+Curvature_values measure_limit_curvature(Surface mesh, const Wedge_list& wedges,
+                                         const Scheme_choice& scheme,
+                                         const std::optional<Crease_maps>& creases, unsigned levels,
+                                         Curvature_kind kind, unsigned threads)
+{
+  require_size_for_curvature(mesh);
+  if (!wedges.empty()) put_corner_normals(mesh, wedges);
+  const std::optional<Crease_maps> of_copy = creases_of(mesh, creases);
+  if (!move_to_surface(mesh, scheme, of_copy, levels, threads)) remove_normals(mesh);
+  return measure_curvature(mesh, of_copy, kind, threads);
 }
 
 Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, Curvature_values curvature)

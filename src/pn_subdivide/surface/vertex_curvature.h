@@ -12,6 +12,7 @@
 #include "io/mesh_io.h"
 #include "surface/Surface.h"
 #include "surface/creases.h"
+#include "surface/surface_schemes.h"
 
 #include <cstddef>
 #include <optional>
@@ -34,18 +35,24 @@ struct Curvature_range
   std::string description(Curvature_kind kind) const;
 };
 
-// One value a vertex of a mesh without garbage: the curvature of the points alone, positive where the
-// surface bends away from the side from which its faces are seen counterclockwise. Vertices at which it
-// cannot be estimated get 0 and are counted. Passes on the library's exceptions.
+// One value a vertex of a mesh without garbage, positive where the surface bends away from the side from which its faces
+// are seen counterclockwise. Vertices at which it cannot be estimated get 0 and are counted. Passes on the library's
+// exceptions.
 struct Curvature_values
 {
   std::vector<double> values;
   std::size_t without_estimate = 0;
 };
-// Across creases nothing is measured: vertices with several wedges have the mean of their curvatures.
+// Of points and normals of the surface. Across creases nothing is measured: vertices with several wedges have the mean of
+// their curvatures.
 Curvature_values measure_curvature(const Surface& surface,
                                    const std::optional<Crease_maps>& creases, Curvature_kind kind,
                                    unsigned threads);
+// Of the limit of a mesh of the given level with its control normals; of its points alone where limits are not known.
+Curvature_values measure_limit_curvature(Surface mesh, const Wedge_list& wedges,
+                                         const Scheme_choice& scheme,
+                                         const std::optional<Crease_maps>& creases, unsigned levels,
+                                         Curvature_kind kind, unsigned threads);
 
 // Gives the vertices the values and colors for them, in place of attributes of the same name.
 Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, Curvature_values curvature);

@@ -136,8 +136,8 @@ TEST(Attributes, OfEveryType)
   auto p = add<V, Kernel::Point_2>(mesh, "p");
   auto w = add<V, Kernel::Vector_3>(mesh, "w");
   auto l = add<V, Load>(mesh, "l");
-  auto i = add<V, int>(mesh, "i");
-  auto b = add<V, std::uint8_t>(mesh, "b");
+  auto i = add<V, std::array<int, 1>>(mesh, "i");
+  auto b = add<V, std::array<std::uint8_t, 1>>(mesh, "b");
   auto c = add<V, CGAL::IO::Color>(mesh, "c");
   for (auto v : mesh.vertices()) {
     const auto& q = mesh.point(v);
@@ -148,8 +148,8 @@ TEST(Attributes, OfEveryType)
     p[v] = {q.x(), q.y()};
     w[v] = q - CGAL::ORIGIN;
     l[v] = {q.x(), q.y()};
-    i[v] = int(1000 * q.x());
-    b[v] = std::uint8_t(level % 2 == 0 ? 255 : 0);
+    i[v] = {int(1000 * q.x())};
+    b[v] = {std::uint8_t(level % 2 == 0 ? 255 : 0)};
     c[v] = CGAL::IO::Color((unsigned char)(q.x() > 0 ? 255 : 0), 7, 255, 0);
   }
   // Kobbelt's weights are negative, too: values beyond the greatest are cut off
@@ -172,7 +172,7 @@ TEST(Attributes, OfEveryType)
     EXPECT_TRUE(near(p[v].x(), q.x()) && near(p[v].y(), q.y()));
     EXPECT_TRUE(near(w[v].x(), q.x()) && near(w[v].z(), q.z()));
     EXPECT_TRUE(near(l[v].force, q.x()) && near(l[v].mass, q.y()));
-    EXPECT_NEAR(i[v], 1000 * q.x(), 0.5 + 1e-9);
+    EXPECT_NEAR(i[v][0], 1000 * q.x(), 0.5 + 1e-9);
     const double red = 255 * (q.x() + 1) / 2;
     has_overshoot = has_overshoot || red > 255.5 || red < -0.5;
     EXPECT_NEAR(c[v].red(), std::min(255., std::max(0., red)), 0.5 + 1e-9);
@@ -181,7 +181,7 @@ TEST(Attributes, OfEveryType)
     EXPECT_EQ(c[v].alpha(), 0);
   }
   EXPECT_TRUE(has_overshoot);
-  EXPECT_EQ(b[V(0)], 255);
+  EXPECT_EQ(b[V(0)][0], 255);
 }
 
 TEST(Attributes, FacesAndEdgesInherit)
@@ -407,6 +407,172 @@ TYPED_TEST(Chart_attributes, AreLinearInsideFacesIfAskedFor)
                   [&](const Uv& p) { return std::hypot(p[0] - mean[0], p[1] - mean[1]) < 1e-9; }))
       << "the middle of face " << f;
   }
+}
+
+// \name Labels and directions
+
+namespace {
+
+enum class Label { none, red, blue };
+
+template <class Scheme>
+class Labels : public ::testing::Test
+{};
+using Label_schemes =
+  ::testing::Types<PN::CatmullClark_scheme, PN::Loop_scheme, PN::Butterfly_scheme,
+                   PN::Kobbelt_scheme, PN::DooSabin_scheme, PN::Sqrt3_scheme>;
+TYPED_TEST_SUITE(Labels, Label_schemes, );
+
+// a torus of m x m squares, or twice as many triangles
+struct Flat_torus
+{
+  explicit Flat_torus(bool are_triangles, int m = 6)
+  {
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j < m; ++j) {
+        const double a = 2 * 3.14159265358979 * i / m, b = 2 * 3.14159265358979 * j / m;
+        const double r = 2 + std::cos(b);
+        soup.points.push_back({r * std::cos(a), r * std::sin(a), std::sin(b)});
+      }
+    const auto v = [m](int i, int j) { return std::size_t(i % m * m + j % m); };
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j < m; ++j)
+        if (are_triangles) {
+          soup.faces.push_back({v(i, j), v(i + 1, j), v(i + 1, j + 1)});
+          soup.faces.push_back({v(i, j), v(i + 1, j + 1), v(i, j + 1)});
+        } else
+          soup.faces.push_back({v(i, j), v(i + 1, j), v(i + 1, j + 1), v(i, j + 1)});
+  }
+  Soup soup;
+};
+
+} // namespace
+
+// Every vertex is as near to no other control vertex in its control face, where corners are carried linearly: in the plane of a
+// regular polygon. Doo-Sabin and sqrt(3) subdivision keep no edges; there values are those of the faces' corners.
+TYPED_TEST(Labels, AreThoseOfTheNearestControlVertex)
+{
+  constexpr bool splits = PN::splits_edges_v<TypeParam>;
+  constexpr bool are_triangles =
+    TypeParam::Host::refined_degree == 3 || std::is_same_v<TypeParam, PN::Sqrt3_scheme>;
+  Mesh mesh = make(Flat_torus(are_triangles).soup);
+  std::vector<std::vector<std::size_t>> corners; // of the control faces
+  auto place = add<H, Uv>(mesh, "place");
+  for (auto f : mesh.faces()) {
+    corners.emplace_back();
+    const double n = mesh.degree(f);
+    for (auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      const double angle = 2 * 3.14159265358979 * double(corners.back().size()) / n;
+      place[h] = {std::cos(angle), std::sin(angle)};
+      corners.back().push_back(mesh.target(h).idx());
+    }
+  }
+  auto label = add<V, int>(mesh, "label");
+  auto named = add<V, double>(mesh, "named");
+  auto color = add<V, Label>(mesh, "color");
+  for (auto v : mesh.vertices()) {
+    label[v] = 7 * int(v.idx());
+    named[v] = v.idx();
+    color[v] = v.idx() % 2 == 0 ? Label::red : Label::blue;
+  }
+  auto parent = add<Mesh::Face_index, int>(mesh, "parent");
+  PN::Attribute_table table;
+  table.vertices.resize(1);
+  table.vertices[0].rule_of_vertices = PN::Attribute_rule::nearest;
+  for (auto v : mesh.vertices()) table.vertices[0].values.push_back(v.idx());
+  Mesh other = mesh;
+  const auto rounds = params::number_of_iterations(2);
+  const auto labels = [&](const auto&... more) {
+    return PN::parameters::join(
+      PN::parameters::attributes(
+        PN::parameters::vertex_attribute(label), PN::parameters::nearest_attribute(named),
+        PN::parameters::vertex_attribute(color), PN::parameters::face_parents(parent), more...),
+      rounds);
+  };
+  const PN::Linear_scheme<TypeParam> scheme = PN::linear(TypeParam());
+  if constexpr (splits)
+    PN::subdivide(mesh, scheme,
+                  labels(PN::parameters::corner_attribute(place, PN::Corner_rule::all)));
+  else
+    PN::subdivide(mesh, scheme, labels());
+  PN::subdivide(other, scheme, PN::parameters::join(PN::parameters::attributes(table), rounds));
+  for (auto v : mesh.vertices()) {
+    EXPECT_EQ(label[v], 7 * int(named[v]));
+    EXPECT_EQ(table.vertices[0].values[v.idx()], named[v]);
+    EXPECT_EQ(color[v], int(named[v]) % 2 == 0 ? Label::red : Label::blue);
+  }
+  if constexpr (splits)
+    for (auto f : mesh.faces()) {
+      const std::vector<std::size_t>& of_face = corners[std::size_t(parent[f])];
+      for (auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+        double largest = -1, own = -1;
+        for (std::size_t i = 0; i < of_face.size(); ++i) {
+          const double angle = 2 * 3.14159265358979 * double(i) / double(of_face.size());
+          const double x = place[h][0] * std::cos(angle) + place[h][1] * std::sin(angle);
+          largest = (std::max)(largest, x);
+          if (of_face[i] == std::size_t(named[mesh.target(h)])) own = x;
+        }
+        EXPECT_NEAR(own, largest, 1e-5);
+      }
+    }
+}
+
+// Control vertices keep theirs, polygons, borders and a crease included.
+TEST(Attributes, LabelsAreNeverBetweenOthers)
+{
+  Mesh mesh = make(mixed_with_border());
+  auto label = add<V, short>(mesh, "label");
+  for (auto v : mesh.vertices()) label[v] = v.idx() % 2 == 0 ? 1 : 3;
+  const std::size_t control = mesh.number_of_vertices();
+  auto sharp = add<Mesh::Edge_index, bool>(mesh, "sharp", false);
+  sharp[*mesh.edges().begin()] = true;
+  PN::subdivide(
+    mesh, PN::CatmullClark_scheme(),
+    PN::parameters::join(PN::parameters::attributes(PN::parameters::vertex_attribute(label)),
+                         params::number_of_iterations(3).edge_is_constrained_map(sharp)));
+  for (auto v : mesh.vertices()) {
+    EXPECT_TRUE(label[v] == 1 || label[v] == 3);
+    if (v.idx() < control) {
+      EXPECT_EQ(label[v], v.idx() % 2 == 0 ? 1 : 3);
+    }
+  }
+}
+
+TEST(Attributes, DirectionsAreUnitVectors)
+{
+  Mesh mesh = make(mixed_with_border());
+  auto d = add<V, Kernel::Vector_3>(mesh, "d"), sum = add<V, Kernel::Vector_3>(mesh, "sum");
+  PN::Attribute_table table;
+  table.vertices.resize(1);
+  table.vertices[0].dimension = 3;
+  table.vertices[0].rule_of_vertices = PN::Attribute_rule::direction;
+  for (auto v : mesh.vertices()) {
+    const double t = 0.4 * v.idx();
+    sum[v] = d[v] = v.idx() == 0
+                      ? Kernel::Vector_3(0, 0, 0)
+                      : Kernel::Vector_3(std::cos(t), std::sin(t) * 0.6, std::sin(t) * 0.8);
+    for (int k = 0; k < 3; ++k) table.vertices[0].values.push_back(d[v][k]);
+  }
+  Mesh other = mesh;
+  const auto rounds = params::number_of_iterations(2);
+  PN::subdivide(
+    mesh, PN::CatmullClark_scheme(),
+    PN::parameters::join(PN::parameters::attributes(PN::parameters::direction_attribute(d),
+                                                    PN::parameters::vertex_attribute(sum)),
+                         rounds));
+  PN::subdivide(other, PN::CatmullClark_scheme(),
+                PN::parameters::join(PN::parameters::attributes(table), rounds));
+  bool was_shorter = false;
+  for (auto v : mesh.vertices()) {
+    const double length = std::sqrt(sum[v].squared_length());
+    was_shorter = was_shorter || length < 0.9;
+    if (length == 0) continue;
+    EXPECT_NEAR(d[v].squared_length(), 1, 1e-14);
+    EXPECT_NEAR(d[v] * sum[v], length, 1e-14);
+    for (unsigned k = 0; k < 3; ++k)
+      EXPECT_NEAR(table.vertices[0].values[3 * v.idx() + k], d[v][int(k)], 1e-15);
+  }
+  EXPECT_TRUE(was_shorter);
 }
 
 // \name Tables, threads

@@ -77,16 +77,20 @@ TYPED_TEST(Exact_attributes, LinearFunctionsStay)
     auto v = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v").first;
     auto c = mesh.add_property_map<Mesh::Vertex_index, FT>("c").first;
     auto load = mesh.add_property_map<Mesh::Vertex_index, Load>("load").first;
+    auto label = mesh.add_property_map<Mesh::Vertex_index, int>("label").first;
+    auto d = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("d").first;
     for (auto x : mesh.vertices()) {
       t[x] = linear_function(mesh.point(x));
       load[x].force = CGAL::to_double(t[x]);
-      v[x] = mesh.point(x) - CGAL::ORIGIN;
+      d[x] = v[x] = mesh.point(x) - CGAL::ORIGIN;
+      label[x] = 5 + int(x.idx());
       c[x] = FT(5) / FT(7);
     }
     PN::subdivide(mesh, PN::linear(Scheme()),
                   PN::parameters::attributes(
                     PN::parameters::vertex_attribute(t), PN::parameters::vertex_attribute(v),
-                    PN::parameters::vertex_attribute(c), PN::parameters::vertex_attribute(load))
+                    PN::parameters::vertex_attribute(c), PN::parameters::vertex_attribute(load),
+                    PN::parameters::vertex_attribute(label), PN::parameters::direction_attribute(d))
                     .number_of_iterations(2));
     ASSERT_GT(mesh.number_of_vertices(), soup.points.size());
     for (auto x : mesh.vertices()) {
@@ -94,6 +98,11 @@ TYPED_TEST(Exact_attributes, LinearFunctionsStay)
       EXPECT_NEAR(load[x].force, CGAL::to_double(t[x]), 1e-13);
       EXPECT_EQ(v[x], mesh.point(x) - CGAL::ORIGIN);
       EXPECT_EQ(c[x], FT(5) / FT(7));
+      EXPECT_TRUE(label[x] >= 5 && label[x] < 5 + int(soup.points.size()));
+      EXPECT_EQ(CGAL::cross_product(d[x], v[x]), CGAL::NULL_VECTOR);
+      if (v[x] != CGAL::NULL_VECTOR) {
+        EXPECT_NEAR(CGAL::to_double(d[x].squared_length()), 1, 1e-13);
+      }
     }
   }
 }

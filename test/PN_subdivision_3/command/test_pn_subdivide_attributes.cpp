@@ -1089,13 +1089,58 @@ TEST_F(Pn_subdivide_carries, WhatIsLostIsSaidOnce)
     EXPECT_TRUE(a.texture.empty());
     EXPECT_EQ(find_column(a.of_faces, "material")->words.size(), 2u);
   }
-  const Outcome averaged =
+  const Outcome labels =
     surface(folder.write("a.ply", ply_head + "property short label\n" + ply_faces +
                                     "end_header\n0 0 0 1\n1 0 0 2\n0 1 0 4\n3 0 1 2\n"),
             folder.file("b.ply"));
-  EXPECT_EQ(averaged.code, 0);
-  EXPECT_NE(averaged.err.find("whole numbers of vertices are averaged and rounded: 'label'"),
-            std::string::npos);
+  EXPECT_EQ(labels.code, 0);
+  EXPECT_NE(
+    labels.err.find("whole numbers of vertices are those of the nearest control vertex: 'label'"),
+    std::string::npos);
+}
+
+TEST_F(Pn_subdivide_carries, LabelsAndDirections)
+{
+  const std::string input = folder.write(
+    "a.ply",
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+    "z\n"
+    "property short label\nproperty float part\nproperty float heat\nproperty float tx\nproperty "
+    "float ty\n"
+    "property float tz\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0 1 0.5 1 1 0 0\n4 0 0 3 2.5 2 0 1 0\n4 4 0 1 0.5 3 0 0 1\n0 4 0 3 2.5 4 0.6 0.8 0\n4 0 1 "
+    "2 3\n");
+  for (const char* how : {"--levels 3", "--levels 2 --scheme doo-sabin", "--chord 0.01",
+                          "--levels 0", "--levels 2 --linear --sharp none"})
+    for (const char* names : {"--directions t", "--directions tx,ty,tz"}) {
+      SCOPED_TRACE(how);
+      const Mesh_data mesh = refined(input, std::string("--nearest part ") + names + ' ' + how);
+      const Columns& columns = mesh.attributes.of_vertices;
+      const auto values = [&](const char* name) { return find_column(columns, name)->values; };
+      ASSERT_EQ(values("label").size(), mesh.points.size());
+      const bool is_linear = std::string(how).find("linear") != std::string::npos;
+      for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+        const double label = values("label")[v], part = values("part")[v];
+        EXPECT_TRUE(label == 1 || label == 3);
+        EXPECT_EQ(part, label == 1 ? 0.5 : 2.5);
+        const double x = values("tx")[v], y = values("ty")[v], z = values("tz")[v];
+        EXPECT_NEAR(x * x + y * y + z * z, 1, 1e-6);
+        const bool is_left = mesh.points[v][0] < 2 - 1e-6, is_low = mesh.points[v][1] < 2 - 1e-6;
+        const bool is_between =
+          std::abs(mesh.points[v][0] - 2) < 1e-6 || std::abs(mesh.points[v][1] - 2) < 1e-6;
+        if (is_linear && !is_between) {
+          EXPECT_EQ(label, is_left == is_low ? 1 : 3);
+        }
+      }
+    }
+  const std::string output = folder.file("o.ply");
+  expect_one_line(surface(input, output, "--nearest speed"), 1,
+                  "they have 'label', 'part', 'heat'");
+  expect_one_line(surface(input, output, "--directions tx,ty"), 1, "a direction has three numbers");
+  expect_one_line(surface(input, output, "--nearest tx --directions t"), 1,
+                  "--nearest has it, too");
+  expect_one_line(surface(input, output, "--nearest part --drop-attributes"), 2,
+                  "exclude each other");
 }
 
 TEST_F(Pn_subdivide_carries, SeamsAreSplitInVtpAndWhereItIsAskedFor)

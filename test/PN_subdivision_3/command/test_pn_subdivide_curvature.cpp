@@ -76,19 +76,92 @@ protected:
 
 TEST_F(Pn_subdivide_curvature, Sphere)
 {
-  for (const char* threads : {"1", "2"}) {
-    const Values_by_name c =
-      columns(data("cube.off"), std::string("--normals sphere:0,0,0 --levels 5 "
-                                            "--curvature mean --threads ") +
-                                  threads);
-    const Values_by_name g =
-      columns(data("cube.off"), "--normals sphere:0,0,0 --levels 5 --curvature gaussian");
+  for (const char* rounds : {"0 --threads 2", "0 --limit", "2", "2 --threads 2 --limit"}) {
+    const std::string options = std::string("--normals sphere:0,0,0 --levels ") + rounds;
+    const Values_by_name c = columns(data("cube.off"), options + " --curvature mean");
+    const Values_by_name g = columns(data("cube.off"), options + " --curvature gaussian");
     const double mean = 1 / std::sqrt(3.), gaussian = 1. / 3;
     ASSERT_EQ(c.at("mean_curvature").size(), c.at("x").size());
-    for (const double x : c.at("mean_curvature")) EXPECT_NEAR(x, mean, 0.003);
-    for (const double x : g.at("gaussian_curvature")) EXPECT_NEAR(x, gaussian, 0.003);
+    for (const double x : c.at("mean_curvature")) EXPECT_NEAR(x, mean, 1e-9);
+    for (const double x : g.at("gaussian_curvature")) EXPECT_NEAR(x, gaussian, 1e-9);
     EXPECT_EQ(c.count("gaussian_curvature"), 0u);
     EXPECT_EQ(g.count("mean_curvature"), 0u);
+  }
+}
+
+// A prism of twelve sides with sharp ends: these are planes, its side is a cylinder.
+TEST_F(Pn_subdivide_curvature, CylinderBetweenCreases)
+{
+  std::string prism = "OFF\n24 14 0\n", ends[2];
+  for (int i = 0; i < 12; ++i) {
+    const double t = i * std::acos(-1.) / 6;
+    for (const char* z : {"0", "1"})
+      prism += std::to_string(std::cos(t)) + ' ' + std::to_string(std::sin(t)) + ' ' + z + '\n';
+    ends[0] = ' ' + std::to_string(2 * i) + ends[0];
+    ends[1] += ' ' + std::to_string(2 * i + 1);
+  }
+  for (int i = 0; i < 12; ++i) {
+    const int a = 2 * i, b = 2 * ((i + 1) % 12);
+    prism += "4 " + std::to_string(a) + ' ' + std::to_string(b) + ' ' + std::to_string(b + 1) +
+             ' ' + std::to_string(a + 1) + '\n';
+  }
+  const std::string input =
+    folder.write("prism.off", prism + "12" + ends[0] + "\n12" + ends[1] + '\n');
+  const std::string rims = "--sharp angle:60 --curvature mean ";
+  const Values_by_name control = columns(input, rims + "--levels 0");
+  for (const double x : control.at("mean_curvature")) EXPECT_NEAR(x, 0.25, 1e-4); // of both sides
+  for (const char* limit : {"", " --limit"}) {
+    const Values_by_name c = columns(input, rims + "--levels 2" + limit);
+    std::size_t inside = 0;
+    for (std::size_t v = 0; v < c.at("x").size(); ++v) {
+      const double z = c.at("z")[v], r = std::hypot(c.at("x")[v], c.at("y")[v]);
+      const bool is_on_wall = z > 1e-6 && z < 1 - 1e-6;
+      if (is_on_wall) {
+        EXPECT_NEAR(c.at("mean_curvature")[v], 0.5, 5e-4);
+      } else if (r < 0.99) {
+        EXPECT_NEAR(c.at("mean_curvature")[v], 0, 1e-4);
+      }
+      inside += is_on_wall;
+    }
+    EXPECT_EQ(inside, 3u * 48);
+  }
+}
+
+// With equal normals the surface is that of the linear scheme, a paraboloid here, and these normals are not its own.
+TEST_F(Pn_subdivide_curvature, IsThatOfTheLimitNotOfItsControlNormals)
+{
+  std::string text = "ply\nformat ascii 1.0\nelement vertex 81\n";
+  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"})
+    text += std::string("property double ") + name + '\n';
+  text += "element face 64\nproperty list uchar int vertex_indices\nend_header\n";
+  for (int i = -4; i <= 4; ++i)
+    for (int j = -4; j <= 4; ++j)
+      text += std::to_string(0.1 * i) + ' ' + std::to_string(0.1 * j) + ' ' +
+              std::to_string(0.01 * (i * i + j * j)) + " 0 0 1\n";
+  for (int v = 0; v < 72; ++v)
+    if (v % 9 < 8)
+      text += "4 " + std::to_string(v) + ' ' + std::to_string(v + 9) + ' ' +
+              std::to_string(v + 10) + ' ' + std::to_string(v + 1) + '\n';
+  const std::string input = folder.write("flat.ply", text);
+  const std::string options = "--normals file --curvature mean --levels ";
+  const Values_by_name c = columns(input, options + '2');
+  std::size_t found = 0;
+  for (std::size_t v = 0; v < c.at("x").size(); ++v)
+    if (std::hypot(c.at("x")[v], c.at("y")[v]) < 1e-9) {
+      EXPECT_NEAR(c.at("mean_curvature")[v], -2, 1e-3);
+      ++found;
+    }
+  EXPECT_EQ(found, 1u);
+}
+
+// Without limits at the vertices, and with edges that are sharp for some more rounds, points alone are measured.
+TEST_F(Pn_subdivide_curvature, WithoutLimits)
+{
+  for (const char* options :
+       {"--scheme doo-sabin --levels 2", "--sharp angle:40 --sharpness 2.5"}) {
+    const Outcome outcome = run("surface '" + data("cube.off") + "' '" + folder.file("o.ply") +
+                                "' --curvature mean " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
   }
 }
 

@@ -16,6 +16,7 @@
 
 #include <fstream>
 #include <functional>
+#include <random>
 #include <string>
 #include <utility>
 
@@ -179,7 +180,7 @@ TEST(Estimate_curvature, SpheresAndCylindersAreExactWithNormals)
         std::pair("sphere_quads.ply", 1.), std::pair("sphere_mixed.ply", 1.)}) {
     SCOPED_TRACE(file);
     const Sampled_surface s = read_sampled(file, 1 / (radius * radius), 1 / radius);
-    EXPECT_LT(error(from_normals(s.soup, normals_of(s)), s), 1e-12);
+    EXPECT_LT(error(from_normals(s.soup, normals_of(s)), s), 2e-12);
   }
   for (const auto& [file, radius] :
        {std::pair("cylinder_triangles.ply", 0.75), std::pair("cylinder_quads.ply", 1.)}) {
@@ -189,28 +190,136 @@ TEST(Estimate_curvature, SpheresAndCylindersAreExactWithNormals)
   }
 }
 
-// The coarsest nets: the faces of a tetrahedron are too steep, those of an octahedron are not.
-TEST(Estimate_curvature, CoarseSpheresAreExactWithNormals)
+namespace {
+
+// points of the unit sphere
+Sampled_surface on_unit_sphere(Soup soup)
 {
-  Soup icosahedron;
-  const double g = (1 + std::sqrt(5.)) / 2, l = std::sqrt(1 + g * g);
-  for (double a : {-1., 1.})
-    for (double b : {-g, g}) {
-      icosahedron.points.push_back({a / l, b / l, 0});
-      icosahedron.points.push_back({0, a / l, b / l});
-      icosahedron.points.push_back({b / l, 0, a / l});
+  Sampled_surface s{std::move(soup), {}};
+  for (Triple& p : s.soup.points) {
+    const double l = std::sqrt(dot(p, p));
+    p = {p[0] / l, p[1] / l, p[2] / l};
+    s.exact.push_back({p, p, 1, 1, {}});
+  }
+  return s;
+}
+
+// two poles and uneven rings of five vertices between them
+Soup uneven_globe(std::size_t rings)
+{
+  constexpr std::size_t n = 5;
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<> random(-0.35, 0.35);
+  Soup soup{{{0, 0, 1}}, {}};
+  for (std::size_t i = 0; i < rings; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const double a = pi * (double(i) + 1 + random(generator)) / (double(rings) + 1);
+      const double b = 2 * pi * (double(j) + random(generator)) / n;
+      soup.points.push_back({std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)});
     }
-  const auto& p = icosahedron.points;
-  for (std::size_t i = 0; i < 12; ++i)
-    for (std::size_t j = i + 1; j < 12; ++j)
-      for (std::size_t k = i + 1; k < 12; ++k)
-        if (k != j && dot(p[i], p[j]) > 0 && dot(p[j], p[k]) > 0 && dot(p[k], p[i]) > 0 &&
-            dot(p[i], cross(p[j], p[k])) > 0)
-          icosahedron.faces.push_back({i, j, k});
-  ASSERT_EQ(icosahedron.faces.size(), 20u);
-  for (const Curvature& c : from_normals(icosahedron, icosahedron.points)) {
-    EXPECT_NEAR(c.gaussian, 1, 1e-13);
-    EXPECT_NEAR(c.mean, 1, 1e-13);
+  soup.points.push_back({0, 0, -1});
+  const auto v = [&](std::size_t i, std::size_t j) { return 1 + i * n + j % n; };
+  for (std::size_t j = 0; j < n; ++j) {
+    soup.faces.push_back({0, v(0, j), v(0, j + 1)});
+    soup.faces.push_back({v(rings - 1, j + 1), v(rings - 1, j), 1 + rings * n});
+    for (std::size_t i = 0; i + 1 < rings; ++i) {
+      soup.faces.push_back({v(i, j), v(i + 1, j), v(i, j + 1)});
+      soup.faces.push_back({v(i, j + 1), v(i + 1, j), v(i + 1, j + 1)});
+    }
+  }
+  return soup;
+}
+
+// antiprisms of few sides on a cylinder of radius 1
+Sampled_surface coarse_cylinder(std::size_t sides)
+{
+  Sampled_surface s;
+  for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t i = 0; i < sides; ++i) {
+      const double a = 2 * pi * (double(i) + 0.5 * double(j)) / double(sides);
+      s.soup.points.push_back({std::cos(a), std::sin(a), 1.3 * double(j)});
+      s.exact.push_back({{}, {std::cos(a), std::sin(a), 0}, 0, 0.5, {}});
+    }
+  for (std::size_t j = 0; j < 2; ++j)
+    for (std::size_t i = 0; i < sides; ++i) {
+      const std::size_t a = j * sides + i, b = j * sides + (i + 1) % sides;
+      s.soup.faces.push_back({a, b, a + sides});
+      s.soup.faces.push_back({b, b + sides, a + sides});
+    }
+  return s;
+}
+
+} // namespace
+
+// However coarse and uneven the triangles are.
+TEST(Estimate_curvature, CoarseSpheresAndCylindersAreExactWithNormals)
+{
+  const Soup octahedron{
+    {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+    {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 3, 5}}};
+  for (const Soup& soup : {tetrahedron(), octahedron, cube(), uneven_globe(3), uneven_globe(9)}) {
+    SCOPED_TRACE(soup.points.size());
+    const Sampled_surface s = on_unit_sphere(soup);
+    EXPECT_LT(error(from_normals(s.soup, normals_of(s)), s), 1e-12);
+  }
+  for (std::size_t sides : {3, 4, 6}) {
+    SCOPED_TRACE(sides);
+    const Sampled_surface s = coarse_cylinder(sides);
+    EXPECT_LT(error(from_normals(s.soup, normals_of(s)), s), 1e-13);
+  }
+}
+
+namespace {
+
+// The largest errors of K and H on a torus of radii 2 and 0.8.
+std::pair<double, double> torus_errors(std::size_t n, double jitter)
+{
+  constexpr double r = 0.8;
+  Soup grid = torus_grid(n, Faces::triangles);
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<> random(-jitter, jitter);
+  for (Triple& p : grid.points)
+    p = {p[0] + random(generator) * pi / double(n), p[1] + random(generator) * 2 * pi / double(n),
+         0};
+  const Sampled_surface s = lay(grid, [](double x, double y) -> Surface_point {
+    const double rho = 2 + r * std::cos(y), across = std::cos(y) / rho;
+    return {{rho * std::cos(x), rho * std::sin(x), r * std::sin(y)},
+            {std::cos(y) * std::cos(x), std::cos(y) * std::sin(x), std::sin(y)},
+            across / r,
+            (1 / r + across) / 2,
+            {}};
+  });
+  const Curvatures c = from_normals(s.soup, normals_of(s));
+  std::pair<double, double> largest(0, 0);
+  for (std::size_t v = 0; v < c.size(); ++v) {
+    largest.first = (std::max)(largest.first, std::abs(c[v].gaussian - s.exact[v].gaussian));
+    largest.second = (std::max)(largest.second, std::abs(c[v].mean - s.exact[v].mean));
+  }
+  return largest;
+}
+
+} // namespace
+
+// Second derivatives are those of edges, (n_j - n_i).e/|e|^2, but for what points and normals together tell of the third and
+// fourth ones. The edges alone are off by 0.079, 0.026 and 0.0065 (K), 0.009, 0.005 and 0.0015 (H) on the even torus, and by
+// 0.35, 0.16 and 0.094, 0.11, 0.062 and 0.033 on the uneven one.
+TEST(Estimate_curvature, NormalsOfATorusTellMoreThanItsEdges)
+{
+  const struct
+  {
+    std::size_t n;
+    double even_gaussian, even_mean, uneven_gaussian, uneven_mean;
+  } bounds[] = {{8, 0.02, 0.008, 0.06, 0.03},
+                {16, 0.004, 0.001, 0.015, 0.008},
+                {32, 0.001, 3e-4, 0.004, 0.002}};
+  for (const auto& b : bounds) {
+    SCOPED_TRACE(b.n);
+    const auto [gaussian, mean] = torus_errors(b.n, 0);
+    EXPECT_LT(gaussian, b.even_gaussian);
+    EXPECT_LT(mean, b.even_mean);
+    const auto [uneven_gaussian, uneven_mean] = torus_errors(b.n, 0.2);
+    EXPECT_LT(uneven_gaussian, b.uneven_gaussian);
+    EXPECT_LT(uneven_mean, b.uneven_mean);
   }
 }
 

@@ -12,11 +12,15 @@
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/Limit_surface_queries.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
+#include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
 #include <CGAL/PN_subdivision_3/rational_normals.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>
 #include <CGAL/PN_subdivision_3/sqrt_extension_normals.h>
 #include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
+#include <CGAL/PN_subdivision_3/tessellate.h>
+#include <CGAL/PN_subdivision_curve.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -28,6 +32,8 @@
 #include <cmath>
 #include <cstddef>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -48,6 +54,12 @@ namespace seams {
 }
 namespace refiner {
 #include "../../../examples/PN_subdivision_3/first_steps/refiner.cpp"
+}
+namespace curve {
+#include "../../../examples/PN_subdivision_3/first_steps/curve.cpp"
+}
+namespace fit_tessellate_query {
+#include "../../../examples/PN_subdivision_3/first_steps/fit_tessellate_query.cpp"
 }
 
 namespace {
@@ -159,6 +171,44 @@ TEST_F(First_steps, ARefinerFollowsAPoint)
   ASSERT_EQ(followed.number_of_vertices(), expected.number_of_vertices());
   for (const Vertex v : followed.vertices())
     EXPECT_LE(CGAL::squared_distance(followed.point(v), expected.point(v)), 1e-9);
+}
+
+TEST_F(First_steps, ACurveOfPointsOfACircleIsTheCircle)
+{
+  std::string points, name = "program", out = folder_.file("out.txt");
+  for (const double degrees : {0, 40, 70, 115, 160, 200, 230, 280, 315}) {
+    const double t = degrees * std::acos(-1.) / 180;
+    points += std::to_string(std::cos(t)) + ' ' + std::to_string(std::sin(t)) + '\n';
+  }
+  std::string in = folder_.write("in.txt", points);
+  char* arguments[] = {name.data(), in.data(), out.data(), nullptr};
+  ASSERT_EQ(curve::main(3, arguments), 0);
+  EXPECT_NE(curve::main(1, arguments), 0);
+  std::ifstream file(out);
+  const std::vector<Kernel::Point_2> result(std::istream_iterator<Kernel::Point_2>(file), {});
+  ASSERT_EQ(result.size(), 9u * 32);
+  for (const Kernel::Point_2& p : result)
+    EXPECT_NEAR((p - CGAL::ORIGIN).squared_length(), 1, 1e-4); // normals are estimated
+}
+
+TEST_F(First_steps, ASurfaceThroughPointsIsAsked)
+{
+  testing::internal::CaptureStdout();
+  const Mesh control = cube(), triangles = run(fit_tessellate_query::main, control, "off");
+  std::istringstream said(testing::internal::GetCapturedStdout());
+  Point closest;
+  ASSERT_TRUE(said >> closest);
+  const double distance = (closest - CGAL::ORIGIN).squared_length();
+  const auto distance_from = [&](const Point& p) {
+    double least = 100;
+    for (const Point& q : triangles.points())
+      least = (std::min)(least, CGAL::squared_distance(p, q));
+    return least;
+  };
+  for (const Point& p : control.points()) EXPECT_LT(distance_from(p), 1e-10); // six digits
+  for (const Point& p : triangles.points())
+    EXPECT_GT((p - CGAL::ORIGIN).squared_length(), distance - 1e-4);
+  EXPECT_LT(distance_from(closest), 0.3);
 }
 
 } // namespace

@@ -36,6 +36,7 @@ struct Case
 {
   Mesh mesh;
   Mesh::Property_map<Mesh::Vertex_index, double> heat = add<Mesh::Vertex_index, double>("heat");
+  Mesh::Property_map<Mesh::Vertex_index, int> label = add<Mesh::Vertex_index, int>("label");
   Mesh::Property_map<Mesh::Vertex_index, CGAL::IO::Color> color =
     add<Mesh::Vertex_index, CGAL::IO::Color>("color");
   Mesh::Property_map<Mesh::Halfedge_index, Texture> texture =
@@ -55,7 +56,8 @@ struct Case
   {
     return params::attributes(params::vertex_attribute(heat), params::edge_attribute(mark),
                               params::corner_attribute(texture), params::face_parents(parent),
-                              params::vertex_attribute(color), params::face_attribute(material));
+                              params::vertex_attribute(color), params::face_attribute(material),
+                              params::vertex_attribute(label));
   }
 
   // a patch whose texture has a seam in the middle
@@ -71,6 +73,7 @@ struct Case
         mesh.add_face(v(a), v(a + 1), v(a + n + 2), v(a + n + 1));
       }
     for (auto v : mesh.vertices()) {
+      label[v] = int(1000 - v.idx());
       heat[v] = 0.1 * double(v.idx() * v.idx() % 13);
       color[v] = CGAL::IO::Color(std::uint8_t(5 * v.idx()), std::uint8_t(255 - v.idx()), 7);
     }
@@ -107,6 +110,8 @@ TEST(Attributes_of_pieces, FillMaps)
     for (auto v : part.mesh.vertices()) {
       EXPECT_EQ(part.heat[v], whole.heat[whole_vertex(v)]);
       EXPECT_EQ(part.color[v], whole.color[whole_vertex(v)]);
+      EXPECT_EQ(part.label[v], whole.label[whole_vertex(v)]);
+      EXPECT_GT(part.label[v], 1000 - 49); // of a control vertex
     }
     for (auto f : part.mesh.faces()) {
       const Mesh::Face_index g(Mesh::size_type(piece.face_number(f)));

@@ -440,6 +440,18 @@ TEST(Tessellate, AttributesOfVerticesAreTheirLinearLimits)
   }
 }
 
+// The share of a corner in the place (x, y) of a face: bilinear in a unit square, otherwise the area of the triangle across.
+double share_of_corner(const Surface_mesh& mesh, Surface_mesh::Face_index f, std::size_t corner,
+                       double x, double y)
+{
+  std::vector<Point> p;
+  for (auto v : mesh.vertices_around_face(mesh.halfedge(f))) p.push_back(mesh.point(v));
+  const std::size_t n = p.size();
+  if (n == 4) return (1 - std::abs(x - p[corner].x())) * (1 - std::abs(y - p[corner].y()));
+  const Point &a = p[(corner + 1) % n], &b = p[(corner + 2) % n];
+  return std::abs((a.x() - x) * (b.y() - y) - (a.y() - y) * (b.x() - x));
+}
+
 // Over a uniform grid the coordinates x, y of a point of the linear surface are its parameters, unless edges are sharp.
 void expect_parameters(Cells cells)
 {
@@ -455,9 +467,12 @@ void expect_parameters(Cells cells)
     for (auto e : control.edges()) sharp[e] = is_creased && std::size_t(e) % 4 == 0;
     PN::Attribute_table table;
     table.has_face_parents = true;
-    table.vertices = {{1, {}, PN::Corner_rule::corners_plus1}};
-    for (auto v : control.vertices())
+    table.vertices.resize(2);
+    table.vertices[1].rule_of_vertices = PN::Attribute_rule::nearest;
+    for (auto v : control.vertices()) {
       table.vertices[0].values.push_back(control.point(v).x() + 10 * control.point(v).y());
+      table.vertices[1].values.push_back(std::size_t(v));
+    }
     table.corners = {{1, {}, PN::Corner_rule::all}, {2, {}, PN::Corner_rule::all}};
     for (auto h : control.halfedges()) {
       const auto f = control.is_border(h) ? 0 : std::size_t(control.face(h));
@@ -495,6 +510,15 @@ void expect_parameters(Cells cells)
         EXPECT_NEAR(x, p.x(), 1e-12);
         EXPECT_NEAR(y, p.y(), 1e-12);
       }
+      double largest = 0, own = 0;
+      std::size_t i = 0;
+      const Surface_mesh::Face_index control_face(parent);
+      for (auto v : control.vertices_around_face(control.halfedge(control_face))) {
+        const double share = share_of_corner(control, control_face, i++, x, y);
+        largest = (std::max)(largest, share);
+        if (table.vertices[1].values[out.target(h)] == double(std::size_t(v))) own = share;
+      }
+      EXPECT_NEAR(own, largest, 1e-8);
       // of a vertex between faces the same in all of them
       const auto [of_vertex, is_new] = places.insert({out.target(h), {x, y}});
       EXPECT_EQ(of_vertex->second, std::make_pair(x, y));

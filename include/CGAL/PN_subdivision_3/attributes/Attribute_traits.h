@@ -26,6 +26,20 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 
+/*!
+\ingroup PkgPNSubdivision3Attributes
+how the values of vertices are refined.
+*/
+enum class Attribute_rule {
+  /// they are averaged by the linear rows of the scheme.
+  average,
+  /// labels: every value is that of the nearest control vertex, by linear interpolation inside the control faces; of
+  /// several nearest ones, that of the first.
+  nearest,
+  /// directions: they are averaged, and divided by their length in the end. Zero stays zero.
+  direction
+};
+
 namespace internal {
 
 // the base of traits that compute in the values themselves, by + and a product
@@ -93,6 +107,7 @@ struct Components
 {
   using Sum = std::array<FT, n>;
   static constexpr bool has_components = true;
+  static constexpr Attribute_rule rule = Attribute_rule::average;
 };
 
 template <class T, class = void>
@@ -150,8 +165,9 @@ and after the last. The average of v<sub>0</sub>, v<sub>1</sub>, ... is v<sub>0<
 Known are
 <ul>
 <li> `float`, `double` and the number type of the computation itself,
-<li> integers, rounded and kept in their range at the end,
-<li> `std::array` of these, Eigen's vectors and matrices of fixed size,
+<li> integers: labels at vertices, and at corners rounded and kept in their range at the end, as in arrays,
+<li> enumerations: labels at vertices,
+<li> `std::array` of numbers, Eigen's vectors and matrices of fixed size,
 <li> points and vectors of \cgal, in 2D and 3D,
 <li> `CGAL::IO::Color`, rounded and kept between 0 and 255 at the end,
 <li> every other type with `a + b` and `a * w` (or `w * a`), which is computed in itself.
@@ -160,6 +176,11 @@ Known are
 template <class T, class FT, class = void>
 struct Attribute_traits : private internal::Arithmetic_of_values
 {
+  /// the rule of `parameters::vertex_attribute()`: `nearest` for integers and enumerations, `average` for all else, and where
+  /// a specialization does not say. With `Attribute_rule::nearest` no other member is needed.
+  static constexpr Attribute_rule rule =
+    std::is_enum_v<T> ? Attribute_rule::nearest : Attribute_rule::average;
+
   /// the type in which values are summed.
   using Sum = T;
 
@@ -181,6 +202,8 @@ template <class T, class FT>
 struct Attribute_traits<T, FT, std::enable_if_t<internal::is_component_v<T, FT>>>
   : internal::Components<FT, 1>
 {
+  static constexpr Attribute_rule rule =
+    std::is_integral_v<T> ? Attribute_rule::nearest : Attribute_rule::average;
   using Sum = typename internal::Components<FT, 1>::Sum;
   static Sum to_sum(const T& t) { return {internal::component_to_ft<T, FT>(t)}; }
   static T to_value(const Sum& s) { return internal::component_from_ft<T, FT>(s[0]); }
@@ -285,6 +308,8 @@ struct Attribute_array
   std::vector<double> values;
   /// of values of corners only.
   Corner_rule rule = Corner_rule::corners_plus1;
+  /// of values of vertices only.
+  Attribute_rule rule_of_vertices = Attribute_rule::average;
 };
 
 /*!
@@ -298,7 +323,7 @@ the refined mesh, in its order.
 */
 struct Attribute_table
 {
-  /// of vertices: by the scheme's linear rows.
+  /// of vertices: by their `Attribute_rule`.
   std::vector<Attribute_array> vertices;
   /// of corners: that of a half-edge belongs to its face, at its target. Those of border half-edges are not read,
   /// and 0 afterwards.

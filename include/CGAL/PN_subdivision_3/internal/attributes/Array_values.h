@@ -131,15 +131,15 @@ inline void check_array(const Attribute_array& array, std::size_t number, const 
                               " of them with " + n(array.dimension) + " each");
 }
 
-// An array of edges.
+// An array of edges, or of labels of vertices.
 class Copied_array : public Copied_values
 {
 public:
-  Copied_array(Attribute_array& array, std::size_t number)
+  Copied_array(Attribute_array& array, std::size_t number, const char* kind)
     : array_(array)
     , old_(array.values)
   {
-    check_array(array, number, "edges");
+    check_array(array, number, kind);
   }
 
   // of a part
@@ -148,6 +148,7 @@ public:
     , old_(whole.old_)
   {
     own_.dimension = whole.array_.dimension;
+    own_.rule_of_vertices = whole.array_.rule_of_vertices;
   }
 
   void put(const std::vector<Index>& sources) override
@@ -194,6 +195,7 @@ public:
   {
     own_.dimension = dimension_;
     own_.rule = whole.array_.rule;
+    own_.rule_of_vertices = whole.array_.rule_of_vertices;
     take(whole.old_, sources);
   }
 
@@ -242,6 +244,7 @@ public:
     for (std::size_t i = 0; i < sources.size(); ++i)
       for (std::size_t c = 0; sources[i] != null && c < dimension_; ++c)
         result_[i * dimension_ + c] = double(CGAL::to_double(old_[sources[i] * dimension_ + c]));
+    if (array_.rule_of_vertices == Attribute_rule::direction) make_units(dimension_, result_);
   }
   void keep() noexcept override { array_.values.swap(result_); }
 

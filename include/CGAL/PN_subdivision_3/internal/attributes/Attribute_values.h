@@ -10,8 +10,10 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_ATTRIBUTE_VALUES_H
 
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
+#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/internal/average/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 
 #include <algorithm>
@@ -91,6 +93,30 @@ public:
   // adds copies of values to the level
   virtual void repeat(const std::vector<Index>& sources) = 0;
 };
+
+// Divides a vector by its length; zero stays zero.
+template <class FT>
+void make_unit(FT* begin, FT* end)
+{
+  FT largest(0);
+  for (const FT* x = begin; x != end; ++x)
+    if (const FT size = absolute_value(*x); size > largest) largest = size;
+  if (!(largest > FT(0))) return;
+  FT square(0);
+  for (FT* x = begin; x != end; ++x) {
+    *x /= largest; // whose square may be out of range
+    square += *x * *x;
+  }
+  const FT inverse = Unit_normal_traits<FT>::inverse_length(square);
+  for (FT* x = begin; x != end; ++x) *x *= inverse;
+}
+
+// of elements with so many numbers each
+inline void make_units(std::size_t dimension, std::vector<double>& values)
+{
+  for (std::size_t i = 0; i + dimension <= values.size(); i += dimension)
+    make_unit(values.data() + i, values.data() + i + dimension);
+}
 
 // origin + sum, where sum = sum w_j (v_j - origin). Where that leaves the range of the numbers (infinite or huge
 // values, and what is not a number) plain_sum() counts.

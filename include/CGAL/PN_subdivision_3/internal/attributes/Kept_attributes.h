@@ -246,8 +246,6 @@ private:
     memory_ += map.list->size() * sizeof(Value_of<Map>);
     if constexpr (std::is_same_v<Item<Map>, Corner_attribute<Map>>)
       return Corner_attribute<Kept>{map, item.rule};
-    else if constexpr (std::is_same_v<Item<Map>, Vertex_attribute<Map>>)
-      return Vertex_attribute<Kept>{map};
     else
       return Item<Kept>{{map}};
   }

@@ -227,7 +227,8 @@ private:
 };
 
 // A map of vertices or corners.
-template <class Access, class Map, class Keys, class FT>
+template <class Access, class Map, class Keys, class FT,
+          Attribute_rule rule = Attribute_rule::average>
 class Row_map : public Row_values<FT>
 {
 public:
@@ -279,9 +280,7 @@ public:
   void evaluate(Index first, const Stencil_block<FT>& rows) override
   {
     if (puts_at_once_)
-      averages(rows, [&](std::size_t r, const Sum& x) {
-        map_.set(first + Index(r), Traits::to_value(x));
-      });
+      averages(rows, [&](std::size_t r, const Sum& x) { map_.set(first + Index(r), to_value(x)); });
     else
       averages(rows, [&](std::size_t r, const Sum& x) { new_[first + r] = x; });
   }
@@ -289,7 +288,7 @@ public:
   {
     const auto average = affine_average<FT, Traits>(begin, end, old_.data());
     if (puts_at_once_)
-      map_.set(value, Traits::to_value(average));
+      map_.set(value, to_value(average));
     else
       new_[value] = average;
   }
@@ -312,7 +311,7 @@ public:
   {
     map_.begin(sources.size());
     for (Index i = 0; i < sources.size(); ++i)
-      if (sources[i] != Row_values<FT>::null) map_.set(i, Traits::to_value(old_[sources[i]]));
+      if (sources[i] != Row_values<FT>::null) map_.set(i, to_value(old_[sources[i]]));
   }
   void keep() noexcept override { map_.keep(); }
 
@@ -328,6 +327,16 @@ private:
   using Traits = Attribute_traits<typename Restored::T, FT>;
   using Sum = typename Traits::Sum;
   using Values = boost::container::vector<Sum>;
+
+  static auto to_value(const Sum& sum)
+  {
+    if constexpr (rule == Attribute_rule::direction) {
+      Sum unit = sum;
+      make_unit(unit.data(), unit.data() + unit.size());
+      return Traits::to_value(unit);
+    } else
+      return Traits::to_value(sum);
+  }
 
   void take(const Values& from, const std::vector<Index>& sources)
   {

@@ -16,6 +16,7 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Nearest_values.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Level_origins.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
@@ -76,7 +77,7 @@ constexpr bool check_attribute_values()
     can_be_averaged,
     "PN_subdivision_3: the values of an attribute of vertices or corners have no sum a + "
     "b, no product a * 0.5 or no default constructor: see PNSubdivisionAttribute, or "
-    "specialize Attribute_traits");
+    "specialize Attribute_traits; labels of vertices are named by nearest_attribute()");
   if constexpr (can_be_averaged && std::is_same_v<Keys, Corner_keys>) {
     constexpr bool can_be_compared = Has_equality<typename Attribute_traits<T, FT>::Sum>::value;
     static_assert(can_be_compared, "PN_subdivision_3: the values of an attribute of corners cannot "
@@ -86,10 +87,51 @@ constexpr bool check_attribute_values()
     return can_be_averaged;
 }
 
+// The rules of values of vertices: that of their type, or one that is given.
+struct Rule_of_type
+{
+  template <class Traits, class = void>
+  struct Of : std::integral_constant<Attribute_rule, Attribute_rule::average>
+  {};
+  template <class Traits>
+  struct Of<Traits, std::void_t<decltype(Traits::rule)>>
+    : std::integral_constant<Attribute_rule, Traits::rule>
+  {};
+  template <class T, class FT>
+  static constexpr Attribute_rule of = Of<Attribute_traits<T, FT>>::value;
+};
+template <Attribute_rule rule>
+struct Given_rule
+{
+  template <class T, class FT>
+  static constexpr Attribute_rule of = rule;
+};
+
+// the values of labels are copied
+template <class T>
+constexpr bool check_label()
+{
+  constexpr bool can_be_copied =
+    std::is_default_constructible_v<T> && std::is_copy_constructible_v<T>;
+  static_assert(can_be_copied,
+                "PN_subdivision_3: the labels of vertices cannot be copied, or have no default "
+                "constructor");
+  return can_be_copied;
+}
+template <Attribute_rule rule, class T, class FT>
+constexpr bool check_direction()
+{
+  constexpr bool is_right =
+    rule != Attribute_rule::direction || Attribute_traits<T, FT>::has_components;
+  static_assert(is_right, "PN_subdivision_3: directions are vectors of numbers that "
+                          "Attribute_traits knows");
+  return is_right;
+}
+
 // What attributes() takes. Each adds itself to what a call carries.
 
-template <class Map>
-struct Vertex_attribute
+template <class Map, class Rule>
+struct Vertex_attribute_by
 {
   using Keys = Vertex_keys;
 
@@ -101,14 +143,31 @@ struct Vertex_attribute
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
   {
-    if constexpr (check_attribute_values<Map, Keys, FT>()) {
-      using Values = Row_map<Access, Map, Keys, FT>;
-      c.vertices.push_back(
-        std::make_unique<Values>(access, map, first_indices(level.number_of_vertices())));
+    using T = std::decay_t<typename boost::property_traits<Map>::value_type>;
+    constexpr Attribute_rule rule = Rule::template of<T, FT>;
+    const std::size_t n = level.number_of_vertices();
+    if constexpr (rule == Attribute_rule::nearest) {
+      if constexpr (check_label<T>())
+        c.vertices.push_back(std::make_unique<Nearest_values<FT>>(
+          std::make_unique<Copied_map<Access, Map, Keys>>(access, map, n)));
+    } else if constexpr (check_attribute_values<Map, Keys, FT>()) {
+      if constexpr (check_direction<rule, T, FT>()) {
+        using Values = Row_map<Access, Map, Keys, FT, rule>;
+        c.vertices.push_back(std::make_unique<Values>(access, map, first_indices(n)));
+      }
     }
   }
   Map map;
 };
+template <class Map>
+struct Vertex_attribute : Vertex_attribute_by<Map, Rule_of_type>
+{};
+template <class Map>
+struct Nearest_attribute : Vertex_attribute_by<Map, Given_rule<Attribute_rule::nearest>>
+{};
+template <class Map>
+struct Direction_attribute : Vertex_attribute_by<Map, Given_rule<Attribute_rule::direction>>
+{};
 
 // the half-edges that have a face
 inline std::vector<Level_connectivity::Index> corners_of(const Level_connectivity& level)
@@ -272,15 +331,20 @@ Carried_attributes<FT> read_attributes(const Access&, const Level_connectivity& 
                                        Attribute_table& table)
 {
   Carried_attributes<FT> c;
-  for (Attribute_array& array : table.vertices)
-    c.vertices.push_back(
-      std::make_unique<Array_values<FT>>(array, level.number_of_vertices(), "vertices"));
+  for (Attribute_array& array : table.vertices) {
+    const std::size_t n = level.number_of_vertices();
+    if (array.rule_of_vertices == Attribute_rule::nearest)
+      c.vertices.push_back(
+        std::make_unique<Nearest_values<FT>>(std::make_unique<Copied_array>(array, n, "vertices")));
+    else
+      c.vertices.push_back(std::make_unique<Array_values<FT>>(array, n, "vertices"));
+  }
   for (Attribute_array& array : table.corners)
     c.corners.push_back({std::make_unique<Array_values<FT>>(array, level.number_of_halfedges(),
                                                             "corners (half-edges)"),
                          array.rule});
   for (Attribute_array& array : table.edges)
-    c.edges.push_back(std::make_unique<Copied_array>(array, level.number_of_edges()));
+    c.edges.push_back(std::make_unique<Copied_array>(array, level.number_of_edges(), "edges"));
   if (table.has_face_parents)
     c.face_origins.push_back(std::make_unique<Face_parent_array>(table.face_parents));
   return c;

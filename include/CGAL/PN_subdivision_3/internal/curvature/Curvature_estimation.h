@@ -38,12 +38,15 @@ public:
   {
     const Eigen::Vector3d normal = frame_normal(v);
     if (data_.level.is_isolated(v) || normal.isZero(0)) return {};
+    takes_normals_ = data_.fits_normals && !vector(data_.vertices[v].normal).isZero(0);
     for (int degree : {3, 2}) {
       start(v);
       while (number_of_rings_ < max_rings && grow(normal)) {
         if (neighbors_.size() < least_number_of_neighbors(degree)) continue;
         const double scale = set_samples(v, normal);
-        if (scale > 0 && fit_.fit(samples_, normal, degree)) return fit_.curvatures(scale);
+        if (scale > 0 && (takes_normals_ ? fit_.fit_normals(samples_, normal, degree)
+                                         : fit_.fit(samples_, normal, degree)))
+          return fit_.curvatures(scale);
       }
     }
     return {};
@@ -51,11 +54,12 @@ public:
 
 private:
   static constexpr int max_rings = 4;
+  static constexpr double least_weight = 1. / 16; // 151 degrees
 
   // Without normals somewhat more equations than unknowns; with them there are three a neighbor.
   std::size_t least_number_of_neighbors(int degree) const
   {
-    if (data_.fits_normals) return degree == 3 ? 5 : 2;
+    if (takes_normals_) return degree == 3 ? 3 : 2;
     return degree == 3 ? 12 : 6;
   }
 
@@ -87,7 +91,7 @@ private:
     const auto is_known_or_behind = [&](Index v) {
       return v == vertex_ ||
              std::binary_search(neighbors_.begin(), neighbors_.end(), v, is_before) ||
-             cosine(v, normal) <= 0;
+             weight(v, normal) <= (takes_normals_ ? least_weight : 0);
     };
     next_ring_.erase(std::remove_if(next_ring_.begin(), next_ring_.end(), is_known_or_behind),
                      next_ring_.end());
@@ -113,10 +117,13 @@ private:
     } while (h != first);
   }
 
-  double cosine(Index v, const Eigen::Vector3d& normal) const
+  // The cosine of the angle to the normal; where normals are fitted, which tell also what is steep, the square of that of
+  // half the angle.
+  double weight(Index v, const Eigen::Vector3d& normal) const
   {
     const Eigen::Vector3d n = vector(data_.vertices[v].normal);
-    return n.isZero(0) ? 1 : n.dot(normal);
+    if (n.isZero(0)) return 1;
+    return takes_normals_ ? (1 + n.dot(normal)) / 2 : n.dot(normal);
   }
 
   // Lengths are divided by the mean distance of the neighbors, which is returned.
@@ -127,7 +134,7 @@ private:
     samples_.clear();
     for (Index w : neighbors_) {
       const Eigen::Vector3d offset = vector(data_.vertices[w].point) - center;
-      samples_.push_back({offset, fitted_normal(w), cosine(w, normal)});
+      samples_.push_back({offset, fitted_normal(w), weight(w, normal)});
       scale += offset.stableNorm() / static_cast<double>(neighbors_.size());
     }
     for (Curvature_sample& s : samples_) s.offset /= scale;
@@ -137,12 +144,13 @@ private:
 
   Eigen::Vector3d fitted_normal(Index v) const
   {
-    return data_.fits_normals ? vector(data_.vertices[v].normal) : Eigen::Vector3d::Zero();
+    return takes_normals_ ? vector(data_.vertices[v].normal) : Eigen::Vector3d::Zero();
   }
 
   const Curvature_data& data_;
   Curvature_fit fit_;
   Index vertex_ = 0;
+  bool takes_normals_ = false; // it has one itself
   int number_of_rings_ = 0;
   std::vector<Index> neighbors_, ring_, next_ring_; // without the vertex; `neighbors_` is sorted
   std::vector<Curvature_sample> samples_;

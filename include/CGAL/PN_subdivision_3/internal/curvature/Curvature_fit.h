@@ -85,7 +85,7 @@ inline Principal_curvatures principal_curvatures(const Graph_derivatives& f, dou
   return c.is_estimated ? c : Principal_curvatures();
 }
 
-// A point of the neighborhood, relative to the vertex, and its normal, zero if it has none to fit.
+// A point of the neighborhood, relative to the vertex, and its normal, zero if it has none.
 struct Curvature_sample
 {
   Eigen::Vector3d offset;
@@ -93,8 +93,9 @@ struct Curvature_sample
   double weight;
 };
 
-// The graph z = f(u), f(0) = 0, a polynomial of degree 2 or 3 over the plane normal to a given unit
-// vector, fitted to points and normals by least squares. Unknown are the derivatives of f at 0.
+// The second derivatives of the graph z = f(u), f(0) = 0, over the plane normal to a given unit vector, by least squares. To
+// points a polynomial of degree 2 or 3 is fitted; unknown are its derivatives at 0. Where there are normals, the vector is that of
+// the vertex, the gradient is 0, and every normal tells of the second derivatives and, with degree 3, of the third ones.
 class Curvature_fit
 {
   static constexpr int max_unknowns = 9;
@@ -105,27 +106,31 @@ class Curvature_fit
   using Square =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_unknowns, max_unknowns>;
   using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_unknowns, 1>;
+  using Samples = std::vector<Curvature_sample>;
 
 public:
   // The Frobenius norm of the pseudoinverse, beyond which the samples do not determine the fit. Two
   // rings of an even mesh have 5 in the interior and hundreds at the border, where three have 30.
   static constexpr double max_condition = 50;
 
-  static int number_of_unknowns(int degree) { return degree == 3 ? 9 : 5; }
-
-  // whether the samples determine all derivatives
-  bool fit(const std::vector<Curvature_sample>& samples, const Eigen::Vector3d& normal, int degree)
+  // whether the points determine all derivatives
+  bool fit(const Samples& samples, const Eigen::Vector3d& normal, int degree)
   {
-    const Eigen::Index unknowns = number_of_unknowns(degree);
-    set_frame(normal);
-    if (!set_units(samples)) return false;
-    matrix_.resize(Eigen::Index(3 * samples.size()), unknowns);
-    right_side_.resize(matrix_.rows());
-    rows_ = 0;
-    for (const Curvature_sample& s : samples) add(s);
-    if (rows_ < unknowns) return false;
-    matrix_.conservativeResize(rows_, unknowns);
-    return solve();
+    if (!begin(samples, normal, degree == 3 ? 9 : 5)) return false;
+    for (const Curvature_sample& s : samples) add_point(s);
+    if (!solve(2)) return false;
+    set_derivatives(solution_.head<2>(), solution_.segment<3>(2));
+    return true;
+  }
+
+  // whether the normals do, and the points of samples without one
+  bool fit_normals(const Samples& samples, const Eigen::Vector3d& normal, int degree)
+  {
+    if (!begin(samples, normal, degree == 3 ? 7 : 3)) return false;
+    for (const Curvature_sample& s : samples) add_normal(s);
+    if (!solve(3)) return false;
+    set_derivatives({0, 0}, -solution_.head<3>());
+    return true;
   }
 
   // The fitted surface at the vertex.
@@ -135,16 +140,21 @@ public:
   }
 
 private:
-  void set_frame(const Eigen::Vector3d& normal)
+  bool begin(const Samples& samples, const Eigen::Vector3d& normal, Eigen::Index unknowns)
   {
     graph_.frame.col(2) = normal;
     graph_.frame.col(0) = normal.unitOrthogonal();
     graph_.frame.col(1) = normal.cross(graph_.frame.col(0));
+    if (!set_units(samples)) return false;
+    matrix_.resize(Eigen::Index(3 * samples.size()), unknowns);
+    right_side_.resize(matrix_.rows());
+    rows_ = 0;
+    return true;
   }
 
   // Units in which the second moments of the samples are 1 make the fit independent of affine maps
   // of the plane: quads may be long or skew.
-  bool set_units(const std::vector<Curvature_sample>& samples)
+  bool set_units(const Samples& samples)
   {
     Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
     for (const Curvature_sample& s : samples) {
@@ -158,29 +168,56 @@ private:
     return true;
   }
 
-  // With n = (-nu, n_w) the normal equations are nu = grad f, to third order. z is corrected by the
-  // term of fourth order that makes both linear equations exact on spheres and circular cylinders:
-  // there z = nu.u / (1 + n_w), the height of the arc in the average of points and normals.
-  void add(const Curvature_sample& s)
+  Eigen::Vector2d in_units(const Eigen::Vector2d& u) const
+  {
+    return units_.triangularView<Eigen::Lower>().solve(u);
+  }
+  static double weight_of(const Curvature_sample& s, const Eigen::Vector2d& u)
+  {
+    return s.weight / (1 + u.squaredNorm() / 2);
+  }
+
+  void add_point(const Curvature_sample& s)
   {
     const Eigen::Vector3d p = graph_.frame.transpose() * s.offset;
-    const Eigen::Vector3d n = graph_.frame.transpose() * s.normal;
-    const Eigen::Vector2d u = units_.triangularView<Eigen::Lower>().solve(p.head<2>());
-    const double x = u[0], y = u[1], weight = s.weight / (1 + u.squaredNorm() / 2);
-    double z = p[2];
-    if (n[2] > 0) {
-      const Eigen::Vector2d slope = -units_.transpose() * n.head<2>();
-      z += slope.dot(u) * (0.5 - 1 / (1 + n[2]));
-      Row dx, dy;
-      dx << 1, 0, x, root_2 * y / 2, 0, x * x / 2, x * y / root_3, y * y / (2 * root_3), 0;
-      dy << 0, 1, 0, root_2 * x / 2, y, 0, x * x / (2 * root_3), x * y / root_3, y * y / 2;
-      add_row(weight, dx, slope[0]);
-      add_row(weight, dy, slope[1]);
-    }
+    const Eigen::Vector2d u = in_units(p.head<2>());
+    const double x = u[0], y = u[1];
     Row value;
     value << x, y, x * x / 2, x * y / root_2, y * y / 2, x * x * x / 6, x * x * y / (2 * root_3),
       x * y * y / (2 * root_3), y * y * y / 6;
-    if (x != 0 || y != 0) add_row(weight, value, z);
+    if (x != 0 || y != 0) add_row(weight_of(s, u), value, p[2]);
+  }
+
+  // Let m be half-way between the normals of frame and sample. What is perpendicular to it, as the change n of the normals and a
+  // part of the offset are, is turned into the plane of the frame, where n and u then are; h is the rest of the offset. In the
+  // direction t of u, |u| = r, with the shape operator S and its derivative C,
+  //   n.t / r = S(t,t) + r/2 C(t,t,t) + r^2 E,   12 h / r^2 = r C(t,t,t) + 3 r^2 E,
+  // and E, h and C vanish on spheres and circular cylinders, of any triangulation. From both E is eliminated. What tells of C
+  // alone, and of S across t, where E is another one, has a small weight: it is for rings that do not tell otherwise.
+  void add_normal(const Curvature_sample& s)
+  {
+    constexpr double small = 0.3; // less suits exact normals, more those that are estimated
+    const Eigen::Vector3d p = graph_.frame.transpose() * s.offset;
+    const bool has_normal = !s.normal.isZero(0), is_cubic = matrix_.cols() > 3;
+    Eigen::Vector3d m(0, 0, 1);
+    if (has_normal) m = (m + graph_.frame.transpose() * s.normal).normalized();
+    const double h = p.dot(m);
+    const Eigen::Vector2d u = in_units(p.head<2>() - m.head<2>() * ((h + p[2]) / (1 + m[2])));
+    const double r = u.norm(), weight = weight_of(s, u);
+    if (!(r > 0)) return;
+    const double x = u[0] / r, y = u[1] / r;
+    Row along, third, across;
+    along << x * x, root_2 * x * y, y * y, 0, 0, 0, 0, 0, 0;
+    third << 0, 0, 0, x * x * x, root_3 * x * x * y, root_3 * x * y * y, y * y * y, 0, 0;
+    if (!has_normal) return add_row(weight, along + r / 3 * third, -2 * h / (r * r));
+    const Eigen::Vector2d n = 2 * units_.transpose() * m.head<2>() / r;
+    const double of_third = h / (r * r);
+    add_row(weight, along + r / 6 * third, n[0] * x + n[1] * y - (is_cubic ? 4 : 6) * of_third);
+    across << -x * y, (x * x - y * y) / root_2, x * y, -r / 2 * x * x * y,
+      r / 2 * (x * x - 2 * y * y) * x / root_3, r / 2 * (2 * x * x - y * y) * y / root_3,
+      r / 2 * x * y * y, 0, 0;
+    add_row(small * weight, across, n[1] * x - n[0] * y);
+    if (is_cubic) add_row(small * weight, r / 2 * third, 6 * of_third);
   }
 
   void add_row(double weight, const Row& row, double right_side)
@@ -190,12 +227,14 @@ private:
     ++rows_;
   }
 
-  // The columns of each degree get a mean square of 1. That, the coefficients of binomials in front
-  // of the unknowns and Frobenius norms make the condition independent of the choice of the frame.
-  bool solve()
+  // The columns of each degree, of which the lowest has so many, get a mean square of 1. That, the coefficients of binomials
+  // in front of the unknowns and Frobenius norms make the condition independent of the choice of the frame.
+  bool solve(Eigen::Index of_lowest)
   {
+    if (rows_ < matrix_.cols()) return false;
+    matrix_.conservativeResize(rows_, matrix_.cols());
     Unknowns scales(matrix_.cols());
-    for (Eigen::Index first = 0, n = 2; first < matrix_.cols(); first += n, ++n) {
+    for (Eigen::Index first = 0, n = of_lowest; first < matrix_.cols(); first += n, ++n) {
       const double size = matrix_.middleCols(first, n).norm() / std::sqrt(double(n));
       if (!(size > 0)) return false;
       matrix_.middleCols(first, n) /= size;
@@ -207,19 +246,24 @@ private:
                              .template triangularView<Eigen::Upper>()
                              .solve(Square::Identity(matrix_.cols(), matrix_.cols()));
     if (!(inverse.norm() <= max_condition)) return false;
-    const Unknowns x = qr_.solve(right_side_.head(rows_)).cwiseProduct(scales);
-    Eigen::Matrix2d second;
-    second << x[2], x[3] / root_2, x[3] / root_2, x[4];
-    const Eigen::Matrix2d inverse_units = units_.inverse();
-    graph_.gradient = inverse_units.transpose() * x.head<2>();
-    graph_.hessian = inverse_units.transpose() * second * inverse_units;
+    solution_ = qr_.solve(right_side_.head(rows_)).cwiseProduct(scales);
     return true;
+  }
+
+  void set_derivatives(const Eigen::Vector2d& first, const Eigen::Vector3d& second)
+  {
+    Eigen::Matrix2d hessian;
+    hessian << second[0], second[1] / root_2, second[1] / root_2, second[2];
+    const Eigen::Matrix2d inverse_units = units_.inverse();
+    graph_.gradient = inverse_units.transpose() * first;
+    graph_.hessian = inverse_units.transpose() * hessian * inverse_units;
   }
 
   Graph_derivatives graph_;
   Eigen::Matrix2d units_; // lower triangular
   Matrix matrix_;
   Eigen::VectorXd right_side_;
+  Unknowns solution_;
   Eigen::Index rows_ = 0;
   Eigen::HouseholderQR<Matrix> qr_;
 };

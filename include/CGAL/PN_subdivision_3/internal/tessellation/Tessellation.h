@@ -136,7 +136,9 @@ public:
         const Tessellation_mesh<FT> mesh(refinement.all(), triangles);
         using Out = Surface_parameters<OutputMesh, Out_parameters>;
         Attribute_table carried;
-        if (table_.any()) carried = table_.of_result(refinement, triangles);
+        if (table_.any())
+          carried = table_.of_result(refinement, triangles, data.attributes, nullptr,
+                                     first_indices(access.size().vertices));
         build(refinement.all(), mesh, out_access, Out::point_map(out, np_out),
               Out::normal_map(np_out));
         table_.set(std::move(carried));

@@ -53,6 +53,8 @@ public:
     std::size_t of_vertices = 0, of_corners = 0;
     std::vector<double> vertices, corners;
     std::vector<double> largest{}; // of each number of vertices, in the whole control mesh
+    // the corners of the control faces, where there are labels
+    std::vector<Index> first_corner{}, corner_vertices{};
   };
 
   // With the tolerance of the points.

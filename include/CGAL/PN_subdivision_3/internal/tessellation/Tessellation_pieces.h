@@ -158,7 +158,11 @@ public:
     const Split_edges<FT>& all = refinement.all();
     for (Index v = 0; v < all.number_of_vertices(); ++v) piece.points.push_back(all.point(v));
     if (table_.any()) {
-      piece.attributes = table_.of_result(refinement, triangles);
+      std::vector<Index> vertices; // of the control mesh
+      for (Index v = 0; v < part.of.vertices.size(); ++v)
+        if (used[v]) vertices.push_back(part.of.vertices[v]);
+      piece.attributes = table_.of_result(refinement, triangles, data_.attributes, &part.of.faces,
+                                          std::move(vertices));
       for (auto& f : piece.attributes.face_parents) f = part.of.faces[f];
     }
     piece.level = Tessellation_mesh<FT>(all, triangles).level();
