@@ -82,7 +82,9 @@ TEST_F(Pn_subdivide_interpolate, LimitsArePoints)
       run("surface '" + in + "' '" + out + "' --ascii --limit --interpolate points --levels " +
           levels + " " + options);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("interpolation: residual "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("interpolation: through the points: largest distance "),
+              std::string::npos)
+      << outcome.err;
     EXPECT_NE(outcome.err.find("estimated error "), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("step"), std::string::npos) << outcome.err;
     const auto after = points(out);
@@ -110,7 +112,9 @@ TEST_F(Pn_subdivide_interpolate, Curves)
     const Outcome outcome = run("curve '" + in + "' '" + out +
                                 "' --scheme bspline:3 --levels 12 --interpolate points " + options);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("interpolation: residual "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("interpolation: through the points: largest distance "),
+              std::string::npos)
+      << outcome.err;
     const auto after = points(out);
     for (std::size_t i = 0; i < before.size(); ++i)
       EXPECT_LE(distance(before[i], after[i << 12]), 1e-6) << options << " " << i;
