@@ -93,7 +93,7 @@ Interpolation_result<dimension> interpolate_polygon(bool is_closed, const Option
   Curve_limit_functionals<dimension> source(is_closed);
   if (options.mode == Limit_interpolation::Mode::slide) {
     const std::size_t left_out = leave_out_without_normal(data);
-    auto result = Slide_interpolation<dimension, 1>(data, source)();
+    auto result = slide_and_measure<dimension, 1>(data, source);
     result.report.left_out = left_out;
     return result;
   }

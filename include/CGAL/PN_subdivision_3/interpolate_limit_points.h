@@ -45,16 +45,16 @@ bool is_interpolated([[maybe_unused]] const Access& access, [[maybe_unused]] con
 \ingroup PkgPNSubdivision3Interpolation
 
 replaces the points of a mesh by control points of a surface that passes through them. For fixed control
-normals the limit points of point-normal subdivision are linear in the control points, so that this
-takes one sparse linear solve or few of them.
+normals the limit points of point-normal subdivision are linear in the control points.
 
 <b>`Limit_interpolation::Mode::slide`.</b> The normals of the data become the control normals, and the
 control point of a vertex moves along its normal, until the data point lies on the limit surface. This
 is one unknown a vertex. The data point is not the limit point of the vertex then: that has slipped along
 the surface, by a tenth of an edge or so, and between the two the surface is taken to be the circular
 arc with their normals. Samples of spheres and circular cylinders with exact normals are their own control
-net: nothing is solved. On borders, and wherever the iteration does not come to its end (then the report
-says `fallback`), the limit control normal stands for the surface normal.
+net: nothing is solved. On borders the limit control normal stands for the surface normal. Each component is
+solved on its own (D. G. Anderson, <em>Iterative procedures for nonlinear integral equations</em>, 1965), no control point moves by more than
+the mean edge at it, and the best control net is kept. The report has the distance of the points from the surface.
 
 <b>`Limit_interpolation::Mode::strict`.</b> The limit point of each vertex is the data point, up to
 the tolerance. Control normals are the given ones, or with `Limit_interpolation::Normals::solved` those
@@ -76,7 +76,7 @@ fiftieth of those of the estimate.
 
 <b>Without a map of normals</b> the control normals, and the roundness if it is not given, are those that further calls without
 one estimate from the control points, and in either mode the limit point of each vertex is the data point: an iteration of at
-most `max_steps` evaluations (D. G. Anderson, <em>Iterative procedures for nonlinear integral equations</em>, 1965) finds the points.
+most `max_steps` evaluations, by Anderson's method too, finds the points.
 Smoother surfaces are those with a map and `Limit_interpolation::Normals::natural`.
 
 <b>Roundness.</b> It is 1 unless it is given or there is no map of normals, and stays as it is: pass it to the calls that
@@ -111,8 +111,7 @@ the user's whose `put()` throws also while old values are put back.
   The method is set by `interpolation_mode`, `interpolation_normals`, `free_vertices`, `vertex_is_interpolated_map`,
   `tolerance`, `max_depth` and `max_steps` of `CGAL::PN_subdivision_3::parameters`
 
-\returns what was reached. A tolerance that cannot be met is not an error: the best control net is the result,
-  and it is never farther from the data than the data used as control net.
+\returns what was reached. A tolerance that cannot be met is not an error: the best control net is the result.
 
 \throws std::invalid_argument as `subdivide()` does, if the tolerance is negative or not a number, if
   an edge, a vertex or the border is sharp in mode `slide` or with natural normals, by a finite sharpness, or without what takes its normals and

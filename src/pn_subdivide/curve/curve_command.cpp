@@ -220,7 +220,7 @@ void interpolate_parts(std::vector<Curve_data>& parts, const Curve_rule& rule,
   whole.tolerance = HUGE_VAL;
   for (Curve_data& part : parts) whole = joined(whole, interpolate_curve(part, part_rule, mode));
   report.note(description(whole));
-  const std::string text = warning(whole);
+  const std::string text = warning(whole, mode);
   if (!text.empty()) report.warn(title + ": " + text);
 }
 

@@ -123,7 +123,6 @@ Interpolation_report joined(const Interpolation_report& a, const Interpolation_r
   worst.steps = std::max(a.steps, b.steps);
   worst.slip_of_edge = std::max(a.slip_of_edge, b.slip_of_edge);
   worst.left_out = a.left_out + b.left_out;
-  worst.fallback = a.fallback || b.fallback;
   return worst;
 }
 

@@ -105,17 +105,19 @@ std::optional<Interpolation_mode> parse_interpolation(const std::optional<std::s
 std::string description(const Interpolation_report& report)
 {
   char text[200];
-  std::snprintf(text, sizeof text, "interpolation: residual %.2g, estimated error %.2g, %u %s",
-                report.residual, report.error, report.steps, report.steps == 1 ? "step" : "steps");
-  std::string s = text;
-  if (report.fallback) s += ", by control normals in place of surface normals";
-  return s;
+  std::snprintf(text, sizeof text,
+                "interpolation: %s the points: largest distance %.2g, estimated error %.2g, %u %s",
+                report.is_within_tolerance() ? "through" : "nearly through", report.residual,
+                report.error, report.steps, report.steps == 1 ? "step" : "steps");
+  return text;
 }
 
-std::string warning(const Interpolation_report& report)
+std::string warning(const Interpolation_report& report, Interpolation_mode mode)
 {
+  // of sliding points a thousandth of the box
+  const double most = (mode == Interpolation_mode::slide ? 1e9 : 1) * report.tolerance;
   char text[200] = "";
-  if (!report.is_within_tolerance())
+  if (!(report.residual <= most))
     std::snprintf(text, sizeof text,
                   "the limit passes the points at a distance of up to %.2g (tolerance %.2g)",
                   report.residual, report.tolerance);

@@ -66,7 +66,7 @@ std::optional<Interpolation_mode> parse_interpolation(const std::optional<std::s
 // What the interpolation has reached.
 std::string description(const Interpolation_report& report);
 // What has to be said of it; empty if all is well.
-std::string warning(const Interpolation_report& report);
+std::string warning(const Interpolation_report& report, Interpolation_mode mode);
 
 // --verify and --tolerance as they are on the command line.
 struct Verify_options

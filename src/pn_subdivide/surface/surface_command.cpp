@@ -397,7 +397,7 @@ void interpolate(Surface& surface, const Plan& plan, const Scheme_choice& scheme
     (source == Source::estimate || (source == Source::automatic && !has_file_normals));
   const Interpolation_report result = interpolate_surface(surface, scheme, interpolation, creases);
   report.note(description(result));
-  const std::string text = warning(result);
+  const std::string text = warning(result, interpolation.mode);
   if (!text.empty()) report.warn(plan.input.title("standard input") + ": " + text);
 }
 

@@ -82,7 +82,8 @@ TEST_F(Pn_subdivide_interpolate, LimitsArePoints)
       run("surface '" + in + "' '" + out + "' --ascii --limit --interpolate points --levels " +
           levels + " " + options);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("interpolation: residual "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("through the points: largest distance "), std::string::npos)
+      << outcome.err;
     EXPECT_NE(outcome.err.find("estimated error "), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("step"), std::string::npos) << outcome.err;
     const auto after = points(out);
@@ -101,6 +102,17 @@ TEST_F(Pn_subdivide_interpolate, SpheresFromPointsAloneNeedNoStep)
   EXPECT_NE(outcome.err.find(" 0 steps"), std::string::npos) << outcome.err;
 }
 
+TEST_F(Pn_subdivide_interpolate, WhatSlidesTellsHowFarItIs)
+{
+  const Outcome outcome =
+    run("surface '" + data("torus_quads.ply") + "' '" + folder.file("out.ply") +
+        "' --scheme catmull-clark --levels 0 --interpolate slide");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("interpolation: nearly through the points: largest distance 0.000"),
+            std::string::npos)
+    << outcome.err;
+}
+
 TEST_F(Pn_subdivide_interpolate, Curves)
 {
   write("ellipse.txt", "2 0\n1.2 0.8\n0 1\n-1.6 0.6\n-2 0\n-1.2 -0.8\n0 -1\n1.6 -0.6\n");
@@ -110,7 +122,8 @@ TEST_F(Pn_subdivide_interpolate, Curves)
     const Outcome outcome = run("curve '" + in + "' '" + out +
                                 "' --scheme bspline:3 --levels 12 --interpolate points " + options);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("interpolation: residual "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("through the points: largest distance "), std::string::npos)
+      << outcome.err;
     const auto after = points(out);
     for (std::size_t i = 0; i < before.size(); ++i)
       EXPECT_LE(distance(before[i], after[i << 12]), 1e-6) << options << " " << i;

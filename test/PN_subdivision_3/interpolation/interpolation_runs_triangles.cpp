@@ -13,6 +13,7 @@ namespace interpolation_cases {
 template struct Interpolation_runs<PN::Loop_scheme::Tuned>;
 template struct Interpolation_runs<PN::Linear_scheme<PN::Loop_scheme::Tuned>>;
 template struct Interpolation_runs<PN::Butterfly_scheme>;
+template struct Distance_runs<PN::Loop_scheme::Tuned>;
 template struct Further_interpolation_runs<PN::Loop_scheme::Tuned>;
 
 } // namespace interpolation_cases

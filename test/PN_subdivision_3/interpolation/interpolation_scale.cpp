@@ -79,7 +79,6 @@ void expect_scaled(const PN::Limit_interpolation& a, const PN::Limit_interpolati
   EXPECT_EQ(b.slip_of_edge, a.slip_of_edge);
   EXPECT_EQ(b.normal_angle, a.normal_angle);
   EXPECT_EQ(b.steps, a.steps);
-  EXPECT_EQ(b.fallback, a.fallback);
 }
 
 template <class FT>

@@ -157,8 +157,9 @@ void expect_gains(const Control_mesh& data, const Scheme& scheme, const Distance
                   double over_strict_linear, double over_linear_slide, double over_unfairness = 0)
 {
   const Interpolated slide = interpolated(data, scheme);
-  EXPECT_FALSE(slide.report.fallback);
-  EXPECT_TRUE(slide.report.is_within_tolerance());
+  if (over_linear_slide > 0) { // on smooth borders corners are rounded
+    EXPECT_LE(slide.report.residual, 1e-4);
+  }
   EXPECT_LE(slide.report.slip_of_edge, 0.25);
   const Interpolated linear = interpolated(data, PN::linear(scheme), strict());
   const Interpolated linear_slide = interpolated(data, PN::linear(scheme));
@@ -193,8 +194,7 @@ TEST(Interpolation, SlideIsOfFourthOrder)
   EXPECT_GE(coarse / fine, 13);
 }
 
-// Without the surface's own normal the points are not on the surface, see the fallback: every vertex
-// taken as one of the border.
+// Without the surface's own normal the points are not on the surface: every vertex taken as one of the border.
 TEST(Interpolation, SlideNeedsTheSurfaceNormal)
 {
   const Control_mesh data = torus(16);
@@ -204,6 +204,91 @@ TEST(Interpolation, SlideNeedsTheSurfaceNormal)
                                                           Wrong_way::normals_of_the_limit);
   EXPECT_GE(rms_error(mesh, quad_scheme, to_torus),
             50 * rms_error(right.mesh, quad_scheme, to_torus));
+}
+
+// Points over the limits of the vertices of two rounds, each sought about the vertex whose limit is next to it.
+template <class Scheme>
+void expect_distances(const Control_mesh& data, const Scheme& scheme)
+{
+  Surface_mesh mesh = to_surface_mesh(data), fine = mesh;
+  const Limits all = Limit_runs<Scheme>::refined(fine, scheme, 2),
+               of_vertices = limits(mesh, scheme, limit_cases::close(1e-12));
+  for (std::size_t w = 0; w < all.at.size(); w += 23) {
+    const double height = (w % 2 == 0 ? 1e-4 : -3e-3) * double(1 + w % 3);
+    const Vector p = limit_cases::to_vector(all.at[w].point) +
+                     height * limit_cases::to_vector(all.at[w].surface_normal);
+    std::size_t next = 0;
+    const auto distance = [&](std::size_t v) {
+      return double((limit_cases::to_vector(of_vertices.at[v].point) - p).norm());
+    };
+    for (std::size_t v = 0; v < of_vertices.at.size(); ++v)
+      if (distance(v) < distance(next)) next = v;
+    const double found = Distance_runs<Scheme>::from_limit(mesh, scheme, p, next);
+    EXPECT_NEAR(found, std::abs(height), 0.02 * std::abs(height)) << data.name << ", vertex " << w;
+  }
+}
+
+TEST(Interpolation, DistancesFromTheLimit)
+{
+  expect_distances(sampled_surfaces::patch(3, 3, 0.2, Cells::mixed, 5, sampled_surfaces::on_waves),
+                   PN::CatmullClark_scheme());
+  expect_distances(ellipsoid_quads(2), quad_scheme);
+  expect_distances(ellipsoid_triangles(1), triangle_scheme);
+  expect_distances(
+    sampled_surfaces::patch(3, 3, 0.2, Cells::triangles, 5, sampled_surfaces::on_waves),
+    triangle_scheme);
+}
+
+// The report has the distance of the points from the surface, which is that of the arcs no more.
+template <class Scheme>
+void expect_true_residual(const Control_mesh& data, const Scheme& scheme)
+{
+  Interpolated result = interpolated(data, scheme);
+  double farthest = 0;
+  for (std::size_t v = 0; v < data.points.size(); ++v)
+    farthest = (std::max)(
+      farthest, Distance_runs<Scheme>::from_limit(result.mesh, scheme, point_of(data, v), v));
+  EXPECT_NEAR(result.report.residual, farthest, 0.03 * farthest);
+  EXPECT_GT(result.report.residual, 1e-9);
+  EXPECT_FALSE(result.report.is_within_tolerance());
+}
+
+TEST(Interpolation, SlideTellsTheDistanceFromTheSurface)
+{
+  expect_true_residual(ellipsoid_quads(2), quad_scheme);
+  expect_true_residual(ellipsoid_triangles(0), triangle_scheme);
+}
+
+// A point is on the surface wherever that passes through it: those of a tetrahedron, which is too coarse for its normals, on a sphere.
+TEST(Interpolation, TheSurfaceMayBeNearerElsewhere)
+{
+  Control_mesh both{"tetrahedron", {}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}, {}};
+  for (const Vector& p : {Vector(1, 0, 0), {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}})
+    sampled_surfaces::add(both, {p, Vector(0.2L, 0.1L, 1)});
+  EXPECT_GT(interpolated(both, triangle_scheme).report.residual, 1e-2);
+  const Control_mesh sphere = sampled_surfaces::scattered(1, 0.1, 3, sampled_surfaces::on_sphere);
+  for (auto face : sphere.faces) {
+    for (int& v : face) v += 4;
+    both.faces.push_back(face);
+  }
+  both.points.insert(both.points.end(), sphere.points.begin(), sphere.points.end());
+  both.normals.insert(both.normals.end(), sphere.normals.begin(), sphere.normals.end());
+  EXPECT_LE(interpolated(both, triangle_scheme).report.residual, 1e-12);
+}
+
+// A part is interpolated as if it were alone, whatever is next to it.
+TEST(Interpolation, ComponentsSlideOnTheirOwn)
+{
+  const Control_mesh alone = ellipsoid_quads(2);
+  Control_mesh both = alone;
+  const int n = int(alone.points.size());
+  for (const auto& p : {Vector(0, 0, 0), {.5L, 0, 0}, {.4L, .4L, 0}, {0, .4L, .3L}, {.1L, 0, .4L}})
+    sampled_surfaces::add(both, {p, Vector(1, 1 - 3 * p[0], 1 - 5 * p[1])});
+  both.faces.push_back({n, n + 1, n + 2, n + 3});
+  both.faces.push_back({n + 1, n, n + 4});
+  const Interpolated a = interpolated(alone, quad_scheme), b = interpolated(both, quad_scheme);
+  EXPECT_GT(b.report.residual, a.report.residual);
+  for (auto v : a.mesh.vertices()) EXPECT_EQ(a.mesh.point(v), b.mesh.point(v)) << v;
 }
 
 double rms_angle(const Control_mesh& data, Normal_map normals)
@@ -331,7 +416,8 @@ TEST(Interpolation, SomeVertices)
         PN::internal::find_property_map<Surface_mesh::Vertex_index, bool>(net, "v:chosen").value();
       const Report report =
         Further_interpolation_runs<PN::CatmullClark_scheme::Tuned>::some(net, quad_scheme, options);
-      EXPECT_TRUE(report.is_within_tolerance()) << report.residual;
+      EXPECT_LE(report.residual,
+                mode == PN::Limit_interpolation::Mode::slide ? 1e-2 : report.tolerance);
       std::size_t moved_others = 0;
       const Limits all = limits(net, quad_scheme, limit_cases::close(1e-13));
       for (auto v : mesh.vertices())

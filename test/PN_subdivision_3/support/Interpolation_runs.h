@@ -52,6 +52,14 @@ struct Wrong_runs
   static void interpolate(Surface_mesh& mesh, const Scheme& scheme, Wrong_way way);
 };
 
+// the distance of a point from the limit surface of the mesh, sought about a vertex
+template <class Scheme>
+struct Distance_runs
+{
+  static double from_limit(Surface_mesh& mesh, const Scheme& scheme, const reference::Vector& point,
+                           std::size_t vertex);
+};
+
 template <class Scheme>
 struct Limit_runs
 {

@@ -55,6 +55,23 @@ void Wrong_runs<Scheme>::interpolate(Surface_mesh& mesh, const Scheme& scheme, W
 }
 
 template <class Scheme>
+double Distance_runs<Scheme>::from_limit(Surface_mesh& mesh, const Scheme& scheme,
+                                         const reference::Vector& point, std::size_t vertex)
+{
+  double distance = 0;
+  PN::internal::with_mesh_access(mesh, [&](auto& access) {
+    const auto level = PN::internal::checked_level(access);
+    auto control = PN::internal::read_points_and_normals<double>(access, scheme, level,
+                                                                 mesh.points(), normal_map(mesh));
+    PN::internal::Mesh_limit_functionals<Scheme> source(scheme, level, PN::internal::For_chunks());
+    const auto net = PN::internal::to_values<3>(control.points, control.normals, control);
+    control.points[vertex] = point.cast<double>();
+    distance = source.farthest(net, control.points, {unsigned(vertex)}, 1e-12).distance;
+  });
+  return distance;
+}
+
+template <class Scheme>
 Report Further_interpolation_runs<Scheme>::some(
   Surface_mesh& mesh, const Scheme& scheme,
   const test_options::Limit_interpolation_options<Chosen>& options)

@@ -20,7 +20,7 @@ struct Limit_interpolation
 {
   /// What interpolation makes of a vertex.
   enum class Mode {
-    /// the limit surface passes through the point; control normals are the given ones, and the control
+    /// the limit surface passes through the point, or nearly; control normals are the given ones, and the control
     /// point slides along them. The fairest, and exact on spheres and circular cylinders.
     slide,
     /// the limit point of each vertex is its point
@@ -40,8 +40,8 @@ struct Limit_interpolation
     smooth ///< they move along, as smoothly as they can; for `Mode::strict`
   };
 
-  /// the largest distance that remains: in mode `slide` between a point and the limit surface, along
-  /// the normal; in mode `strict` between a point and its limit point.
+  /// the largest distance that remains: in mode `slide` that of a point from the limit surface or curve; in mode
+  /// `strict` that of a point from its limit point.
   double residual = 0;
   /// `prescribe_limit_data()`: the largest angle between a prescribed normal and that of the surface, in
   /// radians.
@@ -49,11 +49,12 @@ struct Limit_interpolation
   /// `prescribe_limit_data()`: the largest difference of a curvature of the surface from the prescribed
   /// one, over all directions, in the reciprocal unit.
   double curvature_residual = 0;
-  /// an estimate of the error of `residual` that comes from evaluating the limit points.
+  /// an estimate of the error of `residual` that comes from evaluating the limit.
   double error = 0;
   /// what was asked for.
   double tolerance = 0;
-  /// how many linear systems were solved. Zero: the limit surface of the data passed through them.
+  /// how many linear systems were solved, or, in mode `slide` and without normals, how often control points were moved. Zero: the limit
+  /// surface of the data passed through them.
   unsigned steps = 0;
   /// `prescribe_limit_data()`: how many steps towards prescribed curvatures were taken.
   unsigned curvature_steps = 0;
@@ -67,14 +68,11 @@ struct Limit_interpolation
   /// the largest angle between the given normals of neighbors, in degrees; above 60 the net is too
   /// coarse for its normals.
   double normal_angle = 0;
-  /// mode `slide`: the iteration with surface normals did not come to its end; control normals were
-  /// taken instead.
-  bool fallback = false;
   /// vertices that were to be interpolated but have no normal to slide along, or whose control normals
   /// could not be solved for and are the given ones.
   std::size_t left_out = 0;
 
-  /// whether the residual is within the tolerance.
+  /// whether the residual is within the tolerance. If not, the surface passes the points nearly, at this distance.
   bool is_within_tolerance() const { return residual <= tolerance; }
 };
 

@@ -48,6 +48,7 @@ struct Interpolation_data
   std::vector<double> roundness;   // likewise; none: 1
   std::vector<char> is_at_border;  // of all vertices
   std::vector<double> edge_length; // likewise, the mean
+  std::vector<Index> components;   // likewise, to which they belong; none: all to one
   bool takes_normals = true;       // if not, the scheme is linear
   int exponent = 0;                // of the power of two by which lengths have been divided
   double tolerance = 0;            // absolute
@@ -278,13 +279,39 @@ inline void estimate_all_normals(const Level_connectivity& level, Control_normal
   }
 }
 
-// where the border is, and how long the edges are
+// the connected component of each vertex
+inline std::vector<Level_connectivity::Index> components_of(const Level_connectivity& level)
+{
+  using Index = Level_connectivity::Index;
+  std::vector<Index> component(level.number_of_vertices(), Level_connectivity::null), open;
+  Index number = 0;
+  for (Index v = 0; v < level.number_of_vertices(); ++v) {
+    if (component[v] != Level_connectivity::null) continue;
+    component[v] = number;
+    open.assign(1, v);
+    while (!open.empty()) {
+      const Index u = open.back();
+      open.pop_back();
+      if (level.is_isolated(u)) continue;
+      level.for_each_neighbor(level.halfedge_of_vertex(u), [&](Index w) {
+        if (component[w] != Level_connectivity::null) return;
+        component[w] = number;
+        open.push_back(w);
+      });
+    }
+    ++number;
+  }
+  return component;
+}
+
+// where the border is, how long the edges are, and what is connected
 inline void set_surroundings(const Level_connectivity& level, Interpolation_data<3>& data)
 {
   using Index = Level_connectivity::Index;
   const Index n = level.number_of_vertices();
   data.is_at_border.assign(n, 0);
   data.edge_length.assign(n, 0.);
+  data.components = components_of(level);
   for (Index v = 0; v < n; ++v) {
     if (level.is_isolated(v)) continue;
     data.is_at_border[v] = level.is_border_vertex(v) ? 1 : 0;

@@ -10,6 +10,8 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_LIMIT_FUNCTIONALS_H
 
 #include <CGAL/PN_subdivision_3/curves/Curve_end.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Curve_distance.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Foot_of_point.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Functional_tower.h>
 
 #include <Eigen/Core>
@@ -125,6 +127,11 @@ public:
   virtual std::vector<Functionals> operator()(const Values& values,
                                               const std::vector<Index>& vertices,
                                               const Limit_precision& precision) = 0;
+
+  // The largest distance of the limit from the points of some vertices, each sought about its vertex; distances below the
+  // tolerance need not be known any better.
+  virtual Farthest_point farthest(const Values& values, const Vectors<dimension>& points,
+                                  const std::vector<Index>& vertices, double tolerance) = 0;
 };
 
 using Surface_limits = Limit_source<3, 2>;
@@ -171,6 +178,12 @@ public:
       run(values, ring, precision, tower, result.emplace_back());
     }
     return result;
+  }
+
+  Farthest_point farthest(const Values& values, const Vectors<dimension>& points,
+                          const std::vector<Index>& vertices, double tolerance) override
+  {
+    return Curve_distance<dimension>(is_closed_)(values, points, vertices, tolerance);
   }
 
 private:

@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Curvature_prescription.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Limit_distance.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Limit_functionals.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_classes.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_geometry.h>
@@ -71,6 +72,26 @@ public:
     return result;
   }
 
+  Farthest_point farthest(const Values& values, const Vectors<3>& points,
+                          const std::vector<Index>& vertices, double tolerance) override
+  {
+    constexpr unsigned most_checks = 16;
+    std::vector<Foot> feet;
+    for (const Index v : vertices)
+      if (!level_.is_isolated(v)) feet.emplace_back(to_coordinates<3>(points[v]), v, v);
+    const Limit_distance<Scheme> distance(scheme_, for_chunks_);
+    Farthest_point known;
+    for (unsigned k = 0;; ++k) {
+      const Farthest_point next = distance(level_, values, feet, tolerance, known);
+      if (!(next.distance > known.distance) || k == most_checks) return next;
+      const Farthest_point nearest = about_others(distance, values, next, points, tolerance);
+      if (nearest.distance > known.distance) known = nearest;
+      if (nearest.distance == next.distance) return known;
+      feet.erase(std::find_if(feet.begin(), feet.end(),
+                              [&](const Foot& f) { return f.vertex == next.vertex; }));
+    }
+  }
+
 private:
   using Average = PN_average<double, 3, Value>;
   using One_round = Round<Scheme, Average>;
@@ -78,7 +99,29 @@ private:
   using Tower = Functional_tower<3, 2>;
   using Entry = Functionals::Entry;
 
+  using Foot = typename Limit_distance<Scheme>::Foot;
+
   static constexpr unsigned most_rounds = 6;
+
+  // The surface may be nearer to a point about other vertices than about its own.
+  Farthest_point about_others(const Limit_distance<Scheme>& distance, const Values& values,
+                              Farthest_point nearest, const Vectors<3>& points,
+                              double tolerance) const
+  {
+    const Eigen_vector<3>& p = points[nearest.vertex];
+    const auto at = [&](Index v) { return to_eigen<3>(values[v].point); };
+    for (Index v = 0; v < level_.number_of_vertices(); ++v) {
+      if (v == nearest.vertex || level_.is_isolated(v)) continue;
+      double edge = 0;
+      level_.for_each_neighbor(level_.halfedge_of_vertex(v),
+                               [&](Index w) { edge = (std::max)(edge, (at(w) - at(v)).norm()); });
+      if (!((at(v) - p).norm() <= nearest.distance + edge)) continue;
+      const Farthest_point other =
+        distance(level_, values, {Foot(to_coordinates<3>(p), nearest.vertex, v)}, tolerance);
+      if (other.distance < 31. / 32 * nearest.distance) nearest = other;
+    }
+    return nearest;
+  }
 
   // A level that is evaluated at, and how it came from the one before.
   struct Stage

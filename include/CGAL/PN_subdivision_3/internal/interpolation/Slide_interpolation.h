@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_SLIDE_INTERPOLATION_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_SLIDE_INTERPOLATION_H
 
+#include <CGAL/PN_subdivision_3/internal/interpolation/Anderson_iteration.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_data.h>
 
 #include <algorithm>
@@ -24,9 +25,9 @@ namespace internal {
 // Control points p_v = P_v + s_v M_v, control normals M_v: P_v and the limit point L_v with the normal
 // nu_v of the limit surface shall lie on one PN arc,
 //   w_v = (M_v + nu_v) . (P_v - L_v) / ((M_v + nu_v) . nu_v) = 0.
-// In each step nu is taken as it is, and w is linear in s. Where that does not converge, and on borders,
-// the limit control normal is taken for nu: then w is linear. A curve in space slides along its binormal
-// too, along which L_v shall not be away from P_v.
+// The limits are near the control points: s goes by w, in each component of its own, and no further than an edge. On borders
+// the limit control normal is taken for nu. A curve in space slides along its binormal too, along which L_v shall
+// not be away from P_v.
 template <int dimension, int tangents>
 class Slide_interpolation
 {
@@ -41,21 +42,43 @@ public:
   Slide_interpolation(const Data& data, Source& source)
     : data_(data)
     , source_(source)
-    , unknowns_(data.vertices, data.points.size())
-  {}
+    , points_(data.points)
+  {
+    for (std::size_t i = 0; i < data.vertices.size(); ++i) {
+      const auto v = data.vertices[i];
+      Directions& d = directions_.emplace_back();
+      d.col(0) = data.normals[v];
+      if constexpr (freedom == 2) d.col(1) = data.binormals[v];
+      const std::size_t component = data.components.empty() ? 0 : data.components[v];
+      if (components_.size() <= component) components_.resize(component + 1);
+      components_[component].push_back(i);
+    }
+  }
 
   Result operator()()
   {
+    // the functionals are those of the depths that are right for the data, then for the result
+    for (int k = 0; k < 3; ++k) {
+      functionals_ = source_(to_values<dimension>(points_, data_.normals, data_), data_.vertices,
+                             data_.precision());
+      bool is_changed = false;
+      for (const Rows& rows : components_)
+        if (slide(rows)) is_changed = true;
+      if (!is_changed) break;
+    }
     Result result;
-    result.normals = data_.normals;
+    note_evaluation(functionals_, report_);
     report_.tolerance = data_.tolerance;
-    best_.points = data_.points;
-    set_directions();
-    evaluate_at(best_);
-    if (!(best_.residual <= data_.tolerance)) solve();
-    check();
-    result.points = std::move(best_.points);
-    report_.residual = best_.residual;
+    for (std::size_t i = 0; i < functionals_.size(); ++i) {
+      const auto v = data_.vertices[i];
+      const double slip = this->slip(i);
+      report_.residual = (std::max)(report_.residual, finite_or_infinite(w(i).norm()));
+      report_.slip = (std::max)(report_.slip, slip);
+      if (data_.edge_length[v] > 0)
+        report_.slip_of_edge = (std::max)(report_.slip_of_edge, slip / data_.edge_length[v]);
+    }
+    result.points = std::move(points_);
+    result.normals = data_.normals;
     result.report = report_;
     return result;
   }
@@ -64,166 +87,138 @@ private:
   using Vector = Eigen_vector<dimension>;
   using Functionals = typename Source::Functionals;
   using Directions = Eigen::Matrix<double, dimension, freedom>;
+  using Offset = Eigen::Matrix<double, freedom, 1>;
+  using Rows = std::vector<std::size_t>; // positions of vertices of the data
 
-  static constexpr unsigned most_steps = 12;
-
-  struct Iterate
+  // Changes the points of a component as long as that makes it better; whether it has.
+  bool slide(const Rows& rows)
   {
-    Vectors<dimension> points;
-    double residual = 0;
-  };
-
-  void evaluate_at(Iterate& iterate)
-  {
-    functionals_ = source_(to_values<dimension>(iterate.points, data_.normals, data_),
-                           data_.vertices, data_.precision());
-    iterate.residual = residual(iterate.points);
+    constexpr unsigned most_without_gain = 8;
+    const auto n = static_cast<Eigen::Index>(rows.size());
+    Eigen::VectorXd x(freedom * n), r(freedom * n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const std::size_t i = rows[static_cast<std::size_t>(j)];
+      const auto v = data_.vertices[i];
+      x.segment<freedom>(freedom * j) = directions_[i].transpose() * (points_[v] - data_.points[v]);
+    }
+    Anderson_iteration iteration(20, true);
+    Eigen::VectorXd best = x;
+    double least = residual(rows, r);
+    unsigned without_gain = 0;
+    const double first = least;
+    for (unsigned step = 1;
+         least > data_.tolerance && step <= data_.max_steps && without_gain < most_without_gain;
+         ++step) {
+      x = iteration.next(x, r);
+      put(rows, x);
+      const double now = residual(rows, r);
+      report_.steps = (std::max)(report_.steps, step);
+      without_gain = now < 0.9 * least ? 0 : without_gain + 1;
+      if (!(now < least)) continue;
+      least = now;
+      best = x;
+    }
+    put(rows, best);
+    return least < first;
   }
 
-  // in which the control points slide
-  void set_directions()
+  // moves the control points, by an edge at most
+  void put(const Rows& rows, Eigen::VectorXd& x)
   {
-    for (const auto v : data_.vertices) {
-      Directions d;
-      d.col(0) = data_.normals[v];
-      if constexpr (freedom == 2) d.col(1) = data_.binormals[v];
-      directions_.push_back(d);
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+      const auto v = data_.vertices[rows[j]];
+      auto s = x.segment<freedom>(freedom * static_cast<Eigen::Index>(j));
+      const double length = s.norm();
+      if (length > data_.edge_length[v]) s *= data_.edge_length[v] / length;
+      points_[v] = data_.points[v] + directions_[rows[j]] * s;
     }
   }
-
-  void solve()
-  {
-    const Limit_matrix matrix = make_limit_matrix(data_, functionals_, unknowns_);
-    const double first = best_.residual;
-    iterate(matrix);
-    if (best_.residual <= data_.tolerance) return;
-    // once more, in the linear way
-    report_.fallback = true;
-    const Iterate before = best_;
-    best_.points = data_.points;
-    best_.residual = residual(best_.points);
-    const double linear_first = best_.residual;
-    iterate(matrix);
-    if (best_.residual < linear_first || best_.residual <= data_.tolerance) return;
-    best_ = before;
-    if (!(before.residual < first)) best_.points = data_.points;
-    report_.fallback = false;
-    best_.residual = residual(best_.points);
-  }
-
-  // steps while the residual falls
-  void iterate(const Limit_matrix& matrix)
-  {
-    for (unsigned k = 0; k < most_steps && report_.steps < data_.max_steps; ++k) {
-      const Eigen::VectorXd s = step(matrix, best_.points);
-      ++report_.steps;
-      if (s.size() == 0) return;
-      Iterate next = best_;
-      for (std::size_t i = 0; i < data_.vertices.size(); ++i) {
-        const auto v = data_.vertices[i];
-        next.points[v] += directions_[i] * s.template segment<freedom>(row(i));
-      }
-      next.residual = residual(next.points);
-      if (!(next.residual < best_.residual)) return;
-      best_ = std::move(next);
-      if (best_.residual <= data_.tolerance) return;
-    }
-  }
-
-  static Eigen::Index row(std::size_t i) { return freedom * static_cast<Eigen::Index>(i); }
 
   // What P - L shall be perpendicular to: (M + nu) / ((M + nu) . nu), and a binormal.
-  Directions conditions(std::size_t i, const Vectors<dimension>& p) const
+  Directions conditions(std::size_t i) const
   {
     const auto v = data_.vertices[i];
     const Functionals& f = functionals_[i];
     Vector m = data_.normals[v];
     const bool has_control_normal = f.control_normal.squaredNorm() > 0.5;
-    const Vector nu = report_.fallback || data_.is_at_border[v]
-                        ? (has_control_normal ? f.control_normal : m)
-                        : f.surface_normal(p, m);
+    const Vector nu = data_.is_at_border[v] ? (has_control_normal ? f.control_normal : m)
+                                            : f.surface_normal(points_, m);
     if (m.dot(nu) < 0) m = -m;
     const Vector sum = m + nu;
     Directions d;
     d.col(0) = sum / (std::max)(sum.dot(nu), 1e-3);
     if constexpr (freedom == 2) {
-      const Vector b = f.has_tangents ? Vector(nu.cross(f.tangent(0, p))) : Vector(Vector::Zero());
+      const Vector b =
+        f.has_tangents ? Vector(nu.cross(f.tangent(0, points_))) : Vector(Vector::Zero());
       d.col(1) = b.norm() > 0 ? Vector(b.normalized()) : Vector(directions_[i].col(1));
     }
     return d;
   }
 
-  Eigen::Matrix<double, freedom, 1> w(std::size_t i, const Vectors<dimension>& p) const
+  Offset w(std::size_t i) const { return conditions(i).transpose() * missing(i); }
+  Vector missing(std::size_t i) const
   {
-    return conditions(i, p).transpose() *
-           (data_.points[data_.vertices[i]] - functionals_[i].limit(p));
+    return data_.points[data_.vertices[i]] - functionals_[i].limit(points_);
   }
-  double residual(const Vectors<dimension>& p) const
+  double slip(std::size_t i) const { return missing(i).norm(); }
+
+  // sets w; the largest one, where an arc that is longer than an edge counts by its length
+  double residual(const Rows& rows, Eigen::VectorXd& r) const
   {
     double largest = 0;
-    for (std::size_t i = 0; i < functionals_.size(); ++i)
-      largest = (std::max)(largest, finite_or_infinite(w(i, p).norm()));
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+      const Offset w = this->w(rows[j]);
+      r.segment<freedom>(freedom * static_cast<Eigen::Index>(j)) = w;
+      const double slip = this->slip(rows[j]);
+      const bool is_far = slip > data_.edge_length[data_.vertices[rows[j]]];
+      largest = (std::max)(largest, finite_or_infinite(is_far ? slip : w.norm()));
+    }
     return largest;
-  }
-
-  Eigen::VectorXd step(const Limit_matrix& matrix, const Vectors<dimension>& p) const
-  {
-    const Eigen::Index n = row(functionals_.size());
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::VectorXd b(n);
-    for (std::size_t i = 0; i < functionals_.size(); ++i) {
-      const Directions c = conditions(i, p);
-      b.template segment<freedom>(row(i)) =
-        c.transpose() * (data_.points[data_.vertices[i]] - functionals_[i].limit(p));
-      for (const auto& e : functionals_[i].entries) {
-        const int j = unknowns_[e.vertex];
-        if (j < 0) continue;
-        const Eigen::Matrix<double, freedom, freedom> part =
-          c.transpose() * e.block.template topRows<dimension>() *
-          directions_[static_cast<std::size_t>(j)];
-        for (int r = 0; r < freedom; ++r)
-          for (int k = 0; k < freedom; ++k)
-            entries.emplace_back(static_cast<int>(row(i)) + r, freedom * j + k, part(r, k));
-      }
-    }
-    Row_matrix a(n, n);
-    a.setFromTriplets(entries.begin(), entries.end());
-    return solve_limit_system(a, b, matrix, freedom, 1e-3);
-  }
-
-  // The functionals are those of the depths that were right for the data: now with those that are right
-  // for the result, and some more steps if that makes a difference.
-  void check()
-  {
-    for (int k = 0; k < 3; ++k) {
-      if (report_.steps > 0) {
-        Iterate same = best_;
-        evaluate_at(same);
-        best_.residual = same.residual;
-      }
-      note_evaluation(functionals_, report_);
-      if (report_.steps == 0 || k == 2 || best_.residual <= data_.tolerance) break;
-      const double before = best_.residual;
-      iterate(make_limit_matrix(data_, functionals_, unknowns_));
-      if (!(best_.residual < before)) break;
-    }
-    for (std::size_t i = 0; i < functionals_.size(); ++i) {
-      const auto v = data_.vertices[i];
-      const double slip = (data_.points[v] - functionals_[i].limit(best_.points)).norm();
-      report_.slip = (std::max)(report_.slip, slip);
-      if (data_.edge_length[v] > 0)
-        report_.slip_of_edge = (std::max)(report_.slip_of_edge, slip / data_.edge_length[v]);
-    }
   }
 
   const Data& data_;
   Source& source_;
-  Unknowns unknowns_;
   std::vector<Functionals> functionals_;
-  std::vector<Directions> directions_; // of the vertices that are interpolated
-  Iterate best_;
+  std::vector<Directions>
+    directions_; // in which control points slide, of the vertices that are interpolated
+  std::vector<Rows> components_;
+  Vectors<dimension> points_;
   Limit_interpolation report_;
 };
+
+// The same; the residual is the distance of the points from the limit, of which w is an estimate. Where the limit point is the
+// point, nothing need be sought. Where the net is so coarse that arcs may mislead, a component for which the data
+// would be the better net becomes these.
+template <int dimension, int tangents>
+Interpolation_result<dimension> slide_and_measure(const Interpolation_data<dimension>& data,
+                                                  Limit_source<dimension, tangents>& source)
+{
+  constexpr double coarse_slip = 0.25;
+  constexpr unsigned most_changes = 8;
+  auto result = Slide_interpolation<dimension, tangents>(data, source)();
+  Limit_interpolation& report = result.report;
+  if (report.slip <= report.tolerance) return result;
+  const auto farthest_of = [&](const Vectors<dimension>& points) {
+    return source.farthest(to_values<dimension>(points, result.normals, data), data.points,
+                           data.vertices, data.tolerance / 8);
+  };
+  const auto component = [&](std::size_t v) {
+    return data.components.empty() ? 0 : data.components[v];
+  };
+  Farthest_point farthest = farthest_of(result.points);
+  for (unsigned k = 0; k < most_changes && report.slip_of_edge > coarse_slip; ++k) {
+    Vectors<dimension> points = result.points;
+    for (std::size_t v = 0; v < points.size(); ++v)
+      if (component(v) == component(farthest.vertex)) points[v] = data.points[v];
+    const Farthest_point next = farthest_of(points);
+    if (!(next.distance < farthest.distance)) break;
+    farthest = next;
+    result.points = std::move(points);
+  }
+  report.residual = finite_or_infinite(farthest.distance);
+  report.error = finite_or_infinite(farthest.error);
+  return result;
+}
 
 // Normals M that are those of the surface that slides along them: the surface that interpolates with M
 // tells its normals at the points P, and they become the next M. The normal at P is that at the limit

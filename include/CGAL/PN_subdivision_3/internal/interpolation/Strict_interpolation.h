@@ -10,11 +10,12 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_STRICT_INTERPOLATION_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Anderson_iteration.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_data.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Limit_functionals.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -162,8 +163,7 @@ private:
 };
 
 // Control points whose limit points are the given points, where control normals and roundness are those that are estimated
-// from the control points. These limits lie near the control points, which go by what is missing, mixed with the last
-// steps (D. G. Anderson, Iterative procedures for nonlinear integral equations, 1965).
+// from the control points. These limits lie near the control points.
 class Estimated_interpolation
 {
 public:
@@ -199,8 +199,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_kept = 8;
-
   // the largest of the residuals
   double evaluate(const Vectors<3>& points)
   {
@@ -208,13 +206,14 @@ private:
     functionals_ =
       source_(to_values<3>(points, data_.normals, data_), data_.vertices, data_.precision());
     const auto n = static_cast<Eigen::Index>(data_.vertices.size());
-    now_ = {Eigen::VectorXd(3 * n), Eigen::VectorXd(3 * n)};
+    x_.resize(3 * n);
+    rest_.resize(3 * n);
     double largest = 0;
     for (Eigen::Index i = 0; i < n; ++i) {
       const auto v = data_.vertices[std::size_t(i)];
       const Eigen_vector<3> r = data_.points[v] - functionals_[std::size_t(i)].limit_point;
-      now_.point.segment<3>(3 * i) = points[v];
-      now_.residual.segment<3>(3 * i) = r;
+      x_.segment<3>(3 * i) = points[v];
+      rest_.segment<3>(3 * i) = r;
       largest = (std::max)(largest, finite_or_infinite(r.norm()));
     }
     return largest;
@@ -222,26 +221,10 @@ private:
 
   void advance(Vectors<3>& points)
   {
-    Eigen::VectorXd next = now_.point + now_.residual;
-    if (!last_.empty()) {
-      const auto columns = static_cast<Eigen::Index>(last_.size());
-      Eigen::MatrixXd dp(next.size(), columns), dr(next.size(), columns);
-      for (Eigen::Index k = 0; k < columns; ++k) {
-        dp.col(k) = now_.point - last_[std::size_t(k)].point;
-        dr.col(k) = now_.residual - last_[std::size_t(k)].residual;
-      }
-      next -= (dp + dr) * dr.colPivHouseholderQr().solve(now_.residual);
-    }
-    last_.push_back(now_);
-    if (last_.size() > most_kept) last_.erase(last_.begin());
+    const Eigen::VectorXd next = iteration_.next(x_, rest_);
     for (std::size_t i = 0; i < data_.vertices.size(); ++i)
       points[data_.vertices[i]] = next.segment<3>(3 * Eigen::Index(i));
   }
-
-  struct Step
-  {
-    Eigen::VectorXd point, residual; // of all vertices to be interpolated
-  };
 
   const Level_connectivity& level_;
   const Control_normal_estimate estimate_;
@@ -249,8 +232,9 @@ private:
   Surface_limits& source_;
   const bool estimates_roundness_;
   std::vector<Surface_limits::Functionals> functionals_;
-  Step now_;
-  std::vector<Step> last_;
+  Anderson_iteration iteration_{8, false};
+  Eigen::VectorXd x_,
+    rest_; // the control points, and what is missing, of all vertices to be interpolated
 };
 
 } // namespace internal

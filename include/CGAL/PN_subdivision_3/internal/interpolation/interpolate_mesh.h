@@ -198,7 +198,7 @@ inline Interpolation_result<3> interpolate_by_sliding(const Level_connectivity& 
 {
   estimate_missing_normals(level, estimate, data);
   const std::size_t left_out = leave_out_without_normal(data);
-  auto result = Slide_interpolation<3, 2>(data, source)();
+  auto result = slide_and_measure<3, 2>(data, source);
   result.report.left_out = left_out;
   return result;
 }
