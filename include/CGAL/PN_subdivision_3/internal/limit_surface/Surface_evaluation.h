@@ -99,7 +99,6 @@ public:
       e(std::move(cell), std::move(queries));
     else {
       const typename Cells::Round round(cells_, std::move(cell));
-      for (Surface_query& q : queries) q.scale *= 2;
       e(round.child(corner), std::move(queries));
     }
     return std::move(e.done);
