@@ -254,19 +254,9 @@ private:
     place.distance = std::sqrt(CGAL::squared_distance(Places::in_double(place.at.point), p));
     place.gap = place.distance;
     for (int i = 0; i < most_steps; ++i) {
-      const auto step = this->step(place, p);
-      if (step[0] == 0 && step[1] == 0) break;
       Place next = place;
-      double t = 1;
-      for (; t > 1e-3; t /= 4) {
-        next.u = place.u;
-        next.v = place.v;
-        places_.move(next, t * step[0], t * step[1]);
-        next.at = places_.evaluate(next);
-        next.distance = std::sqrt(CGAL::squared_distance(Places::in_double(next.at.point), p));
-        if (next.distance < place.distance) break;
-      }
-      if (!(t > 1e-3)) break;
+      // what a side cuts off of Newton's step may be what was good of it; of the gradient's it is not
+      if (!go(next, step(place, p), p) && !go(next, slope(place, p), p)) break;
       const double moved = std::sqrt(CGAL::squared_distance(Places::in_double(next.at.point),
                                                             Places::in_double(place.at.point)));
       next.gap = place.distance - next.distance;
@@ -275,6 +265,32 @@ private:
     }
     if (!(place.gap < place.distance)) place.gap = 0; // the first place was the best one
     return place;
+  }
+
+  // by a step or a part of it, if that is closer
+  bool go(Place& place, const std::array<double, 2>& step, const Kernel::Point_3& p) const
+  {
+    const Place from = place;
+    for (double t = step[0] == 0 && step[1] == 0 ? 0 : 1; t > 1e-3; t /= 4) {
+      place.u = from.u;
+      place.v = from.v;
+      places_.move(place, t * step[0], t * step[1]);
+      place.at = places_.evaluate(place);
+      place.distance = std::sqrt(CGAL::squared_distance(Places::in_double(place.at.point), p));
+      if (place.distance < from.distance) return true;
+    }
+    place = from;
+    return false;
+  }
+
+  std::array<double, 2> slope(const Place& place, const Kernel::Point_3& p) const
+  {
+    const auto r = Places::in_double(place.at.point) - p;
+    const auto along = [&](const auto& derivative) {
+      const auto d = Places::vector_in_double(derivative);
+      return d * d > 0 ? -(r * d) / (d * d) : 0.;
+    };
+    return {along(place.at.du), along(place.at.dv)};
   }
 
   // of Newton's method for the half square of the distance; what leads out of the domain is left out
