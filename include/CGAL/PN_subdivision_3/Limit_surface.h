@@ -54,7 +54,8 @@ the rows beyond are extrapolated, which gives the rule of the border. Linear sch
 second order. The point-normal average \f$ L_k(u,v) \f$ (`PN_average`) of these weights over the net of round \f$ k \f$ converges to the limit of a point-normal scheme: the
 functions \f$ a_j \f$ have the same second moments everywhere and no third ones, so that \f$ |L_{k+1}-L_k| \f$ decreases to 1/16 in each round; it is exact on spheres and cylinders. The
 face is refined, with the rings of faces around it that its rounds read and no others, until this difference, and the angle between the normals of both,
-are within the tolerances. Derivatives are those of \f$ L_k \f$, first ones with an error of the third order in the size of the face, second ones of second order.
+are within the tolerances. Derivatives are those of \f$ L_k \f$, first ones with an error of the third order in the size of the face, second ones of second order;
+on borders and creases of point-normal schemes, those across only of first order, and second ones do not converge.
 
 Next to extraordinary vertices the face is refined until the point lies in a regular face. The vertices themselves are evaluated as by `limit_points()`, without derivatives, which in these
 parameters do not exist there. What is still not regular after the maximal number of rounds, and schemes that are not splines (Butterfly, Kobbelt), are evaluated by the

@@ -9,7 +9,8 @@
 #define CGAL_PN_SUBDIVISION_3_LIMIT_SURFACE_QUERIES_H
 
 #include <CGAL/PN_subdivision_3/Limit_surface.h>
-#include <CGAL/PN_subdivision_3/internal/tessellation/Flatness.h>
+#include <CGAL/PN_subdivision_3/internal/limit_surface/Ray_search.h>
+#include <CGAL/PN_subdivision_3/internal/limit_surface/Surface_places.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
@@ -38,18 +39,6 @@ namespace PN_subdivision_3 {
 
 namespace internal {
 
-// A flat triangle between limit points.
-template <class Face>
-struct Query_triangle
-{
-  using Kernel = Simple_cartesian<double>;
-
-  Kernel::Triangle_3 triangle;
-  Face face;
-  std::size_t piece;
-  std::array<std::array<double, 2>, 3> parameters; // of the corners, in the piece
-};
-
 template <class Face>
 struct Query_primitive
 {
@@ -62,8 +51,8 @@ struct Query_primitive
     : id_(i)
   {}
   Id id() const { return id_; }
-  const Datum& datum() const { return id_->triangle; }
-  Point reference_point() const { return id_->triangle.vertex(0); }
+  Datum datum() const { return id_->triangle(); }
+  Point reference_point() const { return id_->corners[0].point; }
 
 private:
   Id id_;
@@ -85,8 +74,9 @@ using Query_traits = AABB_traits<Simple_cartesian<double>, Primitive>;
 finds closest points and intersections with rays on a limit surface. An `AABB_tree` of flat triangles between limit points finds candidates; from
 there Newton's method goes to the point on the surface itself, which is evaluated where the query needs it, see `Limit_surface`.
 
-How far the surface is from its triangles is estimated as in `tessellate()`. All triangles that may have the closest point, within twice this distance, are looked at. A ray
-that passes the surface closer than this without a crossing, or crosses it twice between, may be counted wrong.
+How far the surface is from its triangles is estimated as in `tessellate()`. All triangles that may have the closest point, within twice this distance, are looked at, and all
+that a ray passes within it. Where the ray may meet the surface over one of these and Newton's method does not find where, or may meet it twice, the triangle is split, up to 16 times.
+A point that is returned for a ray is at most four times the `tolerance()` of the surface off it, or twice the `error` that the surface has there if that is more.
 
 The squares of distances have to be in the range of `double`, here and in `AABB_tree`: coordinates up to 10<sup>150</sup>.
 
@@ -129,7 +119,7 @@ public:
   \throws std::invalid_argument if `divisions` is not even and positive, or if the mesh has no faces
   */
   explicit Limit_surface_queries(const Surface& surface, unsigned divisions = 4)
-    : surface_(surface)
+    : places_(surface)
   {
     if (divisions == 0 || divisions % 2 != 0)
       throw std::invalid_argument("PN_subdivision_3: edges are divided in an even number of parts, "
@@ -140,8 +130,9 @@ public:
     for (const auto face : surface.faces()) {
       const std::size_t pieces = surface.number_of_pieces(face);
       for (std::size_t piece = 0; piece < pieces; ++piece)
-        add_piece(face, piece, pieces == 1 ? divisions : divisions / 2);
+        places_.add_triangles(face, piece, pieces == 1 ? divisions : divisions / 2, triangles_);
     }
+    for (const Triangle& t : triangles_) distance_ = (std::max)(distance_, t.distance);
     tree_.insert(triangles_.begin(), triangles_.end());
     tree_.build();
   }
@@ -154,7 +145,7 @@ public:
   /// the point of the surface closest to a point.
   Hit closest_point(const Point_3& p) const
   {
-    const Kernel::Point_3 q = in_double(p);
+    const Kernel::Point_3 q = Places::in_double(p);
     const auto nearest = tree_.closest_point_and_primitive(q);
     const double flat = std::sqrt(CGAL::squared_distance(q, nearest.first));
     Place best = descend(start(*nearest.second, nearest.first), q);
@@ -165,12 +156,12 @@ public:
     std::vector<std::pair<double, typename Primitive::Id>> sorted;
     for (const auto& t : around)
       if (t != nearest.second)
-        sorted.emplace_back(std::sqrt(CGAL::squared_distance(q, t->triangle)), t);
+        sorted.emplace_back(std::sqrt(CGAL::squared_distance(q, t->triangle())), t);
     std::sort(sorted.begin(), sorted.end());
     for (const auto& [d, t] : sorted) {
       if (d - distance_ > best.distance) break;
-      if (is_reached(*t, best)) continue;
-      const Place other = descend(start(*t, closest(t->triangle, q)), q);
+      if (Places::is_about(best, *t, 0)) continue;
+      const Place other = descend(start(*t, closest(t->triangle(), q)), q);
       if (other.distance < best.distance) best = other;
     }
     const double least = (std::max)(0., flat - distance_);
@@ -186,104 +177,52 @@ public:
   */
   std::optional<Hit> first_intersection(const Point_3& source, const Vector_3& direction) const
   {
-    const Kernel::Point_3 o = in_double(source);
-    Kernel::Vector_3 d = vector_in_double(direction);
+    Kernel::Vector_3 d = Places::vector_in_double(direction);
     const double length = std::sqrt(d.squared_length());
     if (!(length > 0))
       throw std::invalid_argument("PN_subdivision_3: the direction of a ray is zero");
     d = d / length;
-    std::vector<typename Primitive::Id> crossed;
-    tree_.all_intersected_primitives(Kernel::Ray_3(o, d), std::back_inserter(crossed));
-    std::optional<Hit> first;
-    for (const auto& t : crossed) {
-      const double along = crossing(t->triangle, o, d);
-      const Kernel::Point_3 flat = o + along * d;
-      if (first && along - 4 * distance_ > first->distance) continue;
-      Place best = intersect(start(*t, closest(t->triangle, flat)), o, d, along);
-      if (!is_hit(best)) best = intersect_neighbors(*t, flat, o, d, along, best);
-      if (!is_hit(best)) { // the triangle is what is known
-        best = start(*t, closest(t->triangle, flat));
-        best.at = evaluate(best);
-        best.distance = along;
-        best.gap = gap(best.at, o, d, along);
-      }
-      if (best.distance >= 0 && (!first || best.distance < first->distance))
-        first = hit(best, best.distance, best.gap);
-    }
-    return first;
+    const Kernel::Point_3 o = Places::in_double(source);
+    Near_ray near_ray{distance_, {}};
+    tree_.traversal(Kernel::Ray_3(o, d), near_ray);
+    internal::Ray_search<Surface> search(places_, o, d);
+    std::vector<std::pair<double, typename Primitive::Id>> sorted;
+    for (const auto& t : near_ray.found) sorted.emplace_back(search.least_distance(*t), t);
+    std::sort(sorted.begin(), sorted.end());
+    for (const auto& [least, t] : sorted) search.add(*t);
+    if (!search.first()) return {};
+    return hit(*search.first(), search.first()->distance, search.first()->gap);
   }
 
 private:
+  using Places = internal::Surface_places<Surface>;
   using Kernel = Simple_cartesian<double>;
-  using Face = typename Surface::Face;
-  using Triangle = internal::Query_triangle<Face>;
-  using Primitive = internal::Query_primitive<Face>;
-  using Surface_point = typename Surface::Surface_point;
+  using Triangle = typename Places::Triangle;
+  using Place = typename Places::Place;
+  using Primitive = internal::Query_primitive<typename Surface::Face>;
 
-  // parameters in a piece, and what is there
-  struct Place
+  // Collects the triangles whose boxes, grown, a ray meets.
+  struct Near_ray
   {
-    Face face;
-    std::size_t piece;
-    double u, v;
-    Surface_point at;
-    double distance = std::numeric_limits<double>::infinity(), gap = distance;
+    double reach;
+    std::vector<typename Primitive::Id> found;
+
+    bool go_further() const { return true; }
+    void intersection(const Kernel::Ray_3& ray, const Primitive& p)
+    {
+      if (is_met(ray, p.datum().bbox())) found.push_back(p.id());
+    }
+    template <class Node>
+    bool do_intersect(const Kernel::Ray_3& ray, const Node& node) const
+    {
+      return is_met(ray, node.bbox());
+    }
+    bool is_met(const Kernel::Ray_3& ray, const Bbox_3& b) const
+    {
+      return CGAL::do_intersect(ray, Bbox_3(b.xmin() - reach, b.ymin() - reach, b.zmin() - reach,
+                                            b.xmax() + reach, b.ymax() + reach, b.zmax() + reach));
+    }
   };
-
-  template <class Point>
-  static Kernel::Point_3 in_double(const Point& p)
-  {
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-  }
-  template <class Vector>
-  static Kernel::Vector_3 vector_in_double(const Vector& v)
-  {
-    return {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
-  }
-
-  // \name Triangles
-  void add_piece(Face face, std::size_t piece, unsigned n)
-  {
-    const bool is_triangle = surface_.is_triangular();
-    std::vector<typename Surface::Location> places;
-    for (unsigned j = 0; j <= n; ++j)
-      for (unsigned i = 0; i <= (is_triangle ? n - j : n); ++i)
-        places.push_back({face, 2. * double(piece) + double(i) / n, double(j) / n});
-    const auto points = surface_.evaluate(places);
-    std::size_t row = 0;
-    for (unsigned j = 0; j < n; ++j) {
-      const std::size_t width = (is_triangle ? n - j : n) + 1, next = row + width;
-      for (unsigned i = 0; i + 1 < width; ++i) {
-        add(face, piece, places, points, {row + i, row + i + 1, next + i});
-        if (!is_triangle || i + 2 < width)
-          add(face, piece, places, points, {row + i + 1, next + i + 1, next + i});
-      }
-      row = next;
-    }
-  }
-
-  void add(Face face, std::size_t piece, const std::vector<typename Surface::Location>& places,
-           const std::vector<Surface_point>& points, const std::array<std::size_t, 3>& at)
-  {
-    Triangle t;
-    t.face = face;
-    t.piece = piece;
-    std::array<internal::flatness::Corner, 3> corners;
-    std::array<Kernel::Point_3, 3> p;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto& s = points[at[k]];
-      p[k] = in_double(s.point);
-      const auto n = vector_in_double(s.normal);
-      corners[k] = {{p[k].x(), p[k].y(), p[k].z()}, {n.x(), n.y(), n.z()}};
-      t.parameters[k] = {places[at[k]].u - 2. * double(piece), places[at[k]].v};
-      distance_ = (std::max)(distance_, s.error);
-    }
-    t.triangle = Kernel::Triangle_3(p[0], p[1], p[2]);
-    const double estimate = internal::tessellation_safety *
-                            internal::flatness::over_triangle(corners[0], corners[1], corners[2]);
-    distance_ = (std::max)(distance_, estimate);
-    triangles_.push_back(t);
-  }
 
   static Kernel::Point_3 closest(const Kernel::Triangle_3& t, const Kernel::Point_3& p)
   {
@@ -304,89 +243,69 @@ private:
 
   Place start(const Triangle& t, const Kernel::Point_3& p) const
   {
-    const auto c = coordinates(t.triangle, p);
-    Place place{t.face, t.piece, 0, 0, {}};
-    for (std::size_t k = 0; k < 3; ++k) {
-      // vertices may have no derivatives
-      const double part = 0.98 * c[k] + 0.02 / 3;
-      place.u += part * t.parameters[k][0];
-      place.v += part * t.parameters[k][1];
-    }
-    put_inside(place.u, place.v);
-    return place;
-  }
-
-  Surface_point evaluate(const Place& p) const
-  {
-    return surface_.evaluate(p.face, 2. * double(p.piece) + p.u, p.v);
-  }
-
-  // whether the best place lies in the triangle
-  static bool is_reached(const Triangle& t, const Place& best)
-  {
-    if (t.face != best.face || t.piece != best.piece) return false;
-    const auto& q = t.parameters;
-    double least_u = 1, least_v = 1, greatest_u = 0, greatest_v = 0;
-    for (const auto& c : q) {
-      least_u = (std::min)(least_u, c[0]), greatest_u = (std::max)(greatest_u, c[0]);
-      least_v = (std::min)(least_v, c[1]), greatest_v = (std::max)(greatest_v, c[1]);
-    }
-    return best.u >= least_u && best.u <= greatest_u && best.v >= least_v && best.v <= greatest_v;
-  }
-
-  void put_inside(double& u, double& v) const
-  {
-    u = (std::min)(1., (std::max)(0., u));
-    v = (std::min)(1., (std::max)(0., v));
-    if (surface_.is_triangular() && u + v > 1) {
-      const double excess = (u + v - 1) / 2;
-      u = (std::max)(0., u - excess);
-      v = (std::min)((std::max)(0., v - excess), 1 - u);
-    }
+    return places_.start(t, coordinates(t.triangle(), p));
   }
 
   // \name Closest points: the least distance in a piece, by Newton's method in its domain
   Place descend(Place place, const Kernel::Point_3& p) const
   {
     constexpr int most_steps = 30;
-    place.at = evaluate(place);
-    place.distance = std::sqrt(CGAL::squared_distance(in_double(place.at.point), p));
+    place.at = places_.evaluate(place);
+    place.distance = std::sqrt(CGAL::squared_distance(Places::in_double(place.at.point), p));
     place.gap = place.distance;
     for (int i = 0; i < most_steps; ++i) {
-      const auto step = this->step(place, p);
-      if (step[0] == 0 && step[1] == 0) break;
       Place next = place;
-      double t = 1;
-      for (; t > 1e-3; t /= 4) {
-        next.u = place.u + t * step[0];
-        next.v = place.v + t * step[1];
-        put_inside(next.u, next.v);
-        next.at = evaluate(next);
-        next.distance = std::sqrt(CGAL::squared_distance(in_double(next.at.point), p));
-        if (next.distance < place.distance) break;
-      }
-      if (!(t > 1e-3)) break;
-      const double moved =
-        std::sqrt(CGAL::squared_distance(in_double(next.at.point), in_double(place.at.point)));
+      // what a side cuts off of Newton's step may be what was good of it; of the gradient's it is not
+      if (!go(next, step(place, p), p) && !go(next, slope(place, p), p)) break;
+      const double moved = std::sqrt(CGAL::squared_distance(Places::in_double(next.at.point),
+                                                            Places::in_double(place.at.point)));
       next.gap = place.distance - next.distance;
       place = next;
-      if (moved <= surface_.tolerance()) break;
+      if (moved <= places_.surface().tolerance()) break;
     }
     if (!(place.gap < place.distance)) place.gap = 0; // the first place was the best one
     return place;
   }
 
+  // by a step or a part of it, if that is closer
+  bool go(Place& place, const std::array<double, 2>& step, const Kernel::Point_3& p) const
+  {
+    const Place from = place;
+    for (double t = step[0] == 0 && step[1] == 0 ? 0 : 1; t > 1e-3; t /= 4) {
+      place.u = from.u;
+      place.v = from.v;
+      places_.move(place, t * step[0], t * step[1]);
+      place.at = places_.evaluate(place);
+      place.distance = std::sqrt(CGAL::squared_distance(Places::in_double(place.at.point), p));
+      if (place.distance < from.distance) return true;
+    }
+    place = from;
+    return false;
+  }
+
+  std::array<double, 2> slope(const Place& place, const Kernel::Point_3& p) const
+  {
+    const auto r = Places::in_double(place.at.point) - p;
+    const auto along = [&](const auto& derivative) {
+      const auto d = Places::vector_in_double(derivative);
+      return d * d > 0 ? -(r * d) / (d * d) : 0.;
+    };
+    return {along(place.at.du), along(place.at.dv)};
+  }
+
   // of Newton's method for the half square of the distance; what leads out of the domain is left out
   std::array<double, 2> step(const Place& place, const Kernel::Point_3& p) const
   {
-    const Surface_point& s = place.at;
+    const auto& s = place.at;
     if (s.derivatives == 0) return {0, 0};
-    const auto r = in_double(s.point) - p, du = vector_in_double(s.du), dv = vector_in_double(s.dv);
+    const auto r = Places::in_double(s.point) - p, du = Places::vector_in_double(s.du),
+               dv = Places::vector_in_double(s.dv);
     const double gu = r * du, gv = r * dv;
     double a = du * du, b = du * dv, c = dv * dv;
     if (s.derivatives == 2) {
-      const double x = a + r * vector_in_double(s.duu), y = b + r * vector_in_double(s.duv),
-                   z = c + r * vector_in_double(s.dvv);
+      const double x = a + r * Places::vector_in_double(s.duu),
+                   y = b + r * Places::vector_in_double(s.duv),
+                   z = c + r * Places::vector_in_double(s.dvv);
       if (x > 0 && x * z - y * y > 1e-3 * a * c) a = x, b = y, c = z;
     }
     return bounded(place, gu, gv, a, b, c);
@@ -401,7 +320,8 @@ private:
     const auto leaves = [](double x, double dx) {
       return (x <= 0 && dx < 0) || (x >= 1 && dx > 0);
     };
-    if (surface_.is_triangular() && place.u + place.v >= 1 - 1e-15 && step[0] + step[1] > 0) {
+    if (places_.surface().is_triangular() && place.u + place.v >= 1 - 1e-15 &&
+        step[0] + step[1] > 0) {
       const double along = -(gu - gv) / (a - 2 * b + c);
       step = {along, -along};
     }
@@ -410,74 +330,10 @@ private:
     return step;
   }
 
-  // \name Rays
-  static double crossing(const Kernel::Triangle_3& t, const Kernel::Point_3& o,
-                         const Kernel::Vector_3& d)
-  {
-    const auto n = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
-    const double nd = n * d;
-    return nd == 0 ? (t[0] - o) * d : (n * (t[0] - o)) / nd;
-  }
-  static double gap(const Surface_point& s, const Kernel::Point_3& o, const Kernel::Vector_3& d,
-                    double along)
-  {
-    return std::sqrt(CGAL::squared_distance(in_double(s.point), o + along * d));
-  }
-  bool is_hit(const Place& p) const
-  {
-    return p.gap <= (std::max)(4 * surface_.tolerance(), 1e-14 * p.distance);
-  }
-
-  // of Newton's method for S(u, v) = o + t d
-  Place intersect(Place place, const Kernel::Point_3& o, const Kernel::Vector_3& d,
-                  double along) const
-  {
-    constexpr int most_steps = 20;
-    for (int i = 0;; ++i) {
-      place.at = evaluate(place);
-      place.distance = along;
-      place.gap = gap(place.at, o, d, along);
-      if (i == most_steps || is_hit(place) || place.at.derivatives == 0) return place;
-      const auto du = vector_in_double(place.at.du), dv = vector_in_double(place.at.dv);
-      const auto r = o + along * d - in_double(place.at.point);
-      const auto n = CGAL::cross_product(du, dv);
-      const double det = n * d;
-      if (det == 0) return place;
-      // r = du x + dv y - d z
-      const double z = -(n * r) / det;
-      const auto in_plane = r + z * d;
-      const double a = du * du, b = du * dv, c = dv * dv, ru = in_plane * du, rv = in_plane * dv;
-      const double gram = a * c - b * b;
-      if (!(gram > 0)) return place;
-      place.u += (c * ru - b * rv) / gram;
-      place.v += (a * rv - b * ru) / gram;
-      put_inside(place.u, place.v);
-      along += z;
-    }
-  }
-
-  // the surface may be crossed in another piece than its triangles are
-  Place intersect_neighbors(const Triangle& t, const Kernel::Point_3& flat,
-                            const Kernel::Point_3& o, const Kernel::Vector_3& d, double along,
-                            Place best) const
-  {
-    const double reach = 4 * distance_;
-    std::vector<typename Primitive::Id> around;
-    tree_.all_intersected_primitives(Kernel::Sphere_3(flat, reach * reach),
-                                     std::back_inserter(around));
-    for (const auto& other : around) {
-      if (other->face == t.face && other->piece == t.piece) continue;
-      const Place p = intersect(start(*other, closest(other->triangle, flat)), o, d, along);
-      if (p.gap < best.gap) best = p;
-      if (is_hit(best)) break;
-    }
-    return best;
-  }
-
-  static Hit hit(const Place& p, double distance, double error)
+  Hit hit(const Place& p, double distance, double error) const
   {
     Hit h;
-    h.location = {p.face, 2. * double(p.piece) + p.u, p.v};
+    h.location = places_.location(p);
     h.point = p.at.point;
     h.normal = p.at.normal;
     h.distance = distance;
@@ -485,7 +341,7 @@ private:
     return h;
   }
 
-  const Surface& surface_;
+  const Places places_;
   std::vector<Triangle> triangles_;
   AABB_tree<internal::Query_traits<Primitive>> tree_;
   double distance_ = 0;

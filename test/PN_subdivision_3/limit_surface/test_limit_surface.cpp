@@ -10,6 +10,7 @@
 
 #include "Named_shapes.h"
 #include "Scheme_runs.h"
+#include "Surface_checks.h"
 #include "support/Options.h"
 
 #include <CGAL/Bbox_3.h>
@@ -387,6 +388,26 @@ TEST(LimitSurface, DerivativesAreThoseOfThePoints)
 {
   expect_derivatives_of_points(test_meshes::bipyramid(7), PN::Loop_scheme());
   expect_derivatives_of_points(named_shapes::cube(), PN::CatmullClark_scheme());
+  expect_derivatives_of_points(named_shapes::prism(5), PN::CatmullClark_scheme()); // of a pentagon
+}
+
+template <class Scheme>
+void expect_linear_derivatives(Control_mesh shape, const Scheme& scheme)
+{
+  SCOPED_TRACE(shape.name);
+  test_meshes::set_uneven_normals(shape, 5);
+  const Surface_mesh mesh = to_surface_mesh(shape);
+  surface_checks::expect_derivatives(PN::Limit_surface(mesh, PN::linear(scheme)),
+                                     [&](Face f) { return mesh.degree(f); }, {2, 1e-4, 1e-3});
+}
+TEST(LimitSurface, DerivativesInAllKindsOfFaces)
+{
+  expect_linear_derivatives(named_shapes::tetrahedron(), PN::CatmullClark_scheme());
+  expect_linear_derivatives(named_shapes::prism(5), PN::CatmullClark_scheme());
+  expect_linear_derivatives(named_shapes::prism(6), PN::CatmullClark_scheme());
+  expect_linear_derivatives(test_meshes::single_polygon(5), PN::CatmullClark_scheme()); // a border
+  expect_linear_derivatives(named_shapes::tetrahedron(), PN::Loop_scheme());
+  expect_linear_derivatives(test_meshes::star(5, 2, Cells::triangles), PN::Loop_scheme());
 }
 
 TEST(LimitSurface, Roundness0IsTheLinearScheme)

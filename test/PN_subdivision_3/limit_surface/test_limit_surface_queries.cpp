@@ -10,6 +10,7 @@
 #include "Extent.h"
 #include "Named_shapes.h"
 #include "Scheme_runs.h"
+#include "Surface_checks.h"
 
 #include <CGAL/PN_subdivision_3/Limit_surface_queries.h>
 
@@ -107,6 +108,20 @@ TEST(LimitSurfaceQueries, NoPointIsCloser)
       EXPECT_GE(c.distance, least - 0.05);
       EXPECT_NEAR(length(c.point - p), c.distance, 1e-12);
     }
+}
+
+// Faces of three corners become three pieces, and Newton's method ends at their sides.
+TEST(LimitSurfaceQueries, PiecesOfPolygons)
+{
+  Control_mesh shape = named_shapes::tetrahedron();
+  test_meshes::set_uneven_normals(shape, 5);
+  Surface_mesh mesh = to_surface_mesh(shape);
+  const PN::Limit_surface surface(mesh, PN::linear(PN::CatmullClark_scheme()),
+                                  PN::parameters::tolerance(1e-9));
+  const surface_checks::Fine_triangles fine(surface, 6);
+  const Queries queries(surface);
+  surface_checks::expect_rays(surface, queries, fine, 40);
+  surface_checks::expect_closest_points(surface, queries, fine, 8);
 }
 
 // \name Creases and borders: the surfaces are known

@@ -96,8 +96,7 @@ public:
     Node node = PN_average<FT, 3>()(entries.data(), entries.data() + size_ - 2, old.data());
     Vector sum = zero_vector<FT, 3>();
     for (int i = 1; i < size_ - 1; ++i)
-      add_multiple<FT, 3>(sum, weight(size_, i),
-                          carried(nodes_[i].value.normal, normals_[i], node.normal));
+      add_carried(sum, weight(size_, i), nodes_[i].value.normal, normals_[i], node.normal);
     node.normal = unit_or_zero(sum);
     return node;
   }
@@ -241,19 +240,20 @@ private:
       normals_[j] = opposite_vector<FT, 3>(normals_[j]);
   }
 
-  // v turned by the smallest rotation that takes the unit vector a to b; fades out where that is not defined
-  static Vector carried(const Vector& v, const Vector& a, const Vector& b)
+  // Adds v, turned by the smallest rotation that takes the unit vector a to b; the weight fades as in PN_average.
+  static void add_carried(Vector& sum, FT weight, const Vector& v, const Vector& a, const Vector& b)
   {
     const FT d = FT(1) + dot<FT, 3>(a, b);
-    if (PN_average<FT, 3>::is_zero(a) || PN_average<FT, 3>::is_zero(b) || d <= fade_end<FT>())
-      return v;
-    const FT part = d < fade_begin<FT>() ? fade(d) : FT(1);
-    Vector sum = a;
-    add_multiple<FT, 3>(sum, FT(1), b);
     Vector result = v;
-    add_multiple<FT, 3>(result, -part * dot<FT, 3>(v, sum) / d, sum);
-    add_multiple<FT, 3>(result, part * FT(2) * dot<FT, 3>(v, a), b);
-    return result;
+    if (!PN_average<FT, 3>::is_zero(a) && !PN_average<FT, 3>::is_zero(b)) {
+      if (d <= fade_end<FT>()) return;
+      if (d < fade_begin<FT>()) weight *= fade(d);
+      Vector both = a;
+      add_multiple<FT, 3>(both, FT(1), b);
+      add_multiple<FT, 3>(result, -dot<FT, 3>(v, both) / d, both);
+      add_multiple<FT, 3>(result, FT(2) * dot<FT, 3>(v, a), b);
+    }
+    add_multiple<FT, 3>(sum, weight, result);
   }
 
   const Nodes& nodes_;
@@ -279,7 +279,7 @@ this and of what the columns first and then the rows give, so that it does not m
 
  - Where the lines of a grid lie on circles, each row and the line of the new points do, too, and the new point is on
    the circle: grids of parallels and meridians of a torus keep the torus, those of a surface of revolution round
-   parallels.
+   parallels, if neighbors are less than half a turn apart.
  - In exact number types curve normals, and the new control normals, are rounded to `double`.
  - Across inflections, and along lines that are straight, circles tell nothing. There, continuously, from a quarter down to
    1/16 of the largest curvature of the points that are averaged, the control normal stands in for the curve normal.

@@ -156,24 +156,30 @@ public:
   };
 
   // \name What is known of the vertices
-  // calls f(level, kind) with the level of a cell cut open, and kind(v)
+  // calls f(level, base, kind) with the level of a cell cut open, the base there, and kind(v)
   template <class Function>
   void with_kinds(Cell& cell, const Function& f) const
   {
     Level_connectivity& level = cell.level.level;
-    const auto kinds = [&](const std::vector<char>& is_corner) {
-      f(level, [&](Index v) { return kind(level, v, is_corner); });
+    const auto kinds = [&](Index base, const std::vector<char>& is_corner) {
+      f(level, base, [&](Index v) { return kind(level, v, is_corner); });
     };
     if constexpr (are_creases_v<Level_creases>) {
       std::vector<char> is_corner(cell.creases.number_of_slots, 0);
       for (const Crease_star& star : cell.creases.stars)
         if (cell.creases.rule(star) == Vertex_rule::corner)
           for (Index w = 0; w < star.number_of_wedges; ++w) is_corner[star.slot(w)] = 1;
+      const Index face = cell.face();
+      Index steps =
+        0; // from the half-edge of the face, which the cut exchanges, as it may the base
+      for (Index h = level.halfedge_of_face(face); h != cell.base; h = level.next(h)) ++steps;
       Level_cut<FT> cut(level, cell.creases);
-      kinds(is_corner);
+      Index base = level.halfedge_of_face(face);
+      for (; steps > 0; --steps) base = level.next(base);
+      kinds(base, is_corner);
       cut.close();
     } else
-      kinds({});
+      kinds(cell.base, {});
   }
 
 private:

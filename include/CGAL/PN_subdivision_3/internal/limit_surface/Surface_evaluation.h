@@ -99,7 +99,6 @@ public:
       e(std::move(cell), std::move(queries));
     else {
       const typename Cells::Round round(cells_, std::move(cell));
-      for (Surface_query& q : queries) q.scale *= 2;
       e(round.child(corner), std::move(queries));
     }
     return std::move(e.done);
@@ -194,9 +193,9 @@ private:
       Queries open;
       bool is_regular = false;
       if (of_.neighborhood_.is_spline && cell.rounds + 1 >= first_tuned_round(of_.cells_.scheme()))
-        of_.cells_.with_kinds(cell, [&](const Level_connectivity& level, const auto& kind) {
-          const Spline_piece piece(level, cell.base, degree, of_.neighborhood_.regular_rings > 0,
-                                   kind);
+        of_.cells_.with_kinds(cell, [&](const Level_connectivity& level, Index base,
+                                        const auto& kind) {
+          const Spline_piece piece(level, base, degree, of_.neighborhood_.regular_rings > 0, kind);
           is_regular = piece.is_regular();
           if (!is_regular) return;
           for (Surface_query& q : queries)

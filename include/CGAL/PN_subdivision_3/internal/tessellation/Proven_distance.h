@@ -107,8 +107,8 @@ private:
         if ((of & sides & 1u << i) != 0) raise(of_sides, distance_from_side(p, i, search));
     };
     bool is_regular = false;
-    cells_.with_kinds(cell, [&](const Level_connectivity& level, const auto& kind) {
-      const Spline_piece piece(level, cell.base, degree, false, kind);
+    cells_.with_kinds(cell, [&](const Level_connectivity& level, Index base, const auto& kind) {
+      const Spline_piece piece(level, base, degree, false, kind);
       is_regular = piece.is_regular();
       if (is_regular)
         piece.for_each_bezier_point([&](Index v) { return place(point_of(cell.level.values[v])); },
