@@ -39,7 +39,7 @@ struct Mesh_measures
   std::size_t folded_edges = 0, sharply_folded_edges = 0; // by more than 90, and 150, degrees
   // of these edges, by the size of the mesh; without those of right angles, whatever their rounding
   double folded_length = 0, sharply_folded_length = 0;
-  double distance = 0;                                    // the largest of a vertex
+  double distance = 0; // the largest of a vertex
   std::size_t farthest_vertex = 0;
 
   bool is_swollen() const;

@@ -133,10 +133,12 @@ Surface_options with_part(const Surface_options& given)
 
 bool looks_like_part(const Mesh_data& mesh)
 {
-  constexpr std::size_t most = 2000, most_faces = 64;
+  constexpr std::size_t least = 100, most = 2000, most_faces = 64;
   const std::size_t n = mesh.points.size();
+  // a look at all of them would take a third of the time of a round
+  const std::size_t number = (std::min)(most, (std::max)(least, n / 16));
   // some vertices, of whatever rows the mesh may have
-  const auto is_looked_at = [step = n / most + 1](Mesh_data::Index v) {
+  const auto is_looked_at = [step = (std::max)(std::size_t(1), n / number)](Mesh_data::Index v) {
     return step == 1 || (v * std::uint64_t(0x9e3779b97f4a7c15) >> 32) % step == 0;
   };
   std::unordered_map<Mesh_data::Index, std::vector<std::size_t>> faces; // of these
