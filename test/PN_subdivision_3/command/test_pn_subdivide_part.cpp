@@ -216,21 +216,24 @@ TEST_F(Pn_subdivide_part, FilesThatSayMoreAreNotTaken)
 // A vase of twelve sides is rows of cones above a plane, and meant to be smooth.
 TEST_F(Pn_subdivide_part, RowsOfConesAreNoPart)
 {
-  Part vase;
   const std::vector<double> radius{1, 1.6, 1.9, 1.7, 1.1, .8, 1};
-  std::vector<Triple> bottom;
-  for (int i = 0; i < 12; ++i) {
-    const double a = 30. * i, b = a + 30;
-    bottom.push_back(on_circle(1, 330 - a, 0));
-    for (std::size_t j = 0; j + 1 < radius.size(); ++j)
-      vase.add({on_circle(radius[j], a, double(j)), on_circle(radius[j], b, double(j)),
-                on_circle(radius[j + 1], b, double(j + 1)),
-                on_circle(radius[j + 1], a, double(j + 1))});
+  for (const double height : {1., .4}) { // of a row, which turn by less, or more, than 40 degrees
+    Part vase;
+    std::vector<Triple> bottom;
+    for (int i = 0; i < 12; ++i) {
+      const double a = 30. * i, b = a + 30;
+      bottom.push_back(on_circle(1, 330 - a, 0));
+      for (std::size_t j = 0; j + 1 < radius.size(); ++j) {
+        const double low = height * double(j), high = height * double(j + 1);
+        vase.add({on_circle(radius[j], a, low), on_circle(radius[j], b, low),
+                  on_circle(radius[j + 1], b, high), on_circle(radius[j + 1], a, high)});
+      }
+    }
+    vase.add(bottom);
+    folder.write("vase.ply", vase.ply());
+    const std::string text = said("vase.ply", "--levels 1");
+    EXPECT_FALSE(contains(text, taken)) << text;
   }
-  vase.add(bottom);
-  folder.write("vase.ply", vase.ply());
-  const std::string text = said("vase.ply", "--levels 1");
-  EXPECT_FALSE(contains(text, taken)) << text;
 }
 
 TEST_F(Pn_subdivide_part, AColumnOfTheUsersStays)
