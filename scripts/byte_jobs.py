@@ -84,7 +84,7 @@ def sharp():
                        ["--sharp angle:30 --border curve --levels 4"], options("--threads", [1, 2]))
     lines += by_scheme(["doo-sabin", "kobbelt", "butterfly", "sqrt3"], ["@cube.off"], ["@octahedron.off"],
                        ["--sharp angle:40", "--border curve"])
-    return lines
+    return lines + ["@parts/bracket.obj out.stl --part", "@parts/bolt.obj out.ply --part --levels 2"]
 
 
 def pairs():

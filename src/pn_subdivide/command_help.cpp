@@ -30,8 +30,8 @@ const std::vector<Option_group>& option_groups()
 {
   static const std::vector<Option_group> groups = {
     {"Common options",
-     {"--levels", "--chord", "--scheme", "--closed", "--sharp", "--normals", "--roundness",
-      "--linear", "--limit", "--threads", "--quiet", "--help"}},
+     {"--levels", "--chord", "--scheme", "--closed", "--part", "--sharp", "--normals",
+      "--roundness", "--linear", "--limit", "--threads", "--quiet", "--help"}},
     {"Sharp edges, borders and ends", {"--sharpness", "--border", "--write-tags", "--end"}},
     {"Surfaces of CAD parts",
      {"--min-facets", "--surface-tolerance", "--sharp-angle", "--planes", "--surface-labels"}},
@@ -134,7 +134,7 @@ std::string top_level_footer()
   return "What people look for, with any mesh in the place of part.obj:\n"
          "  smooth it                pn_subdivide part.obj smooth.ply --levels 3\n"
          "  keep its edges           pn_subdivide part.obj smooth.ply --levels 3 --sharp angle:40\n"
-         "  a part of CAD as an STL  pn_subdivide part.stl smooth.stl --levels 3 --sharp surfaces\n"
+         "  a part of CAD as an STL  pn_subdivide part.stl fine.stl --part\n"
          "  compare with the linear  pn_subdivide part.obj linear.ply --levels 3 --linear\n"
          "  color by curvature       pn_subdivide part.obj color.ply --levels 3 --curvature mean\n"
          "  pass through its points  pn_subdivide part.obj smooth.ply --levels 3 --interpolate "
@@ -157,7 +157,8 @@ std::string surface_footer()
          files_and_exit_codes() +
          "\nExamples:\n"
          "  pn_subdivide head.obj smooth.ply --levels 3\n"
-         "  pn_subdivide part.obj smooth.ply --levels 3 --sharp angle:40 --limit\n"
+         "  pn_subdivide part.stl fine.stl --part\n"
+         "  pn_subdivide house.obj smooth.ply --levels 3 --sharp angle:40 --limit\n"
          "  pn_subdivide part.stl smooth.ply --repair --merge-points --report smooth.json\n";
 }
 

@@ -170,7 +170,8 @@ void add_crease_options(CLI::App& command, Crease_options& options)
   command.add_option(
     "--sharp", options.sharp,
     "Edges that are creases: auto (default; those of file, but of normals for flat "
-    "shading only if there are at most 6 different ones or one for 20 faces), "
+    "shading only if there are at most 6 different ones or one for 20 faces; those of surfaces if "
+    "the file has neither tags nor normals and is a part beyond doubt), "
     "none, surfaces (those between the planes, cylinders, cones, spheres and tori of a CAD part, "
     "which are recognized; ./surfaces is a file), file (those that the file tags as sharp, or "
     "where its normals of two faces differ by "
@@ -200,6 +201,15 @@ void add_recognition_options(CLI::App& command, Crease_options& options)
   command.add_option("--surface-labels", options.surface_labels,
                      "With --sharp surfaces: write the number of its surface for each control "
                      "face into this file, one per line");
+}
+
+void add_part(CLI::App& command, bool& part)
+{
+  command.add_flag(
+    "--part", part,
+    "A CAD part written as facets, such as an STL file of openscad: the same as "
+    "--sharp surfaces --planes rims --chord 0.02%; a --chord of your own or --levels "
+    "N take the place of that one");
 }
 
 void add_planes(CLI::App& command, std::optional<std::string>& planes)
@@ -287,6 +297,7 @@ void add_surface_command(CLI::App& app, Surface_options& options)
     "property roundness besides its control normals, 1 with other given normals, "
     "else as estimate), file, estimate (computed from the points), or a number for all "
     "vertices from 0 (linear points) to 1");
+  add_part(surface, options.part);
   add_crease_options(surface, options.creases);
   add_recognition_options(surface, options.creases);
   add_planes(surface, options.planes);
@@ -319,9 +330,11 @@ void add_surface_command(CLI::App& app, Surface_options& options)
   surface.add_option("--threads", options.threads, "Number of threads; 0 for all cores")
     ->transform(whole_number())
     ->capture_default_str();
-  surface.add_flag("--check", options.check,
-                   "Compare with the result of the linear scheme: print volumes, folds and the "
-                   "largest distance, whether it is SWOLLEN or FOLDED, and what helps");
+  surface.add_flag(
+    "--check", options.check,
+    "Compare with the control mesh and its recognized surfaces, beside the result of "
+    "the linear scheme: print volumes, folds and the largest distance, whether the "
+    "shape is kept, SWOLLEN, LOST or FOLDED, and what helps");
   add_verify_options(surface, options.verify, "sphere:X,Y,Z,R or cylinder:X,Y,Z,DX,DY,DZ,R");
   add_pieces_options(surface, options.pieces);
   add_repair_options(surface, options);

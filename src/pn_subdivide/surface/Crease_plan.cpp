@@ -81,7 +81,7 @@ Recognition_plan Recognition_plan::make(const Crease_options& options)
   if (options.sharp_angle) plan.sharp_angle = parse_sharp_angle(*options.sharp_angle);
   const std::string option = given_option(options);
   if (!option.empty() && !wants_surfaces(options))
-    throw Usage_error(option + " needs " + sharp_surfaces);
+    throw Usage_error(option + " needs " + sharp_surfaces + " or --part");
   return plan;
 }
 

@@ -30,6 +30,7 @@ struct Recognition_plan
   unsigned min_facets = 8;
   std::optional<double> tolerance; // without: of the rounding of the file
   double sharp_angle = 30;         // in degrees
+  bool tries_tolerances = true;    // whether another one recognizes more
 
   // Throws Usage_error, also if the options are given without --sharp surfaces.
   static Recognition_plan make(const Crease_options& options);

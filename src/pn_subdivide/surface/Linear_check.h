@@ -15,8 +15,6 @@
 #include "surface/creases.h"
 #include "surface/surface_schemes.h"
 
-#include <CGAL/PN_subdivision_3/compare_with_linear.h>
-
 #include <cstddef>
 #include <cstdio>
 #include <optional>
@@ -25,30 +23,49 @@
 
 namespace pn_subdivide {
 
-// Edges that are not sharp and that --sharp angle:40 would make sharp.
-std::size_t number_of_turning_edges(const Mesh_data& mesh, const Creases& creases);
+// Edges that are not sharp and that --sharp angle:40 would make sharp, and all edges.
+struct Turning_edges
+{
+  std::size_t number = 0, of = 0;
+};
+Turning_edges find_turning_edges(const Mesh_data& mesh, const Creases& creases);
 // "12 edges turn by more than 40 degrees"
 std::string turning_edges_text(std::size_t number, const std::string& edge = "edge");
 
-// --check: what is worse than in the linear result, and what helps.
+// What is measured of a mesh against the control mesh and its recognized surfaces.
+struct Mesh_measures
+{
+  std::optional<double> volume; // as a part of theirs, of closed meshes that have one
+  std::size_t folded_edges = 0, sharply_folded_edges = 0; // by more than 90, and 150, degrees
+  // of these edges, by the size of the mesh; without those of right angles, whatever their rounding
+  double folded_length = 0, sharply_folded_length = 0;
+  double distance = 0; // the largest of a vertex
+  std::size_t farthest_vertex = 0;
+
+  bool is_swollen() const;
+  bool is_lost() const;
+  // beyond the folds of the control mesh
+  bool is_folded(const Mesh_measures& control) const;
+};
+
+// --check: whether the shape of the control mesh is kept, beside the linear result, and what helps.
 class Linear_check
 {
 public:
-  using Comparison = CGAL::PN_subdivision_3::Comparison_with_linear;
-
   // What was chosen, which the advice depends on.
   struct Choices
   {
     bool may_tag = false; // edges could be sharp, and nobody said which
     bool has_given_normals = false;
-    std::optional<double> roundness; // the same everywhere
-    // if it varies, of control vertices
-    std::size_t of_roundness_0 = 0, of_roundness_below_1 = 0;
+    bool may_interpolate = false;
+    std::optional<double> roundness;       // the same everywhere
+    const Recognized_part* part = nullptr; // what is recognized, or nullptr
   };
   struct Rounds
   {
     unsigned levels, threads;
     Limit_choice limit;
+    std::optional<double> chord; // triangles within that
   };
 
   // The control mesh as it was read; the creases are those of its edges.
@@ -64,14 +81,19 @@ public:
   std::vector<Report::Value> values() const;
 
 private:
-  std::string verdict() const; // of words for --check, or empty
+  void make_linear(const Scheme_choice& scheme, const Rounds& rounds);
+  std::string verdict(const Mesh_measures& m) const; // "SWOLLEN, FOLDED", "kept"
+  bool is_bad(const Mesh_measures& m) const;
   std::string advice() const;
   std::vector<std::string> lines() const;
 
   Choices choices_;
   Surface control_, net_;
-  std::optional<Crease_maps> control_creases_, net_creases_;
-  Comparison comparison_;
+  std::optional<Crease_maps> net_creases_;
+  Turning_edges turning_;
+  std::size_t of_roundness_0_ = 0, of_roundness_below_1_ = 0; // if it varies, of control vertices
+  std::string reference_;                                     // its name
+  Mesh_measures of_control_, of_result_, of_linear_;
 };
 
 } // namespace pn_subdivide

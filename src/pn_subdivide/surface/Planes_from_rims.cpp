@@ -131,12 +131,12 @@ void require_options_for_planes(const Surface_options& options)
   if (!options.planes) return;
   if (*options.planes != "rims")
     throw Usage_error("--planes '" + *options.planes + "': expected rims");
-  if (!wants_surfaces(options.creases)) throw Usage_error("--planes rims needs --sharp surfaces");
+  if (!wants_surfaces(options.creases))
+    throw Usage_error("--planes rims needs --sharp surfaces or --part");
   const std::string why = "its triangles are no control mesh for further rounds";
   for (const char* const choice : {"control", "both"})
     refuse(options.output_normals == choice, std::string("--output-normals ") + choice, why);
   refuse(options.write_tags.has_value(), "--write-tags", why);
-  refuse(options.check, "--check", "the linear result has other faces");
 }
 
 Planes_from_rims::Planes_from_rims(const Surface& surface, const std::vector<double>& segments,

@@ -14,10 +14,12 @@
 #include <CGAL/PN_subdivision_3/internal/recognition/file_rounding.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/recognize_surfaces.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -53,16 +55,15 @@ auto with_parameters(const Recognition_plan& plan, const Function& f)
            : f(np);
 }
 
-// Between known surfaces whose normals are within two degrees at both ends.
-bool is_tangent(const Recognized_part& part, const Surface& surface, Patch_map segments,
-                Corner_normal_map normals, Edge e)
+// The least cosine of the angle between the normals of two known surfaces along an edge; -1 if they are not known.
+double cosine_between(const Recognized_part& part, const Surface& surface, Patch_map segments,
+                      Corner_normal_map normals, Edge e)
 {
-  const double least = std::cos(2 * CGAL_PI / 180);
   const Halfedge h = surface.halfedge(e), g = surface.opposite(h);
-  if (surface.is_border(e)) return false;
-  return part.is_known(segments[surface.face(h)]) && part.is_known(segments[surface.face(g)]) &&
-         normals[h] * normals[surface.prev(g)] >= least &&
-         normals[g] * normals[surface.prev(h)] >= least;
+  if (surface.is_border(e)) return -1;
+  if (!part.is_known(segments[surface.face(h)]) || !part.is_known(segments[surface.face(g)]))
+    return -1;
+  return (std::min)(normals[h] * normals[surface.prev(g)], normals[g] * normals[surface.prev(h)]);
 }
 
 double area_of(const Surface& surface, Face f)
@@ -76,18 +77,66 @@ double area_of(const Surface& surface, Face f)
   return std::sqrt(twice.squared_length()) / 2;
 }
 
+CGAL::Bbox_3 box_of(const Surface& surface)
+{
+  CGAL::Bbox_3 box;
+  for (const Vertex v : surface.vertices()) box += surface.point(v).bbox();
+  return box;
+}
+
+double diagonal_of(const CGAL::Bbox_3& box)
+{
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+// Those with more vertices than determine them: a plane that is a triangle, or a warped quadrilateral, is a facet of anything.
+std::vector<bool> sure_segments(const Recognized_part& part, const Surface& surface)
+{
+  const double flat = 1e-5 * diagonal_of(box_of(surface));
+  std::vector<bool> sure;
+  for (const Recognized_surface& s : part.surfaces)
+    sure.push_back(s.kind != Kind::unknown &&
+                   (s.kind != Kind::plane || (s.number_of_faces > 1 && s.residual <= flat)));
+  for (const Face f : surface.faces()) {
+    const Recognized_surface& s = part.surfaces[part.segments[f]];
+    if (s.kind == Kind::plane && s.residual <= flat && surface.degree(f) > 3)
+      sure[part.segments[f]] = true;
+  }
+  return sure;
+}
+
 void fill(Recognized_part& part, const Surface& surface, Patch_map segments, Crease_map creases,
           Corner_normal_map normals)
 {
+  for (const Face f : surface.faces()) part.segments.push_back(segments[f]);
+  const std::vector<bool> sure = sure_segments(part, surface);
+  const auto is_among_sure_ones = [&](Face f) {
+    const auto faces = CGAL::faces_around_face(surface.halfedge(f), surface);
+    return std::all_of(faces.begin(), faces.end(),
+                       [&](Face g) { return g == Surface::null_face() || sure[part.segments[g]]; });
+  };
   for (const Face f : surface.faces()) {
-    part.segments.push_back(segments[f]);
     const double area = area_of(surface, f);
     part.area += area;
-    if (!part.is_known(segments[f])) part.unknown_area += area;
+    if (!part.is_known(segments[f]))
+      part.unknown_area += area;
+    else if (sure[segments[f]] || is_among_sure_ones(f))
+      part.sure_area += area;
   }
+  const double cosine_of_2_degrees = std::cos(2 * CGAL_PI / 180),
+               cosine_of_40_degrees = std::cos(40 * CGAL_PI / 180);
   for (const Edge e : surface.edges()) {
     part.creases.push_back(creases[e]);
-    if (creases[e] && is_tangent(part, surface, segments, normals, e)) ++part.tangent_creases;
+    if (!creases[e]) continue;
+    const double cosine = cosine_between(part, surface, segments, normals, e);
+    const auto is_round = [&](Halfedge h) {
+      return part.surfaces[segments[surface.face(h)]].kind != Kind::plane;
+    };
+    if (cosine >= cosine_of_2_degrees)
+      ++part.tangent_creases;
+    else if (cosine > cosine_of_40_degrees && is_round(surface.halfedge(e)) &&
+             is_round(surface.opposite(surface.halfedge(e))))
+      ++part.slight_creases;
   }
   for (const Halfedge h : surface.halfedges()) part.normals.push_back(normals[h]);
 }
@@ -106,17 +155,15 @@ void try_tolerance_of_six_digits(Recognized_part& part, Surface& surface,
 {
   std::vector<double> x;
   double largest = 0;
-  CGAL::Bbox_3 box;
   for (const Vertex v : surface.vertices()) {
     const Point_3& p = surface.point(v);
-    box += p.bbox();
     for (int i = 0; i < 3; ++i) {
       x.push_back(p[i]);
       largest = (std::max)(largest, std::abs(p[i]));
     }
   }
   if (PN::internal::recognition::file_rounding(x) > std::ldexp(largest, -40)) return;
-  const double tolerance = 2e-6 * std::hypot(box.x_span(), box.y_span(), box.z_span());
+  const double tolerance = 2e-6 * diagonal_of(box_of(surface));
   const auto segments = surface.add_property_map<Face, std::size_t>("f:other_segment", 0).first;
   const std::vector<Recognized_surface> found = PN::recognize_surfaces(
     surface, segments, PN::parameters::surface_tolerance(tolerance).min_facets(plan.min_facets));
@@ -136,6 +183,18 @@ bool Recognized_part::knows_any() const
                      [&](std::size_t segment) { return is_known(segment); });
 }
 
+bool Recognized_part::is_sure() const
+{
+  const auto has = [&](std::initializer_list<Kind> kinds) {
+    return std::any_of(surfaces.begin(), surfaces.end(), [&](const Recognized_surface& s) {
+      return std::find(kinds.begin(), kinds.end(), s.kind) != kinds.end();
+    });
+  };
+  const auto all_creases = std::size_t(std::count(creases.begin(), creases.end(), true));
+  return sure_area >= 0.9 * area && has({Kind::plane}) &&
+         has({Kind::cylinder, Kind::sphere, Kind::torus}) && 2 * slight_creases <= all_creases;
+}
+
 Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& plan)
 {
   Recognized_part part;
@@ -148,7 +207,7 @@ Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& pl
   const Roundness_map roundness = add_roundness(surface);
   with_parameters(plan, [&](const auto& np) {
     part.surfaces = PN::recognize_surfaces(surface, segments, np);
-    if (!plan.tolerance) try_tolerance_of_six_digits(part, surface, plan);
+    if (!plan.tolerance && plan.tries_tolerances) try_tolerance_of_six_digits(part, surface, plan);
     PN::surface_creases(surface, segments, part.surfaces, creases,
                         PN::parameters::join(PN::parameters::vertex_roundness_map(roundness)
                                                .vertex_is_constrained_map(corners)

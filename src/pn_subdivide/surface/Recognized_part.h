@@ -28,10 +28,13 @@ struct Recognized_part
   std::vector<std::size_t> segments;        // of the faces
   std::vector<bool> creases;                // is the edge one?
   std::size_t tangent_creases = 0;          // between surfaces that touch
+  std::size_t slight_creases = 0;           // of round surfaces that meet at up to 40 degrees
   std::vector<std::size_t> corners;         // vertices: apexes of cones
   std::vector<Vector_3> normals;            // of corners; zero: none
   std::vector<double> roundness;            // of vertices: 0 where nothing is known, else 1
   double unknown_area = 0, area = 0;
+  double sure_area =
+    0; // of surfaces with more vertices than determine them, and of triangles among such faces only
   // of a file of all digits: a tolerance with which clearly more is recognized, and how many segments then; 0: there is none
   double other_tolerance = 0;
   std::size_t other_segments = 0;
@@ -41,6 +44,8 @@ struct Recognized_part
     return surfaces[segment].kind != Recognized_surface::Kind::unknown;
   }
   bool knows_any() const;
+  // Is it one beyond doubt? Surfaces cover it, planes and round ones, and not only rows of cones, as which a vase is recognized.
+  bool is_sure() const;
 };
 
 // The mesh must be an oriented 2-manifold. Its normals take no part. Passes on the library's exceptions.

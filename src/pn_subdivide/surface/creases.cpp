@@ -258,6 +258,16 @@ std::string Creases::description() const
   return s;
 }
 
+void put_surface_creases(Creases& creases, const Mesh_data& mesh, const Recognized_part& part)
+{
+  constexpr double forever = std::numeric_limits<double>::infinity();
+  creases.edges.assign(part.creases.size(), 0.);
+  creases.vertices.assign(mesh.points.size(), 0.);
+  set_edges(creases, part.creases, forever);
+  for (const std::size_t v : part.corners) creases.vertices[v] = forever;
+  count(creases);
+}
+
 Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::string& scheme,
                      const Recognized_part* part, const std::string& name, Report& report)
 {
@@ -284,10 +294,9 @@ Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::
   creases.vertices.assign(mesh.points.size(), 0.);
   if (plan.source == Source::angle)
     set_edges(creases, edges_of_angle(surface, plan.degrees, creases), plan.sharpness);
-  else if (part != nullptr) {
-    set_edges(creases, part->creases, plan.sharpness);
-    for (const std::size_t v : part->corners) creases.vertices[v] = plan.sharpness;
-  } else if (plan.source == Source::selection) {
+  else if (part != nullptr)
+    put_surface_creases(creases, mesh, *part);
+  else if (plan.source == Source::selection) {
     set_selection(creases, surface, mesh, plan);
     if (!plan.selection.faces.empty())
       report.warn(plan.file + ": the faces of the selection take no part");

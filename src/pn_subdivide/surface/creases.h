@@ -50,6 +50,9 @@ struct Creases
 
 struct Recognized_part;
 
+// Those between recognized surfaces.
+void put_surface_creases(Creases& creases, const Mesh_data& mesh, const Recognized_part& part);
+
 // Warns if nothing is sharp although it was asked for, and if there are normals for creases that are
 // none; `scheme` is the scheme without rules for creases, or empty, `part` what was recognized if
 // surfaces were asked for. Throws Error.

@@ -34,6 +34,12 @@ bool can_interpolate(const Scheme& scheme)
 
 } // namespace
 
+bool can_interpolate(const Scheme_choice& choice)
+{
+  const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+  return !scheme.interpolates() && can_interpolate(scheme);
+}
+
 void require_interpolation(const Scheme_choice& choice)
 {
   const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);

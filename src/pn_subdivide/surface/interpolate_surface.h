@@ -28,6 +28,7 @@ struct Interpolation
 
 // Throws Usage_error if surfaces of the scheme cannot be made to pass through points.
 void require_interpolation(const Scheme_choice& choice);
+bool can_interpolate(const Scheme_choice& choice);
 
 // Makes a mesh the control net of a surface through its vertices; without normals by the linear scheme. With creases
 // it gets the normals of their wedges, and the tangents. Passes on the library's exceptions.

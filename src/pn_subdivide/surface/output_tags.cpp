@@ -118,11 +118,21 @@ void Tags_file::commit()
 namespace {
 
 constexpr const char* column_name = "surface";
+constexpr const char* hidden_name = "surface, not to be written";
 
-void drop_segments(Columns& columns)
+void drop_column(Columns& columns, const char* name)
 {
-  const auto is_ours = [](const Column& column) { return column.name == column_name; };
+  const auto is_ours = [name](const Column& column) { return column.name == name; };
   columns.erase(std::remove_if(columns.begin(), columns.end(), is_ours), columns.end());
+}
+
+void add_column(Columns& columns, const char* name, const Recognized_part& part)
+{
+  Column column;
+  column.name = name;
+  column.type = Scalar_type::int32;
+  column.values.assign(part.segments.begin(), part.segments.end());
+  columns.push_back(std::move(column));
 }
 
 } // namespace
@@ -172,24 +182,31 @@ void add_segments(Mesh_data& mesh, const Recognized_part& part, const std::strin
     report.warn_of_dropped(name + ": the property 'surface' of faces gives way to the numbers of "
                                   "the recognized surfaces",
                            {"'surface' of faces"});
-  drop_segments(columns);
-  Column column;
-  column.name = column_name;
-  column.type = Scalar_type::int32;
-  column.values.assign(part.segments.begin(), part.segments.end());
-  columns.push_back(std::move(column));
+  drop_column(columns, column_name);
+  add_column(columns, column_name, part);
+}
+
+void add_hidden_segments(Mesh_data& mesh, const Recognized_part& part)
+{
+  add_column(mesh.attributes.of_faces, hidden_name, part);
 }
 
 std::vector<double>* segments_of(Attributes& attributes)
 {
+  std::vector<double>* segments = nullptr;
   for (Column& column : attributes.of_faces)
-    if (column.name == column_name) return &column.values;
-  return nullptr;
+    if (column.name == hidden_name || (column.name == column_name && segments == nullptr))
+      segments = &column.values;
+  return segments;
 }
 
 void suit_segments(Mesh_data& mesh, const Mesh_file& output)
 {
-  if (output.format != "ply" && output.format != "vtp") drop_segments(mesh.attributes.of_faces);
+  Columns& columns = mesh.attributes.of_faces;
+  const auto is_hidden = [](const Column& column) { return column.name == hidden_name; };
+  if (std::any_of(columns.begin(), columns.end(), is_hidden))
+    return drop_column(columns, hidden_name); // one of the user's stays
+  if (output.format != "ply" && output.format != "vtp") drop_column(columns, column_name);
 }
 
 } // namespace pn_subdivide

@@ -72,6 +72,8 @@ private:
 // Adds the property, which the children of the faces get, too. One of the user's with this name gives way.
 void add_segments(Mesh_data& mesh, const Recognized_part& part, const std::string& name,
                   Report& report);
+// The same of a part that was not asked for, under a name that no file has, and not to be written.
+void add_hidden_segments(Mesh_data& mesh, const Recognized_part& part);
 // That property; nullptr if there is none.
 std::vector<double>* segments_of(Attributes& attributes);
 // It stays where files have properties of faces, without a word elsewhere.

@@ -30,6 +30,8 @@
 #include "surface/mesh_origin.h"
 #include "surface/output_mesh.h"
 #include "surface/output_tags.h"
+#include "surface/part_borders.h"
+#include "surface/part_choice.h"
 #include "surface/refine_surface.h"
 #include "surface/roundness.h"
 #include "surface/tessellate_surface.h"
@@ -448,22 +450,78 @@ bool takes_file_normals(const Plan& plan, bool has_file_normals)
 }
 
 Linear_check::Choices choices(const Plan& plan, const Surface_options& options,
-                              const Scheme_choice& scheme, bool has_file_normals)
+                              const Scheme_choice& scheme, const Creases& creases,
+                              bool has_file_normals, const Recognized_part* recognized)
 {
-  return {may_suggest_tags(plan, options, scheme),
+  const bool is_smooth = !creases.any() && creases.border == Border::surface;
+  return {plan.creases.source == Crease_plan::Source::automatic &&
+            may_suggest_tags(plan, options, scheme),
           has_shape_normals(plan) || takes_file_normals(plan, has_file_normals),
-          plan.roundness.constant()};
+          is_smooth && !plan.interpolation && !plan.is_adaptive && can_interpolate(scheme),
+          plan.roundness.constant(), recognized};
+}
+
+// What --sharp auto makes of a mesh.
+struct Seen_part
+{
+  std::optional<Recognized_part> part; // if the mesh looks like one
+  bool is_taken = false;
+  Turning_edges turning; // if they are to be told of
+};
+
+bool tells_of_turning_edges(const Plan& plan, const Surface_options& options,
+                            const Scheme_choice& scheme)
+{
+  return !options.report.quiet && options.levels > 0 &&
+         plan.normals.source != Normals_option::Source::none && !has_shape_normals(plan) &&
+         may_suggest_tags(plan, options, scheme);
+}
+
+// To be called when it is settled which creases and normals of the file count.
+Seen_part look_for_part(const Mesh_data& mesh, const Plan& plan, const Surface_options& options,
+                        const Scheme_choice& scheme, const Creases& creases)
+{
+  constexpr std::size_t few_faces = 5000; // whose surfaces --check may take the time to find
+  Seen_part seen;
+  if (tells_of_turning_edges(plan, options, scheme))
+    seen.turning = find_turning_edges(mesh, creases);
+  if (is_in_pieces(options, plan.output)) return seen;
+  const bool is_open = may_be_part(options, scheme) && !mesh.has_normals() && !creases.any();
+  const bool is_wanted = is_open || seen.turning.number > 0 || options.check;
+  if (!is_wanted) return seen;
+  const bool looks = looks_like_part(mesh);
+  if (!looks && !(options.check && mesh.number_of_faces() <= few_faces)) return seen;
+  Recognition_plan recognition = plan.creases.recognition;
+  recognition.tries_tolerances = false;
+  seen.part = recognize_part(mesh, recognition);
+  seen.is_taken = is_open && looks && seen.part->is_sure();
+  return seen;
+}
+
+void take_part(Mesh_data& mesh, const Recognized_part& part, Plan& plan, bool has_border_option,
+               Creases& creases, Report& report)
+{
+  plan.creases.source = Crease_plan::Source::surfaces;
+  put_surface_creases(creases, mesh, part);
+  if (!has_border_option) put_part_borders(creases, mesh, part);
+  add_hidden_segments(mesh, part);
+  report.remark(plan.input.title("standard input") + ": " + taken_for_part(part));
 }
 
 // For the closing line: ", 12 edges turn ...", if somebody could want them sharp.
-std::string turning_edges(const Mesh_data& mesh, const Plan& plan, const Surface_options& options,
-                          const Scheme_choice& scheme, const Creases& creases)
+std::string turning_edges(const Mesh_data& mesh, const Seen_part& seen)
 {
-  if (options.report.quiet || options.levels == 0 || !mesh.has_normals() || has_shape_normals(plan))
-    return {};
-  if (!may_suggest_tags(plan, options, scheme)) return {};
-  const std::size_t number = number_of_turning_edges(mesh, creases);
-  return number == 0 ? "" : ", " + turning_edges_text(number) + ": --sharp angle:40";
+  if (!mesh.has_normals()) return {};
+  const Turning_edges& turning = seen.turning;
+  switch (edge_advice(seen.part ? &*seen.part : nullptr, turning.number, turning.of)) {
+  case Edge_advice::part:
+    return ", " + turning_edges_text(turning.number) + ": --part";
+  case Edge_advice::angle:
+    return ", " + turning_edges_text(turning.number) + ": --sharp angle:40";
+  case Edge_advice::none:
+    break;
+  }
+  return {};
 }
 
 void remark_on_texture(const Plan& plan, const Surface_options& options, Report& report)
@@ -490,8 +548,9 @@ void tessellate(Surface& surface, const Plan& plan, Surface_options& options,
 // What the mesh becomes: refined, with curvatures, and with faces that the output can hold.
 void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
              const Scheme_choice& scheme, const Creases& creases, bool has_file_normals,
-             const std::optional<Recognized_part>& part, std::optional<Surface_table>& table,
-             std::optional<Linear_check>& check, Report& report)
+             const std::optional<Recognized_part>& part, const Recognized_part* recognized,
+             std::optional<Surface_table>& table, std::optional<Linear_check>& check,
+             Report& report)
 {
   const bool must_split = !holds_polygons(plan.output);
   const bool is_creased = creases.any() || creases.border != Border::surface;
@@ -513,7 +572,8 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   if (table) table->number_faces(attributes);
   if (!plan.is_adaptive) announce_long_work(surface, options, scheme, report);
   if (options.check)
-    check.emplace(surface, creases, choices(plan, options, scheme, has_file_normals));
+    check.emplace(surface, creases,
+                  choices(plan, options, scheme, creases, has_file_normals, recognized));
   Refinement rounds = refinement(options, plan.threads, report);
   Wedge_list wedges;
   rounds.wedges = &wedges;
@@ -545,7 +605,9 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
     move_to_limits(surface, plan, options, scheme, rounds.creases, report);
   }
   if (table) table->measure(surface, attributes);
-  if (check) check->compare(surface, scheme, {options.levels, plan.threads, plan.limit});
+  Linear_check::Rounds compared{options.levels, plan.threads, plan.limit, std::nullopt};
+  if (plan.is_adaptive) compared.chord = chord;
+  if (check && !options.planes) check->compare(surface, scheme, compared);
   Crease_tags tags;
   if (has_tags) tags = tags_of(surface, *rounds.creases);
   if (must_split) split_for_output(surface, plan.output, attributes, report);
@@ -559,6 +621,7 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   if (curvature) add_curvature(mesh, plan, std::move(*curvature), report);
   if (planes) {
     planes->put_into(mesh);
+    if (check) check->compare(make_surface(mesh), scheme, compared);
     planes->report(plan.output.title("standard output"), report);
   }
 }
@@ -599,13 +662,19 @@ void require_interpolation_of_creases(const Creases& creases, const Plan& plan)
                 "ever; leave out --sharpness, or take --sharp none");
 }
 
-void warn_of_lost_normals(bool has_corner_normals, const Plan& plan, Report& report)
+// Of creases that nobody has asked for no more than a note is made.
+void warn_of_lost_normals(bool has_corner_normals, bool are_asked_for, const Plan& plan,
+                          Report& report)
 {
   if (!has_corner_normals || !holds_normals(plan.output) || holds_corner_normals(plan.output))
     return;
-  report.warn(plan.output.title("standard output") +
-              ": vertices on creases have several normals, " + plan.output.format +
-              " files hold one, which is their normalized sum; .obj holds all");
+  const std::string text = plan.output.title("standard output") +
+                           ": vertices on creases have several normals, " + plan.output.format +
+                           " files hold one, which is their normalized sum; .obj holds all";
+  if (are_asked_for)
+    report.warn(text);
+  else
+    report.note(text);
 }
 
 void warn_of_lost_attributes(const std::vector<std::string>& names, const Plan& plan,
@@ -693,10 +762,12 @@ std::optional<Chord_rounds> choose_rounds(const Mesh_data& mesh, Plan& plan,
   return rounds;
 }
 
-void report_surfaces(const Surface_table& table, const std::optional<Chord_rounds>& rounds,
-                     double chord, const std::string& input, Report& report)
+// A table of them if they were asked for.
+void report_surfaces(const Surface_table& table, bool are_asked_for,
+                     const std::optional<Chord_rounds>& rounds, double chord,
+                     const std::string& input, Report& report)
 {
-  report.note(table.text());
+  if (are_asked_for) report.note(table.text());
   report.set_surfaces(table.rows());
   table.warn(input, report);
   if (!rounds) return;
@@ -744,13 +815,13 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, Surface_options& o
     report.progress("refining and writing " + plan.output.name + ": " + std::to_string(size.faces) +
                     " faces, " + pieces);
   if (plan.is_adaptive && job.attributes->has_texture()) remark_on_texture(plan, options, report);
-  warn_of_lost_normals(job.has_lost_normals, plan, report);
+  warn_of_lost_normals(job.has_lost_normals, true, plan, report);
   warn_of_lost_attributes(job.lost_attributes, plan, report);
   const Limit_summary limits = write_pieces(job, plan.output.name, plan.threads, report);
   if (const Tessellation* const tessellation = job.pieces->tessellation()) {
     options.levels = tessellation->depth;
     report_tessellation(*tessellation, chord, plan.output.name, report);
-    warn_of_lost_normals(tessellation->has_several_normals && job.normals.are_written, plan,
+    warn_of_lost_normals(tessellation->has_several_normals && job.normals.are_written, true, plan,
                          report);
   }
   if (plan.limit.is_used()) report_limits(limits, plan, report);
@@ -769,7 +840,7 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, Surface_options& o
 
 void run_surface_command(const Surface_options& given_options)
 {
-  Surface_options options = given_options;
+  Surface_options options = with_part(given_options);
   Report report(options.report, ranks().rank() != 0);
   Plan plan = make_plan(options);
   const std::string input = plan.input.title("standard input");
@@ -778,6 +849,7 @@ void run_surface_command(const Surface_options& given_options)
   std::string normals, turning;
   std::optional<Linear_check> check;
   std::optional<Recognized_part> part;
+  Seen_part seen;
   std::optional<Surface_table> table;
   bool has_normals = false; // to refine with
   double chord = 0;
@@ -795,10 +867,15 @@ void run_surface_command(const Surface_options& given_options)
     part = recognized_part(mesh, plan, report);
     creases = find_creases(mesh, plan.creases, scheme_without_creases(scheme),
                            part ? &*part : nullptr, input, report);
+    if (options.part && !options.creases.border) put_part_borders(creases, mesh, *part);
     const bool can_be_sharp = scheme_without_creases(scheme).empty();
     const bool is_copy = plan.output_normals.copies && mesh.normal_kind != Normal_kind::control;
     if (is_copy) mesh.are_said_to_be_control = true; // they stay what the file says that they are
     settle_file_normals(mesh, plan.normals, creases, can_be_sharp, input, report);
+    if (!part) seen = look_for_part(mesh, plan, options, scheme, creases);
+    if (seen.is_taken) part = std::exchange(seen.part, std::nullopt);
+    if (seen.is_taken)
+      take_part(mesh, *part, plan, options.creases.border.has_value(), creases, report);
     require_limit_of_creases(creases, plan, options.levels);
     require_interpolation_of_creases(creases, plan);
     if (in_pieces) require_mesh_for_pieces(mesh, creases, plan.output_normals, plan.output);
@@ -808,7 +885,7 @@ void run_surface_command(const Surface_options& given_options)
                 : set_normals(mesh, plan, creases, report);
     has_normals = mesh.has_normals();
     plan.output_normals.suit(mesh);
-    turning = turning_edges(mesh, plan, options, scheme, creases);
+    if (!part) turning = turning_edges(mesh, seen);
     chord = plan.chord ? plan.chord->of(mesh) : 0;
     const std::optional<Chord_rounds> rounds =
       choose_rounds(mesh, plan, part, creases, scheme, options);
@@ -819,8 +896,10 @@ void run_surface_command(const Surface_options& given_options)
                                tessellation_in_pieces(plan, options, chord), report);
     else {
       if (part) table.emplace(*part, make_surface(mesh));
-      process(mesh, plan, options, scheme, creases, has_file_normals, part, table, check, report);
-      if (table) report_surfaces(*table, rounds, chord, input, report);
+      const Recognized_part* const recognized = part ? &*part : seen.part ? &*seen.part : nullptr;
+      process(mesh, plan, options, scheme, creases, has_file_normals, part, recognized, table,
+              check, report);
+      if (table) report_surfaces(*table, !seen.is_taken, rounds, chord, input, report);
       if (check) report.set_check(check->values());
       if (plan.verification) plan.verification->measure(mesh.points);
     }
@@ -841,7 +920,7 @@ void run_surface_command(const Surface_options& given_options)
   if (mesh.number_of_faces() >= faces_worth_a_report)
     report.progress("writing " + plan.output.title("standard output") + ": " + size_of(mesh));
   if (part) suit_segments(mesh, plan.output);
-  warn_of_lost_normals(mesh.has_corner_normals(), plan, report);
+  warn_of_lost_normals(mesh.has_corner_normals(), !seen.is_taken, plan, report);
   split_seams(mesh, plan, options, report);
   const Encoding encoding = options.ascii ? Encoding::text : Encoding::binary;
   warn_of_lost_attributes(not_held(plan.output, mesh, encoding), plan, report);

@@ -67,7 +67,6 @@ void require_options_for_tessellation(const Surface_options& options)
   for (const char* const choice : {"control", "both"})
     refuse(options.output_normals == choice, std::string("--output-normals ") + choice, why);
   refuse(options.write_tags.has_value(), "--write-tags", why);
-  refuse(options.check, "--check", "the linear result has other faces");
   const std::string in_order = "the pieces of a tessellation are made one after the other";
   refuse(options.pieces.resume, "--resume", in_order);
   refuse(ranks().number() > 1, "mpirun", in_order);

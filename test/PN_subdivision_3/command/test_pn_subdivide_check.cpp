@@ -219,7 +219,7 @@ TEST_F(Pn_subdivide_check, VolumesAndFoldsAreThoseOfTheFiles)
           << result.edges_beyond(cosine) << " by more than 150 (linear "
           << linear.edges_beyond(cosine) << ")\n";
     expect_part(text, folds.str());
-    expect_part(text, "check: farthest from the linear result ");
+    expect_part(text, "check: farthest from the control mesh ");
   }
 }
 
@@ -228,9 +228,8 @@ TEST_F(Pn_subdivide_check, VolumesAndFoldsAreThoseOfTheFiles)
 TEST_F(Pn_subdivide_check, ABeamSwells)
 {
   const std::string beam = folder.write("beam.off", box(10, 1, 1));
-  const std::string edges = "12 control edges turn by more than 40 degrees: tag them "
-                            "(--sharp angle:40)";
-  expect_part(check(beam, "--levels 3 --normals angle"), "check: SWOLLEN. " + edges);
+  expect_part(check(beam, "--levels 3 --normals angle"),
+              "check: SWOLLEN (linear LOST). It looks like a part: try --part\n");
   // nobody can tag these
   for (const char* options : {"--sharp none", "--scheme doo-sabin"}) {
     const std::string text = check(beam, std::string("--levels 3 --normals angle ") + options);
@@ -238,31 +237,51 @@ TEST_F(Pn_subdivide_check, ABeamSwells)
     expect_part(text, ". Try --roundness 0.5\n");
   }
   expect_part(check(beam, "--levels 3 --normals angle --sharp none --roundness 0.5"),
-              "check: SWOLLEN. Try --linear\n");
+              "check: SWOLLEN (linear LOST). Try --linear\n");
   expect_part(check(beam, "--levels 3 --normals sphere:0,0,0 --sharp none"),
-              "check: SWOLLEN. Try --roundness auto --normals estimate\n");
+              "check: SWOLLEN (linear LOST). Try --roundness auto --normals estimate\n");
 }
 
 TEST_F(Pn_subdivide_check, NormalsOfAnyDirectionFold)
 {
   const std::string wild = folder.write("wild.obj", plane(12, Normals::of_any_direction));
   const std::string text = check(wild, "--levels 3 --normals file");
-  expect_part(text, "check: FOLDED. Try --roundness auto --normals estimate\n");
+  expect_part(text, "check: FOLDED (linear not folded). Try --roundness auto --normals estimate\n");
   expect_no_part(text, "SWOLLEN");
 }
 
-TEST_F(Pn_subdivide_check, GoodOnesAreSaidToBe)
+TEST_F(Pn_subdivide_check, TheShapeOfTheControlMeshCounts)
 {
   const std::string cube = folder.write("cube.off", box(1, 1, 1)),
                     beam = folder.write("beam.off", box(10, 1, 1)),
                     flat = folder.write("flat.obj", plane(4, Normals::none));
-  const std::string good = "check: as good as linear\n";
-  expect_part(check(cube, "--levels 3 --normals sphere:0,0,0"), good);
-  expect_part(check(beam, "--levels 3 --sharp angle:40"), good);
-  expect_part(check(flat, "--levels 3"), good);
+  // a ball of 2.7 times the volume, and what is less than a half
+  expect_part(check(cube, "--levels 3 --normals sphere:0,0,0"), "check: SWOLLEN (linear LOST). ");
   const std::string none = check(beam, "--levels 3 --normals none"); // the linear one itself
-  expect_part(none, good);
-  expect_part(none, "farthest from the linear result 0.00 of the local edge length");
+  expect_part(none, "check: LOST (linear LOST). ");
+  expect_part(check(beam, "--levels 3 --sharp angle:40"), "check: kept (linear kept)\n");
+  expect_part(check(flat, "--levels 3"), "check: not folded (linear not folded)\n");
+  expect_part(check(cube, "--levels 2 --sharp none --roundness 0"),
+              ". Try --interpolate slide, whose surface passes through the points\n");
+}
+
+// Each vertex of a Catmull-Clark cube of width 2 is inside of it.
+TEST_F(Pn_subdivide_check, DistancesAreFromTheControlMesh)
+{
+  const std::string cube = folder.write("cube.off", box(1, 1, 1));
+  for (const std::string options : {"--levels 2 --normals none", "--chord 0.01 --normals none"}) {
+    const std::string text = check(cube, options);
+    double largest = 0;
+    for (const Triple& p : Faces_of_file(Temporary_folder::content(folder.file("o.obj"))).points) {
+      const double outmost = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+      largest = (std::max)(largest, 1 - outmost);
+    }
+    char part[100];
+    std::snprintf(part, sizeof part,
+                  "farthest from the control mesh %.3g (linear %.3g), at vertex ", largest,
+                  largest);
+    expect_part(text, part);
+  }
 }
 
 // --- where it is said ---
@@ -306,8 +325,10 @@ TEST_F(Pn_subdivide_check, TheReportHasTheNumbers)
   EXPECT_EQ(json.at("folded"), false);
   EXPECT_EQ(json.at("edges_folded_by_90_degrees"), result.edges_beyond(0));
   EXPECT_LT(json.at("farthest_vertex"), result.points.size());
-  EXPECT_GT(json.at("largest_distance_in_edge_lengths"), 1);
-  expect_part(json.at("advice"), "--sharp angle:40");
+  EXPECT_GT(json.at("largest_distance"), 0.1);
+  EXPECT_EQ(json.at("lost"), false);
+  EXPECT_EQ(json.at("linear_lost"), true);
+  expect_part(json.at("advice"), "--part");
   json = report(wild, "--levels 3 --normals file --check");
   EXPECT_FALSE(json.contains("volume"));
   EXPECT_EQ(json.at("folded"), true);
@@ -339,11 +360,12 @@ TEST_F(Pn_subdivide_check, TheClosingLineNamesEdgesThatTurn)
                     flat = folder.write("flat.obj", plane(4, Normals::none)),
                     roof = folder.write("roof.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
                                                     "3 0 1 2\n3 1 0 3\n");
-  const std::string named = ", 12 edges turn by more than 40 degrees: --sharp angle:40, ";
+  const std::string named = ", 12 edges turn by more than 40 degrees: --part, ";
   expect_part(closing_line(cube, "--levels 2"), named);
   expect_part(closing_line(cube, "--levels 2 --sharp auto --strict"), named);
-  expect_part(closing_line(cube, "--levels 2 --pieces 2"), named);
-  expect_part(closing_line(roof, ""), ", 1 edge turns by more than 40 degrees: --sharp angle:40, ");
+  // nothing is recognized in pieces, and a half and a fifth of the edges are too many for an angle
+  expect_no_part(closing_line(cube, "--levels 2 --pieces 2"), "40 degrees");
+  expect_no_part(closing_line(roof, ""), "40 degrees");
   for (const char* options : {"--linear", "--normals none", "--levels 0", "--sharp none",
                               "--sharp angle:40", "--sharp angle:95 --quiet", "--scheme doo-sabin",
                               "--normals sphere:0,0,0", "--interpolate points", "--quiet"}) {
@@ -366,7 +388,7 @@ TEST_F(Pn_subdivide_check, TaggedEdgesAreNotCounted)
     folder.write("tagged.obj", obj + "t crease 2/1/0 0 1 3.0\nt crease 2/1/0 1 2 3.0\n");
   const std::string line = run(words(input, folder.file("o.obj")) + "--levels 2").err;
   expect_part(line, ", 2 sharp edges");
-  expect_part(line, ", 10 edges turn by more than 40 degrees: --sharp angle:40, ");
+  expect_part(line, ", 10 edges turn by more than 40 degrees: --part, ");
 }
 
 // A surface far outside of its control mesh is not warned of any more: --check tells.

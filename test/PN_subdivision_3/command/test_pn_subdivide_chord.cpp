@@ -345,8 +345,8 @@ TEST_F(Pn_subdivide_chord, WhatDoesNotGoTogether)
   for (const std::string normals : {"control", "both"})
     refused("--chord 0.1 --output-normals " + normals, "--output-normals " + normals);
   refused("--chord 0.1 --write-tags '" + folder.file("t.selection.txt") + "'", "--write-tags");
-  for (const std::string option : {"--check", "--resume", "--curvature mean",
-                                   "--limit --limit-tolerance 1e-6", "--texture-rule boundaries"}) {
+  for (const std::string option : {"--resume", "--curvature mean", "--limit --limit-tolerance 1e-6",
+                                   "--texture-rule boundaries"}) {
     const std::size_t first = option.rfind("--");
     refused("--chord 0.1 " + option, option.substr(first, option.find(' ', first) - first));
   }

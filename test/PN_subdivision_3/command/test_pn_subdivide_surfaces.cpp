@@ -8,6 +8,7 @@
 
 // --sharp surfaces: parts that are written here, of known planes, cylinders and spheres.
 
+#include "Part_files.h"
 #include "Refined_files.h"
 
 #include "io/mesh_io.h"
@@ -38,139 +39,6 @@ using Json = nlohmann::json;
 bool contains(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
-}
-
-// Faces that are oriented outwards, of any degree.
-struct Part
-{
-  std::vector<Triple> points;
-  std::vector<std::vector<std::size_t>> faces;
-
-  // points that are there already are the same ones
-  std::size_t vertex(const Triple& p)
-  {
-    for (std::size_t v = 0; v < points.size(); ++v)
-      if (std::hypot(points[v][0] - p[0], points[v][1] - p[1], points[v][2] - p[2]) < 1e-9)
-        return v;
-    points.push_back(p);
-    return points.size() - 1;
-  }
-  void add(const std::vector<Triple>& corners)
-  {
-    std::vector<std::size_t> face;
-    for (const Triple& p : corners) face.push_back(vertex(p));
-    faces.push_back(face);
-  }
-  // with faces of its own
-  void add(const Part& other, const Triple& shift, bool is_turned)
-  {
-    const std::size_t first = points.size();
-    for (const Triple& p : other.points)
-      points.push_back({p[0] + shift[0], p[1] + shift[1], p[2] + shift[2]});
-    for (std::vector<std::size_t> face : other.faces) {
-      for (std::size_t& v : face) v += first;
-      if (is_turned) std::reverse(face.begin(), face.end());
-      faces.push_back(face);
-    }
-  }
-  void triangulate()
-  {
-    std::vector<std::vector<std::size_t>> triangles;
-    for (const auto& f : faces)
-      for (std::size_t i = 2; i < f.size(); ++i) triangles.push_back({f[0], f[i - 1], f[i]});
-    faces = triangles;
-  }
-  std::string ply(const std::vector<Triple>& normals = {}) const
-  {
-    std::ostringstream s;
-    s.precision(17);
-    s << "ply\nformat ascii 1.0\nelement vertex " << points.size()
-      << "\nproperty double x\nproperty double y\nproperty double z\n";
-    if (!normals.empty()) s << "property double nx\nproperty double ny\nproperty double nz\n";
-    s << "element face " << faces.size()
-      << "\nproperty list uchar int vertex_indices\nend_header\n";
-    for (std::size_t v = 0; v < points.size(); ++v) {
-      for (const double x : points[v]) s << x << ' ';
-      if (!normals.empty())
-        for (const double x : normals[v]) s << x << ' ';
-      s << "\n";
-    }
-    for (const auto& f : faces) {
-      s << f.size();
-      for (const std::size_t v : f) s << ' ' << v;
-      s << "\n";
-    }
-    return s.str();
-  }
-  // every triangle has corners of its own, which are off by a unit in the last place here and there
-  std::string stl() const
-  {
-    std::string s = "solid part\n";
-    unsigned state = 1;
-    for (const auto& f : faces) {
-      s += "facet normal 0 0 0\nouter loop\n";
-      for (const std::size_t v : f) {
-        char line[100];
-        std::array<float, 3> p{};
-        for (std::size_t k = 0; k < 3; ++k) {
-          state = state * 1664525u + 1013904223u;
-          const auto x = static_cast<float>(points[v][k]);
-          p[k] = (state >> 24) % 5 == 0 ? std::nextafter(x, 10.f) : x;
-        }
-        std::snprintf(line, sizeof line, "vertex %.9g %.9g %.9g\n", double(p[0]), double(p[1]),
-                      double(p[2]));
-        s += line;
-      }
-      s += "endloop\nendfacet\n";
-    }
-    return s + "endsolid part\n";
-  }
-};
-
-Triple on_circle(double radius, double degrees, double z)
-{
-  return {radius * std::cos(degrees * pi / 180), radius * std::sin(degrees * pi / 180), z};
-}
-
-// A square plate of width 4 and height 1 with a hole of radius 1, whose 24 sides are rows of quads.
-Part drilled_plate(int rows = 1)
-{
-  const auto outer = [](double degrees, double z) {
-    const Triple p = on_circle(1, degrees, z);
-    const double largest = (std::max)(std::abs(p[0]), std::abs(p[1]));
-    return Triple{2 * p[0] / largest, 2 * p[1] / largest, z};
-  };
-  const auto inner = [](double degrees, double z) { return on_circle(1, degrees, z); };
-  Part part;
-  for (int i = 0; i < 24; ++i) {
-    const double a = 15. * i, b = a + 15;
-    part.add({inner(a, 0), inner(b, 0), outer(b, 0), outer(a, 0)});
-    part.add({outer(a, 1), outer(b, 1), inner(b, 1), inner(a, 1)});
-    for (int j = 0; j < rows; ++j) {
-      const double low = double(j) / rows, high = double(j + 1) / rows;
-      part.add({outer(a, low), outer(b, low), outer(b, high), outer(a, high)});
-      part.add({inner(a, high), inner(b, high), inner(b, low), inner(a, low)});
-    }
-  }
-  return part;
-}
-
-// Cylinders of 24 sides about the z axis, of radius 2 up to z = 1 and of radius 1 above, with flat ends.
-Part shaft()
-{
-  Part part;
-  std::vector<Triple> bottom, top;
-  for (int i = 0; i < 24; ++i) {
-    const double a = 15. * i, b = a + 15;
-    bottom.push_back(on_circle(2, 345 - a, 0));
-    top.push_back(on_circle(1, a, 3));
-    part.add({on_circle(2, a, 0), on_circle(2, b, 0), on_circle(2, b, 1), on_circle(2, a, 1)});
-    part.add({on_circle(2, a, 1), on_circle(2, b, 1), on_circle(1, b, 1), on_circle(1, a, 1)});
-    part.add({on_circle(1, a, 1), on_circle(1, b, 1), on_circle(1, b, 3), on_circle(1, a, 3)});
-  }
-  part.add(bottom);
-  part.add(top);
-  return part;
 }
 
 // A bar along z whose section is a square of width 3 with quarters of circles of radius 1, in 6 steps, at its corners:
@@ -957,7 +825,6 @@ TEST_F(Pn_subdivide_surfaces, WhatExcludesEachOther)
   refused(sharp + "--surface-labels -", {"--surface-labels"});
   refused(sharp + "--surface-labels '" + folder.file("o.ply") + "'", {"--surface-labels"});
   const std::vector<std::string> others = {"--output-normals control", "--output-normals both",
-                                           "--check",
                                            "--write-tags '" + folder.file("t.selection.txt") + "'"};
   for (const std::string& other : others)
     refused(sharp + "--planes rims " + other, {"--planes", other.substr(0, other.find(' '))});

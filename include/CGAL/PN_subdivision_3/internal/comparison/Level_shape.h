@@ -102,18 +102,27 @@ public:
     return std::abs(volume_) <= 1e-13 * volume_terms_ + rounding_ * area_ ? 0 : volume_;
   }
 
-  // edges at which two faces with an area meet at an angle greater than this, which has a cosine, by more than
-  // what rounding makes of rectangular ones
-  std::size_t edges_beyond(double cosine) const
+  // Edges at which two faces with an area meet at an angle greater than this, which has a cosine, by more than
+  // what rounding makes of rectangular ones.
+  std::size_t edges_beyond(double cosine) const { return folds_beyond(cosine).edges; }
+  struct Folds
+  {
+    std::size_t edges = 0;
+    double length = 0; // in all
+  };
+  Folds folds_beyond(double cosine) const
   {
     constexpr double margin = 1e-10;
-    std::size_t number = 0;
+    Folds folds;
     for (Index e = 0; e < level_.number_of_edges(); ++e) {
       if (level_.is_border_edge(e)) continue;
       const Vector &m = areas_[level_.face(2 * e)], &n = areas_[level_.face(2 * e + 1)];
-      number += dot<double, 3>(m, n) < (cosine - margin) * quick_length(m) * quick_length(n);
+      if (!(dot<double, 3>(m, n) < (cosine - margin) * quick_length(m) * quick_length(n))) continue;
+      ++folds.edges;
+      folds.length += quick_length(
+        difference<double, 3>(points_[level_.source(2 * e)], points_[level_.target(2 * e)]));
     }
-    return number;
+    return folds;
   }
 
   // of each vertex the mean length of its edges, 0 without edges

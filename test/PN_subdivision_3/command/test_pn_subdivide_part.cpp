@@ -1,0 +1,439 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Parts without being asked, --part, and what --check says of them: files as openscad writes them, of known planes and cylinders.
+
+#include "Part_files.h"
+#include "Refined_files.h"
+
+#include "io/mesh_io.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace pn_subdivide;
+
+namespace {
+
+using Json = nlohmann::json;
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+Part triangles(Part part)
+{
+  part.triangulate();
+  return part;
+}
+
+// An unwelded body: a box.
+Part box()
+{
+  Part part;
+  const auto p = [](int i) { return Triple{double(i & 1), 2. * (i >> 1 & 1), 3. * (i >> 2)}; };
+  for (const auto& f : {std::array<int, 4>{0, 2, 3, 1},
+                        {4, 5, 7, 6},
+                        {0, 1, 5, 4},
+                        {2, 6, 7, 3},
+                        {0, 4, 6, 2},
+                        {1, 3, 7, 5}})
+    part.add({p(f[0]), p(f[1]), p(f[2]), p(f[3])});
+  return part;
+}
+
+// The distance of a point from the surface of the shaft.
+double from_shaft(const Triple& p)
+{
+  const double r = std::hypot(p[0], p[1]), z = p[2];
+  const auto segment = [&](double r0, double z0, double r1, double z1) {
+    const double length = (r1 - r0) * (r1 - r0) + (z1 - z0) * (z1 - z0);
+    double t = ((r - r0) * (r1 - r0) + (z - z0) * (z1 - z0)) / length;
+    t = (std::min)(1., (std::max)(0., t));
+    return std::hypot(r - r0 - t * (r1 - r0), z - z0 - t * (z1 - z0));
+  };
+  return (std::min)({segment(0, 0, 2, 0), segment(2, 0, 2, 1), segment(2, 1, 1, 1),
+                     segment(1, 1, 1, 3), segment(1, 3, 0, 3)});
+}
+
+struct Distances
+{
+  double largest = 0, mean = 0;
+};
+
+// of the middles of the faces' edges, and of the faces
+Distances from_shaft(const Mesh_data& mesh)
+{
+  Distances d;
+  std::size_t number = 0;
+  const auto add = [&](const Triple& p) {
+    const double distance = from_shaft(p);
+    d.largest = (std::max)(d.largest, distance);
+    d.mean += distance;
+    ++number;
+  };
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto face = mesh.face(f);
+    Triple middle{};
+    for (auto v = face.begin(); v != face.end(); ++v) {
+      const Triple &p = mesh.points[*v],
+                   &q = mesh.points[v + 1 == face.end() ? *face.begin() : *(v + 1)];
+      add({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2});
+      for (std::size_t k = 0; k < 3; ++k) middle[k] += p[k] / double(face.size());
+    }
+    add(middle);
+  }
+  d.mean /= double(number);
+  return d;
+}
+
+class Pn_subdivide_part : public Refined_files
+{
+protected:
+  void SetUp() override
+  {
+    folder.write("shaft.stl", triangles(shaft()).stl());
+    folder.write("shaft.ply", shaft().ply());
+    folder.write("plate.ply", triangles(drilled_plate()).ply());
+    folder.write("box.ply", box().ply());
+  }
+  Json report() const { return Json::parse(Temporary_folder::content(folder.file("r.json"))); }
+  std::string reported() const { return " --report '" + folder.file("r.json") + "' "; }
+  std::string said(const std::string& input, const std::string& options) const
+  {
+    const Outcome outcome =
+      run("'" + folder.file(input) + "' '" + folder.file("said.ply") + "' " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.err;
+  }
+  std::string checked(const std::string& input, const std::string& options) const
+  {
+    const Outcome outcome = surface(input, "checked.stl", options + " --check");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.out;
+  }
+};
+
+// It is what --sharp surfaces makes.
+constexpr const char* taken = ": taken for a part, with ";
+
+} // namespace
+
+// --- without an option ---
+
+TEST_F(Pn_subdivide_part, APartIsTakenForOne)
+{
+  for (const std::string input : {"shaft.stl", "shaft.ply", "plate.ply"}) {
+    SCOPED_TRACE(input);
+    const Mesh_data mesh = refined(input, "o.ply", "--levels 2"),
+                    expected = refined(input, "p.ply", "--levels 2 --sharp surfaces"),
+                    smooth = refined(input, "q.ply", "--levels 2 --sharp none");
+    EXPECT_EQ(mesh.points, expected.points);
+    EXPECT_EQ(mesh.number_of_faces(), smooth.number_of_faces());
+    EXPECT_EQ(find_column(mesh.attributes.of_faces, "surface"), nullptr);
+    EXPECT_TRUE(mesh.attributes.of_faces.empty());
+    const std::string text = said(input, "--levels 2 --strict");
+    EXPECT_TRUE(contains(text, taken)) << text;
+    EXPECT_TRUE(contains(text, "--part")) << text;
+    EXPECT_TRUE(contains(text, "--sharp none")) << text;
+    EXPECT_FALSE(contains(text, "residual")) << text;
+    EXPECT_TRUE(contains(text, "normals of the surfaces")) << text;
+  }
+}
+
+// By a tenth and less of what the file was.
+TEST_F(Pn_subdivide_part, RoundSurfacesAreNearerThanTheFile)
+{
+  const Distances file = from_shaft(refined("shaft.stl", "o.ply", "--levels 0")),
+                  two = from_shaft(refined("shaft.stl", "p.ply", "--levels 2")),
+                  part = from_shaft(refined("shaft.stl", "q.stl", "--part"));
+  EXPECT_GT(file.largest, 0.01);
+  EXPECT_LT(two.largest, file.largest / 10);
+  EXPECT_LT(two.mean, file.mean / 10);
+  EXPECT_LT(part.largest, (std::max)(2e-4 * std::sqrt(41.), file.largest / 4));
+}
+
+TEST_F(Pn_subdivide_part, WhatElseIsAskedForIsDone)
+{
+  const std::vector<std::string> others{"--sharp none",
+                                        "--sharp angle:30",
+                                        "--sharpness 1 --sharp angle:30",
+                                        "--linear",
+                                        "--normals estimate",
+                                        "--normals none",
+                                        "--interpolate points",
+                                        "--scheme butterfly",
+                                        "--normals cylinder:0,0,0,0,0,1",
+                                        "--levels 0",
+                                        "--output-normals none --levels 0",
+                                        "--pieces 2"};
+  for (const std::string& option : others)
+    EXPECT_FALSE(contains(said("plate.ply", option), taken)) << option;
+  for (const std::string& option :
+       {"--sharp auto", "--normals auto", "--limit", "--chord 1%", "--border curve --levels 2",
+        "--roundness 1", "--levels 0 --output-normals both", "--threads 2", "--scheme ct-loop"})
+    EXPECT_TRUE(contains(
+      run("'" + folder.file("plate.ply") + "' '" + folder.file("o.ply") + "' " + option).err,
+      taken))
+      << option;
+}
+
+// What the file says of edges and normals counts, if it says anything.
+TEST_F(Pn_subdivide_part, FilesThatSayMoreAreNotTaken)
+{
+  const std::string tags = "--sharp surfaces --levels 0 --output-normals both";
+  refined("plate.ply", "tagged.ply", tags);
+  EXPECT_FALSE(contains(said("tagged.ply", "--levels 1"), taken));
+  const Part part = triangles(drilled_plate());
+  std::vector<Triple> up(part.points.size(), Triple{0, 0, 1}), outwards, none(part.points.size());
+  for (const Triple& p : part.points) {
+    const double length = std::hypot(p[0], p[1], p[2] - .5);
+    outwards.push_back({p[0] / length, p[1] / length, (p[2] - .5) / length});
+  }
+  folder.write("outwards.ply", part.ply(outwards));
+  folder.write("none.ply", part.ply(none));
+  EXPECT_FALSE(contains(said("outwards.ply", "--levels 1 --normals file"), taken));
+  EXPECT_TRUE(contains(said("none.ply", "--levels 1"), taken));
+}
+
+// A vase of twelve sides is rows of cones above a plane, and meant to be smooth.
+TEST_F(Pn_subdivide_part, RowsOfConesAreNoPart)
+{
+  const std::vector<double> radius{1, 1.6, 1.9, 1.7, 1.1, .8, 1};
+  for (const double height : {1., .4}) { // of a row, which turn by less, or more, than 40 degrees
+    Part vase;
+    std::vector<Triple> bottom;
+    for (int i = 0; i < 12; ++i) {
+      const double a = 30. * i, b = a + 30;
+      bottom.push_back(on_circle(1, 330 - a, 0));
+      for (std::size_t j = 0; j + 1 < radius.size(); ++j) {
+        const double low = height * double(j), high = height * double(j + 1);
+        vase.add({on_circle(radius[j], a, low), on_circle(radius[j], b, low),
+                  on_circle(radius[j + 1], b, high), on_circle(radius[j + 1], a, high)});
+      }
+    }
+    vase.add(bottom);
+    folder.write("vase.ply", vase.ply());
+    const std::string text = said("vase.ply", "--levels 1");
+    EXPECT_FALSE(contains(text, taken)) << text;
+  }
+}
+
+TEST_F(Pn_subdivide_part, AColumnOfTheUsersStays)
+{
+  std::string ply = triangles(drilled_plate()).ply();
+  const std::string list = "property list uchar int vertex_indices\n";
+  ply.replace(ply.find(list), list.size(), list + "property int surface\n");
+  for (std::size_t line = ply.find("\n3 "); line != std::string::npos;
+       line = ply.find("\n3 ", line + 1))
+    ply.insert(ply.find('\n', line + 1), " 77");
+  folder.write("own.ply", ply);
+  const Mesh_data mesh = refined("own.ply", "o.ply", "--levels 1 --strict");
+  const Column* const column = find_column(mesh.attributes.of_faces, "surface");
+  ASSERT_NE(column, nullptr);
+  EXPECT_EQ(mesh.attributes.of_faces.size(), 1u);
+  for (const double s : column->values) EXPECT_EQ(s, 77);
+}
+
+// --- what is proposed ---
+
+// A grid of squares with hills: no two of its faces are in one plane, and `steep` rows of edges turn much.
+std::string hills(int n, int steep)
+{
+  std::ostringstream obj;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j)
+      obj << "v " << i << ' ' << j << ' '
+          << 0.2 * std::sin(1.3 * i + 0.5 * j) + 0.1 * std::cos(2.1 * j - 0.7 * i) +
+               (std::max)(0, i - n + steep) * 2.
+          << '\n';
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const int v = i * (n + 1) + j + 1;
+      obj << "f " << v << ' ' << v + n + 1 << ' ' << v + n + 2 << "\nf " << v << ' ' << v + n + 2
+          << ' ' << v + 1 << '\n';
+    }
+  return obj.str();
+}
+
+TEST_F(Pn_subdivide_part, TheClosingLineProposesWhatHelps)
+{
+  folder.write("few.obj", hills(12, 1));
+  const std::string few = said("few.obj", "--levels 1");
+  EXPECT_TRUE(contains(few, " turn by more than 40 degrees: --sharp angle:40, ")) << few;
+  const std::string in_pieces = said("few.obj", "--levels 1 --pieces 2");
+  EXPECT_TRUE(contains(in_pieces, " turn by more than 40 degrees: --sharp angle:40, "))
+    << in_pieces;
+  // planes only
+  const std::string planes = said("box.ply", "--levels 1");
+  EXPECT_TRUE(contains(planes, ", 12 edges turn by more than 40 degrees: --part, ")) << planes;
+  EXPECT_FALSE(contains(planes, taken));
+  // every face of it is a plane of its own, which says nothing, and half of its edges turn
+  folder.write("gem.off",
+               "OFF\n6 8 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1.1 0\n0 0 -1.2\n3 0 1 2\n3 1 3 2\n"
+               "3 3 4 2\n3 4 0 2\n3 1 0 5\n3 3 1 5\n3 4 3 5\n3 0 4 5\n");
+  const std::string gem = said("gem.off", "--levels 1");
+  EXPECT_FALSE(contains(gem, "40 degrees")) << gem;
+  EXPECT_FALSE(contains(said("shaft.stl", "--levels 1"), "40 degrees"));
+}
+
+// --- --part ---
+
+TEST_F(Pn_subdivide_part, PartStandsForThreeOptions)
+{
+  const std::string surfaces = "--sharp surfaces --planes rims ";
+  for (const auto& [options, expected] : std::vector<std::pair<std::string, std::string>>{
+         {"", "--chord 0.02%"},
+         {" --chord 1%", "--chord 1%"},
+         {" --levels 2", "--levels 2"},
+         {" --levels auto", "--levels auto --chord 0.02%"},
+         {" --sharp surfaces --min-facets 25", "--chord 0.02% --min-facets 25"},
+         {" --roundness 0 --levels 1", "--roundness 0 --levels 1"},
+         {" --curvature mean --levels 1", "--curvature mean --levels 1"}})
+    EXPECT_EQ(written("shaft.stl", "o.ply", "--part" + options),
+              written("shaft.stl", "p.ply", surfaces + expected))
+      << options;
+}
+
+TEST_F(Pn_subdivide_part, WhatDoesNotGoWithPartIsNamed)
+{
+  for (const std::string option :
+       {"--sharp none", "--sharp auto", "--sharp angle:30", "--sharpness", "--linear",
+        "--interpolate", "--pieces", "--memory", "--write-tags", "--output-normals control",
+        "--output-normals both", "--scheme doo-sabin", "--scheme sqrt3", "--scheme butterfly",
+        "--curvature", "--limit-tolerance"}) {
+    std::string given = option;
+    if (option == "--pieces" || option == "--sharpness") given += " 2";
+    if (option == "--interpolate") given += " slide";
+    if (option == "--memory") given += " 1G";
+    if (option == "--curvature") given += " mean";
+    if (option == "--limit-tolerance") given += " 1e-6 --limit";
+    if (option == "--write-tags") given += " '" + folder.file("t.selection.txt") + "'";
+    const Outcome outcome = surface("shaft.stl", "o.ply", "--part " + given);
+    expect_one_line(outcome, 2, "--part and ");
+    EXPECT_TRUE(contains(outcome.err, option)) << outcome.err;
+  }
+  expect_one_line(surface("shaft.stl", "o.ply", "--part --chord 1 --levels 2"), 2, "--levels 2");
+}
+
+// --- borders ---
+
+// The top of the plate, an open sheet, and a stadium.
+TEST_F(Pn_subdivide_part, BordersOfPlanesAreLinesAndArcs)
+{
+  Part sheet, stadium;
+  std::vector<Triple> rim;
+  for (int i = 0; i < 24; ++i) {
+    const auto outer = [](double degrees) {
+      const Triple p = on_circle(1, degrees, 0);
+      const double largest = (std::max)(std::abs(p[0]), std::abs(p[1]));
+      return Triple{2 * p[0] / largest, 2 * p[1] / largest, 0};
+    };
+    const double a = 15. * i, b = a + 15;
+    sheet.add({outer(a), outer(b), on_circle(1, b, 0), on_circle(1, a, 0)});
+  }
+  for (int i = 0; i <= 12; ++i) {
+    const Triple p = on_circle(1, 15. * i - 90, 0);
+    rim.push_back({p[0] + 2, p[1], 0});
+  }
+  for (int i = 0; i <= 12; ++i) {
+    const Triple p = on_circle(1, 15. * i + 90, 0);
+    rim.push_back({p[0] - 2, p[1], 0});
+  }
+  stadium.add(rim);
+  const auto area = [](const Mesh_data& mesh) {
+    double twice = 0;
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+      const auto face = mesh.face(f);
+      for (auto v = face.begin(); v != face.end(); ++v) {
+        const Triple &p = mesh.points[*v],
+                     &q = mesh.points[v + 1 == face.end() ? *face.begin() : *(v + 1)];
+        twice += p[0] * q[1] - p[1] * q[0];
+      }
+    }
+    return std::abs(twice) / 2;
+  };
+  const double pi = 4 * std::atan(1.);
+  for (const auto& [part, exact] : {std::pair(sheet, 16 - pi), std::pair(stadium, 8 + pi)})
+    for (const std::string options : {"--part", "--part --levels 3"}) {
+      SCOPED_TRACE(options);
+      for (const bool split : {false, true}) {
+        folder.write("open.ply", (split ? triangles(part) : part).ply());
+        const Mesh_data mesh = refined("open.ply", "o.ply", options);
+        EXPECT_NEAR(area(mesh), exact, 4e-3);
+        for (const Triple& p : mesh.points) EXPECT_NEAR(p[2], 0, 1e-12);
+        for (const double x : {-2., 2.})
+          for (const double y : {-2., 2.})
+            if (exact > 12)
+              EXPECT_EQ(std::count_if(
+                          mesh.points.begin(), mesh.points.end(),
+                          [&](const Triple& p) { return std::hypot(p[0] - x, p[1] - y) < 1e-9; }),
+                        1);
+      }
+    }
+}
+
+// --- --check ---
+
+TEST_F(Pn_subdivide_part, CheckKnowsRoundSurfaces)
+{
+  for (const std::string options :
+       {"--levels 1", "--part --chord 0.2%", "--part --levels 1", "--sharp none --chord 2%"}) {
+    SCOPED_TRACE(options);
+    const std::string text = checked("shaft.stl", options + reported());
+    const Json json = report()["check"];
+    EXPECT_TRUE(contains(text, " of the recognized surfaces (linear 0.")) << text;
+    const bool is_smooth = contains(options, "none");
+    // 2 pi 5/3 more: of the shaft, not of the prisms of 24 sides, which have 0.9886 of it
+    EXPECT_NEAR(json.at("volume").get<double>(), 1, is_smooth ? 1 : 1e-2) << text;
+    EXPECT_EQ(contains(text, "check: kept (linear "), !is_smooth) << text;
+    if (is_smooth) continue;
+    EXPECT_LT(json.at("largest_distance").get<double>(), 1e-5);
+    EXPECT_LE(json.at("largest_distance").get<double>(),
+              json.at("linear_largest_distance").get<double>());
+    EXPECT_EQ(json.at("folded"), false);
+    EXPECT_EQ(json.at("linear_folded"), false);
+  }
+}
+
+// A ball of 12 meridians and 5 parallels has 0.82 of the volume of its sphere, and is that again.
+TEST_F(Pn_subdivide_part, CheckKnowsASphere)
+{
+  Part ball;
+  const auto point = [](int i, int j) {
+    const Triple z = on_circle(1, 30. * j - 90, 0);
+    return j == 0 || j == 6 ? Triple{0, 0, z[1]} : on_circle(z[0], 30. * (i % 12), z[1]);
+  };
+  for (int i = 0; i < 12; ++i)
+    for (int j = 0; j < 6; ++j)
+      if (j == 0)
+        ball.add({point(0, 0), point(i + 1, 1), point(i, 1)});
+      else if (j == 5)
+        ball.add({point(i, 5), point(i + 1, 5), point(0, 6)});
+      else
+        ball.add({point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
+  folder.write("ball.ply", ball.ply());
+  const std::string text = checked("ball.ply", "--levels 3 --normals sphere:0,0,0" + reported());
+  EXPECT_TRUE(contains(text, "check: kept (linear LOST)\n")) << text;
+  const Json json = report()["check"];
+  EXPECT_NEAR(json.at("volume").get<double>(), 1, 1e-2);
+  EXPECT_LT(json.at("largest_distance").get<double>(), 1e-9);
+  EXPECT_GT(json.at("linear_largest_distance").get<double>(), 0.05);
+}
