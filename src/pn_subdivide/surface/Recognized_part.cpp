@@ -33,6 +33,7 @@ using Vertex = Surface::Vertex_index;
 using Kind = Recognized_surface::Kind;
 using Patch_map = Surface::Property_map<Face, std::size_t>;
 using Crease_map = Surface::Property_map<Edge, bool>;
+using Normals_of_surfaces = Surface::Property_map<Halfedge, Vector_3>;
 
 Surface without_normals(const Mesh_data& mesh)
 {
@@ -55,7 +56,7 @@ auto with_parameters(const Recognition_plan& plan, const Function& f)
 
 // Between known surfaces whose normals are within two degrees at both ends.
 bool is_tangent(const Recognized_part& part, const Surface& surface, Patch_map segments,
-                Corner_normal_map normals, Edge e)
+                Normals_of_surfaces normals, Edge e)
 {
   const double least = std::cos(2 * CGAL_PI / 180);
   const Halfedge h = surface.halfedge(e), g = surface.opposite(h);
@@ -77,7 +78,7 @@ double area_of(const Surface& surface, Face f)
 }
 
 void fill(Recognized_part& part, const Surface& surface, Patch_map segments, Crease_map creases,
-          Corner_normal_map normals)
+          Normals_of_surfaces normals)
 {
   for (const Face f : surface.faces()) {
     part.segments.push_back(segments[f]);
@@ -142,7 +143,7 @@ Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& pl
   Surface surface = without_normals(mesh);
   const Patch_map segments = surface.add_property_map<Face, std::size_t>("f:segment", 0).first;
   const Crease_map creases = surface.add_property_map<Edge, bool>("e:is_crease", false).first;
-  const Corner_normal_map normals =
+  const Normals_of_surfaces normals =
     surface.add_property_map<Halfedge, Vector_3>("h:of_surface", CGAL::NULL_VECTOR).first;
   const auto corners = surface.add_property_map<Vertex, bool>("v:is_corner", false).first;
   const Roundness_map roundness = add_roundness(surface);
