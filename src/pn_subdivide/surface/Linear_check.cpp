@@ -29,6 +29,26 @@ std::string decimals(double x, int digits)
   return text;
 }
 
+// The sharpness of edges, of which there may be a map.
+struct Sharpness_of_edges
+{
+  using key_type = Surface::Edge_index;
+  using value_type = double;
+  using reference = double;
+  using category = boost::readable_property_map_tag;
+
+  friend double get(const Sharpness_of_edges& of_edges, key_type e)
+  {
+    return *of_edges.maps ? (**of_edges.maps).edges[e] : 0;
+  }
+  const std::optional<Crease_maps>* maps;
+};
+
+auto sharp(const std::optional<Crease_maps>& creases)
+{
+  return CGAL::parameters::edge_is_constrained_map(Sharpness_of_edges{&creases});
+}
+
 } // namespace
 
 std::size_t number_of_turning_edges(const Mesh_data& mesh, const Creases& creases)
@@ -63,7 +83,8 @@ void Linear_check::set_net(const Surface& net, const std::optional<Crease_maps>&
   remove_normals(net_);
 }
 
-void Linear_check::compare(const Surface& result, const Scheme_choice& scheme, const Rounds& rounds)
+void Linear_check::compare(const Surface& result, const std::optional<Crease_maps>& creases,
+                           const Scheme_choice& scheme, const Rounds& rounds)
 {
   PN::Attribute_table no_attributes;
   Refinement refinement;
@@ -78,8 +99,8 @@ void Linear_check::compare(const Surface& result, const Scheme_choice& scheme, c
     set_limits(net_, scheme, limit, *net_creases_, rounds.levels, rounds.threads);
   else if (limit.points)
     set_limits(net_, scheme, limit, rounds.levels, rounds.threads);
-  comparison_ = PN::compare_with_linear(
-    control_, result, net_, CGAL::parameters::edge_is_constrained_map(control_creases_->edges));
+  comparison_ = PN::compare_with_linear(control_, result, net_, sharp(control_creases_),
+                                        sharp(creases), sharp(net_creases_));
   comparison_.vertices_of_roundness_0 = choices_.of_roundness_0;
   comparison_.vertices_of_roundness_below_1 = choices_.of_roundness_below_1;
   net_ = Surface(); // the maps of a mesh go with it

@@ -57,7 +57,8 @@ public:
   void set_net(const Surface& net, const std::optional<Crease_maps>& creases);
 
   // Makes the linear result, and measures.
-  void compare(const Surface& result, const Scheme_choice& scheme, const Rounds& rounds);
+  void compare(const Surface& result, const std::optional<Crease_maps>& creases,
+               const Scheme_choice& scheme, const Rounds& rounds);
 
   // Throws Error if that cannot be written. To be called before a file is.
   void print(std::FILE* stream) const;

@@ -505,7 +505,8 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
     move_to_limits(surface, plan, options, scheme, rounds.creases, report);
   }
   if (table) table->measure(surface, attributes);
-  if (check) check->compare(surface, scheme, {options.levels, plan.threads, plan.limit});
+  if (check)
+    check->compare(surface, rounds.creases, scheme, {options.levels, plan.threads, plan.limit});
   std::optional<Curvature_values> curvature;
   if (plan.curvature) {
     if (surface.number_of_faces() >= faces_worth_a_report)

@@ -131,8 +131,8 @@ private:
   std::vector<Value>& values_;
 };
 
-// How round creases are, which their wedges are no more than: where tangents turn from edges as in a round
-// fan, or where all arcs meet. Ends mirror the tangents of their neighbors, and tell nothing.
+// How round creases are, which their wedges are no more than: where arcs meet. Ends mirror the tangents of their neighbors,
+// and tell nothing; between two of them tangents turn from edges as in a round fan.
 template <class FT, class Value>
 class Crease_turns
 {
@@ -171,6 +171,7 @@ private:
   double of_vertex(const Crease_star& star) const
   {
     double least = 1, miss = 0; // cosine of the turns; arcs
+    bool is_told = false;
     for (Index i = 0; i < star.number_of_ends; ++i) {
       const Crease_end& end = creases_.end(star, i);
       const Crease_edge<FT>& e = creases_.edge(end);
@@ -181,13 +182,15 @@ private:
       const Vector u = quotient(edge, edge_length);
       const Vector t = to_double_3<FT>(e.tangent_from[1 - end.side]);
       const auto cosine = dot<double, 3>(t, u);
+      least = (std::min)(least, cosine);
+      if (!is_inside_[w]) continue;
       Vector difference_of_arcs = to_double_3<FT>(e.tangent_from[end.side]);
       add_multiple<double, 3>(difference_of_arcs, 2 * cosine, u);
       add_multiple<double, 3>(difference_of_arcs, -1, t);
-      least = (std::min)(least, cosine);
-      miss = (std::max)(miss, is_inside_[w] ? length(difference_of_arcs) : 1);
+      miss = (std::max)(miss, length(difference_of_arcs));
+      is_told = true;
     }
-    return either(share_of_turn(least), share_of_arcs(miss));
+    return is_told ? share_of_arcs(miss) : share_of_turn(least);
   }
 
   const Level_connectivity& level_;
