@@ -132,7 +132,7 @@ private:
 };
 
 // How round creases are, which their wedges are no more than: where arcs meet. Ends mirror the tangents of their neighbors,
-// and tell nothing; between two of them tangents turn from edges as in a round fan.
+// and tell nothing: beside them tangents turn from edges as in a round fan, too.
 template <class FT, class Value>
 class Crease_turns
 {
@@ -171,7 +171,7 @@ private:
   double of_vertex(const Crease_star& star) const
   {
     double least = 1, miss = 0; // cosine of the turns; arcs
-    bool is_told = false;
+    bool has_end = false;
     for (Index i = 0; i < star.number_of_ends; ++i) {
       const Crease_end& end = creases_.end(star, i);
       const Crease_edge<FT>& e = creases_.edge(end);
@@ -183,14 +183,14 @@ private:
       const Vector t = to_double_3<FT>(e.tangent_from[1 - end.side]);
       const auto cosine = dot<double, 3>(t, u);
       least = (std::min)(least, cosine);
+      has_end = has_end || !is_inside_[w];
       if (!is_inside_[w]) continue;
       Vector difference_of_arcs = to_double_3<FT>(e.tangent_from[end.side]);
       add_multiple<double, 3>(difference_of_arcs, 2 * cosine, u);
       add_multiple<double, 3>(difference_of_arcs, -1, t);
       miss = (std::max)(miss, length(difference_of_arcs));
-      is_told = true;
     }
-    return is_told ? share_of_arcs(miss) : share_of_turn(least);
+    return share_of_arcs(miss) * (has_end ? share_of_turn(least) : 1);
   }
 
   const Level_connectivity& level_;
