@@ -132,7 +132,7 @@ private:
 };
 
 // How round creases are, which their wedges are no more than: where arcs meet. Ends mirror the tangents of their neighbors,
-// and tell nothing: beside them tangents turn from edges as in a round fan, too.
+// and tell nothing: beside corners tangents turn from edges as in a round fan, too, and beside darts none is round.
 template <class FT, class Value>
 class Crease_turns
 {
@@ -146,14 +146,17 @@ public:
     , creases_(creases)
     , values_(values)
     , is_inside_(level.number_of_vertices(), false)
+    , is_dart_(is_inside_)
   {}
 
   // of all slots
   std::vector<double> operator()()
   {
     std::vector<double> of_vertices(is_inside_.size(), 1), result(values_.size(), 1);
-    for (const Crease_star& star : creases_.stars)
+    for (const Crease_star& star : creases_.stars) {
       is_inside_[star.vertex] = creases_.rule(star) == Vertex_rule::crease;
+      is_dart_[star.vertex] = creases_.rule(star) == Vertex_rule::dart;
+    }
     for (const Crease_star& star : creases_.stars)
       if (is_inside_[star.vertex]) of_vertices[star.vertex] = of_vertex(star);
     for (const Crease_edge<FT>& e : creases_.edges)
@@ -183,6 +186,7 @@ private:
       const Vector t = to_double_3<FT>(e.tangent_from[1 - end.side]);
       const auto cosine = dot<double, 3>(t, u);
       least = (std::min)(least, cosine);
+      if (is_dart_[w]) return 0;
       has_end = has_end || !is_inside_[w];
       if (!is_inside_[w]) continue;
       Vector difference_of_arcs = to_double_3<FT>(e.tangent_from[end.side]);
@@ -196,7 +200,7 @@ private:
   const Level_connectivity& level_;
   const Creases<FT>& creases_;
   const std::vector<Value>& values_;
-  std::vector<bool> is_inside_; // two edges of a crease meet there
+  std::vector<bool> is_inside_, is_dart_; // two edges of a crease meet there, or one ends
 };
 
 // The control data of a level with creases, once before the first round: the wedges' normals where
