@@ -272,6 +272,9 @@ TEST_F(Pn_subdivide_check, ManyAreCompared)
   if (std::system("python3 -c ''") != 0) GTEST_SKIP() << "left out: no python3";
   folder.write("beam.off", box(10, 1, 1));
   folder.write("block.off", box(2, 1.5, 1));
+  folder.write("cube.off", box(1, 1, 1));
+  folder.write("small.off", box(0.5, 0.5, 0.5));
+  folder.write("large.off", box(2, 2, 2));
   folder.write("broken.off", "OFF\n1 2\n");
   const auto expect = [&](int code, const std::string& arguments, const std::string& part) {
     const std::string out = work.file("out");
@@ -293,8 +296,9 @@ TEST_F(Pn_subdivide_check, ManyAreCompared)
   expect(2, "block.off broken.off", "refused: pn_subdivide: ");
   expect(2, "block.off broken.off", "1 meshes, 1 closed");
   expect(2, "block.off -- --no-such-option", "refused: ");
-  expect(0, "beam.off --reference beam.off", "beam.off: mean distance ");
-  expect(1, "beam.off --reference beam.off -- --normals angle", "beam.off: mean distance ");
+  // which the ball round the cube is closer to than the linear result, or farther from
+  expect(0, "cube.off --reference large.off", "cube.off: mean distance ");
+  expect(1, "cube.off --reference small.off", "cube.off: mean distance ");
   expect(2, "beam.off block.off --reference beam.off", "--reference is for one mesh");
 }
 
