@@ -69,9 +69,11 @@ struct Normal_and_roundness
 };
 
 // What functions read and write: a normal that is put here leaves the roundness, which counts if it goes with the map.
-template <class Key, class Kernel, bool goes_with_roundness, bool are_estimated = false>
+template <class Key, class Kernel, bool with_roundness, bool are_estimated = false>
 struct Normals_of_estimate
 {
+  static constexpr bool goes_with_roundness = with_roundness;
+
   using Values = Values_of_keys<Key, Normal_and_roundness<Kernel>>;
   /// a vertex, or a half-edge for the corner at its target.
   using key_type = Key;
@@ -84,6 +86,11 @@ struct Normals_of_estimate
 
   std::shared_ptr<Values> values;
 
+  Normal_and_roundness<Kernel> whole(const Key& key) const { return values->get(key); }
+  void put_whole(const Key& key, const Normal_and_roundness<Kernel>& whole) const
+  {
+    (*values)[key] = whole;
+  }
   friend value_type get(const Normals_of_estimate& map, const Key& key)
   {
     return map.values->get(key).normal;
@@ -215,24 +222,23 @@ auto normals_of(const Map& map)
     return map;
 }
 
-template <class Map>
+// whether a map has a Normal_and_roundness of each key, of which the roundness counts or not
+template <class Map, class = void>
 constexpr bool is_of_estimate_v = false;
-template <class Key, class Kernel, bool with_roundness, bool are_estimated>
-inline constexpr bool
-  is_of_estimate_v<Normals_of_estimate<Key, Kernel, with_roundness, are_estimated>> = true;
-
 template <class Map>
+inline constexpr bool is_of_estimate_v<Map, std::void_t<decltype(Map::goes_with_roundness)>> = true;
+
+template <class Map, class = void>
 constexpr bool goes_with_roundness_v = false;
-template <class Key, class Kernel, bool are_estimated>
-inline constexpr bool goes_with_roundness_v<Normals_of_estimate<Key, Kernel, true, are_estimated>> =
-  true;
+template <class Map>
+inline constexpr bool goes_with_roundness_v<Map, std::enable_if_t<Map::goes_with_roundness>> = true;
 
 // all that a map has of a key
 template <class Map, class Key>
 auto get_whole(const Map& map, const Key& key)
 {
   if constexpr (is_of_estimate_v<Map>)
-    return map.values->get(key);
+    return map.whole(key);
   else
     return typename boost::property_traits<Map>::value_type(get(map, key));
 }
@@ -240,7 +246,7 @@ template <class Map, class Key, class Whole>
 void put_whole(const Map& map, const Key& key, const Whole& whole)
 {
   if constexpr (is_of_estimate_v<Map>)
-    (*map.values)[key] = whole;
+    map.put_whole(key, whole);
   else
     put(map, key, whole);
 }

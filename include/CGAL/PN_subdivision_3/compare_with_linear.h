@@ -53,11 +53,11 @@ struct Comparison_with_linear
   /// the same of the linear result.
   double linear_volume_ratio = none;
 
-  /// edges of the result at which the surface folds by more than 90 degrees.
+  /// edges of the result that are not sharp and at which the surface folds by more than 90 degrees.
   std::size_t folded_edges = 0;
   /// the same of the linear result.
   std::size_t linear_folded_edges = 0;
-  /// edges of the result at which the surface folds by more than 150 degrees.
+  /// edges of the result that are not sharp and at which the surface folds by more than 150 degrees.
   std::size_t sharply_folded_edges = 0;
   /// the same of the linear result.
   std::size_t linear_sharply_folded_edges = 0;
@@ -164,7 +164,8 @@ Comparison_with_linear compare_levels(const Access& access, Level_with_points<FT
   comparison.turning_edges = count_turning_edges(access, control, edge_map);
   const Unit_frame<FT> frame(control.points);
   const auto shape = [&](Level_with_points<FT>& level) {
-    return Level_shape(std::move(level.level), frame(level.points), frame.rounding());
+    return Level_shape(std::move(level.level), frame(level.points), std::move(level.is_sharp),
+                       frame.rounding());
   };
   const Level_shape r = shape(result), l = shape(linear);
   compare_volumes(frame, shape(control), r, l, comparison);
@@ -186,7 +187,7 @@ round, parts swell or their surfaces fold: `Comparison_with_linear::is_swollen()
 
 The volume of a closed mesh is \f$ V = \frac{1}{6} \sum \det(m, p_i, p_{i+1}) \f$ over the edges of its faces, each taken
 as triangles round the mean \f$ m \f$ of its corners. The angle of a fold is that of the area vectors of its
-faces; faces without area but that of the rounding of their coordinates are left out. All is measured relative to a
+faces; creases, and faces without area but that of the rounding of their coordinates, are left out. All is measured relative to a
 point of the mesh and to its size, in `double`.
 
 \tparam Concurrency_tag as of `subdivide()`
@@ -250,8 +251,8 @@ measures the same of results that are there already.
 \param linear_result what the linear twin of the scheme has made of it; its vertices are those of `result`, in this order
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" of the control mesh: `vertex_point_map`,
   `edge_is_constrained_map` and `geom_traits`, as in `subdivide()`
-\param np_result the same of the result: `vertex_point_map`
-\param np_linear the same of the linear result: `vertex_point_map`
+\param np_result the same of the result: `vertex_point_map`, `edge_is_constrained_map`
+\param np_linear the same of the linear result: `vertex_point_map`, `edge_is_constrained_map`
 
 \throws std::invalid_argument if a mesh is not an oriented 2-manifold with border or a point is not finite, or if the results
   differ in their numbers of vertices
@@ -282,6 +283,12 @@ compare_with_linear(const ControlMesh& control, const PolygonMesh& result,
       level.points = internal::read_given_values<Linear_average<FT, 3>>(
         access, Own::const_point_map(mesh, parameters_of_mesh), internal::No_normal_map(),
         level.level.number_of_vertices());
+      const auto edge_map = Own::edge_constraint_map(parameters_of_mesh);
+      const internal::Edge_constraints<std::decay_t<decltype(access)>,
+                                       std::decay_t<decltype(edge_map)>>
+        sharp(access, edge_map, level.level.number_of_edges());
+      for (Level_connectivity::Index e = 0; e < level.level.number_of_edges(); ++e)
+        level.is_sharp.push_back(sharp.sharpness(e) > 0);
     });
     return level;
   };

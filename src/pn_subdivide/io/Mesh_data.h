@@ -130,6 +130,7 @@ struct Corner_normal
   std::size_t corner;
   std::uint32_t vertex;
   Triple normal;
+  double roundness = 1;
 };
 
 // A polygon soup as the files hold it: nothing is said about manifoldness or orientation.
@@ -166,8 +167,9 @@ public:
   std::vector<Triple> normals, corner_normals;
   std::vector<Corner_normal> several_normals;     // in the order of the corners
   Normal_kind normal_kind = Normal_kind::control; // of these
-  // That of each point, besides its control normals; empty: 1 everywhere, or not known.
-  std::vector<double> roundness;
+  // That of each point, besides its control normals; empty: 1 everywhere, or not known. Where corners of one vertex have
+  // different ones it is the least, and all are in the other list.
+  std::vector<double> roundness, corner_roundness;
   // to be written beside these, if they are not themselves control normals
   std::vector<Triple> control_normals, corner_control_normals;
   Attributes attributes;

@@ -53,7 +53,30 @@ void set_several_normals(Mesh_data& mesh, std::vector<Corner_normal>&& normals)
     mesh.normals[v] = values.size() == 1 ? sum : normalized(sum);
     all_same = all_same && values.size() == 1;
   }
+  for (const Corner_normal& n : normals)
+    all_same = all_same && (mesh.roundness.empty() || n.roundness == mesh.roundness[n.vertex]);
   if (!all_same) mesh.several_normals = std::move(normals);
+}
+
+void set_vertex_roundness(Mesh_data& mesh)
+{
+  if (mesh.corner_roundness.empty()) return;
+  std::vector<double> least(mesh.points.size(), 2);
+  const auto for_each_corner = [&](const auto& f) {
+    std::size_t corner = 0;
+    for (std::size_t face = 0; face < mesh.number_of_faces(); ++face)
+      for (const Mesh_data::Index v : mesh.face(face)) f(mesh.corner_roundness[corner++], v);
+  };
+  for_each_corner([&](double w, Mesh_data::Index v) { least[v] = (std::min)(least[v], w); });
+  bool all_same = true, all_round = mesh.roundness.empty();
+  for_each_corner([&](double w, Mesh_data::Index v) {
+    all_same = all_same && w == least[v];
+    all_round = all_round && w == 1;
+  });
+  mesh.roundness.resize(all_round ? 0 : mesh.points.size(), 1);
+  for (std::size_t v = 0; v < mesh.roundness.size(); ++v)
+    if (least[v] < 2) mesh.roundness[v] = least[v];
+  if (all_same) mesh.corner_roundness.clear();
 }
 
 std::size_t vertices_with_several_normals(const Mesh_data& mesh)

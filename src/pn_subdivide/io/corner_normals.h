@@ -39,6 +39,9 @@ void set_vertex_normals(Mesh_data& mesh);
 // The same where only the corners of some vertices have normals of their own.
 void set_several_normals(Mesh_data& mesh, std::vector<Corner_normal>&& normals);
 
+// The roundness of the vertices is made the least of their corners, whose own goes if it is no other.
+void set_vertex_roundness(Mesh_data& mesh);
+
 // Vertices whose corners have normals in clearly different directions.
 std::size_t vertices_with_several_normals(const Mesh_data& mesh);
 

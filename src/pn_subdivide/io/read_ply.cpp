@@ -50,6 +50,7 @@ std::array<std::size_t, 3> find_three(const Ply_element& element,
 constexpr const char* texture_list = "texcoord";
 // Their control normals, where vertices have several; of other faces it is empty.
 constexpr const char* normals_list = "corner_control_normals";
+constexpr const char* roundness_list = "corner_roundness";
 
 bool is_one_of(const std::vector<std::string>& names, const std::string& name)
 {
@@ -96,8 +97,9 @@ void note_what_is_dropped(const Ply_header& header, const Ply_tags& tags, Mesh_d
       continue;
     }
     for (const Ply_property& p : element.properties)
-      if (p.is_list && !(is_face && (p.name == texture_list || p.name == normals_list ||
-                                     is_one_of(names_at_faces(), p.name))))
+      if (p.is_list &&
+          !(is_face && (p.name == texture_list || p.name == normals_list ||
+                        p.name == roundness_list || is_one_of(names_at_faces(), p.name))))
         mesh.drop("the property '" + Text_reader::printable(p.name) + "'");
   }
 }
@@ -142,7 +144,7 @@ public:
       throw Error("the PLY file has no element 'face' and no 'tristrips', so it is not a mesh");
     if (!values_.at_end()) throw Error("more data than the PLY header announces");
     check_indices();
-    put_corner_normals();
+    put_corner_values();
     if (with_attributes_) read_ply_comments(header_.comments, mesh_.attributes);
     return std::move(mesh_);
   }
@@ -152,20 +154,33 @@ private:
   {
     // their positions
     std::size_t indices = Ply_element::none, texture = Ply_element::none,
-                normals = Ply_element::none;
+                normals = Ply_element::none, roundness = Ply_element::none;
   };
 
-  // Reads element i; scalars go to `scalars_`, the lists to `indices_`, `texture_` and `normals_`.
+  // A list of each face with as many numbers for each corner, or empty.
+  struct Corner_list
+  {
+    const char* name;
+    std::size_t dimension;
+    const char* numbers;                 // what they are, for messages
+    bool is_there = false;               // in the file
+    std::vector<double> of_face = {};    // that is read
+    std::vector<double> of_all = {};     // face by face, of those whose list is not empty
+    std::vector<std::size_t> faces = {}; // these
+  };
+
+  // Reads element i; scalars go to `scalars_`, the lists to `indices_`, `texture_` and the lists of corners.
   void read_item(const Ply_element& element, std::size_t i, const Lists& lists)
   {
     try {
       for (std::size_t k = 0; k < element.properties.size(); ++k) {
         const Ply_property& property = element.properties[k];
         if (property.is_list)
-          read_list(property, k == lists.indices   ? &indices_
-                              : k == lists.texture ? &texture_
-                              : k == lists.normals ? &normals_
-                                                   : nullptr);
+          read_list(property, k == lists.indices     ? &indices_
+                              : k == lists.texture   ? &texture_
+                              : k == lists.normals   ? &normals_.of_face
+                              : k == lists.roundness ? &roundness_.of_face
+                                                     : nullptr);
         else
           scalars_[k] = columns_.carries(k) ? values_.next(property) : values_.next(property.type);
         if (k < words_.size()) words_[k] = values_.word();
@@ -356,11 +371,8 @@ private:
       mesh_.attributes.texture_type = element.properties[texture].type;
       mesh_.attributes.has_texture_type_of_file = true;
     }
-    const std::size_t normals = element.find(normals_list);
-    if (normals != Ply_element::none && element.properties[normals].is_list) {
-      lists.normals = normals;
-      has_list_of_normals_ = true;
-    }
+    lists.normals = find(normals_, element);
+    lists.roundness = find(roundness_, element);
 
     const std::size_t plausible = std::min(element.size, values_.bytes_left() / 4);
     mesh_.reserve_faces(plausible, 4 * plausible);
@@ -376,7 +388,8 @@ private:
       mesh_.add_face(indices_);
       columns_.add(scalars_);
       if (lists.texture != Ply_element::none) add_texture(element, i);
-      if (lists.normals != Ply_element::none) add_normals(element, i);
+      add(normals_, element, i);
+      add(roundness_, element, i);
     }
     mesh_.attributes.of_faces = columns_.take();
     drop_empty_texture();
@@ -399,35 +412,60 @@ private:
       mesh_.attributes.texture.push_back({texture_[2 * c], texture_[2 * c + 1], 0});
   }
 
-  void add_normals(const Ply_element& element, std::size_t i)
+  static std::size_t find(Corner_list& list, const Ply_element& element)
   {
-    if (!normals_.empty() && normals_.size() != 3 * indices_.size())
-      throw Error(name_of(element, i) + " has " + std::to_string(normals_.size()) +
-                  " numbers of normals for " + std::to_string(indices_.size()) + " vertices");
-    for (std::size_t k = 0; k < normals_.size(); k += 3)
-      for (const double x : mesh_.finite_normal({normals_[k], normals_[k + 1], normals_[k + 2]},
-                                                [&] { return name_of(element, i); }))
-        normals_of_corners_.push_back(x);
-    if (!normals_.empty()) faces_with_normals_.push_back(mesh_.number_of_faces() - 1);
+    const std::size_t place = element.find(list.name);
+    list.is_there = place != Ply_element::none && element.properties[place].is_list;
+    return list.is_there ? place : Ply_element::none;
   }
 
-  // Not earlier, because the vertices may come behind the faces. Faces without a list have the normals of their
-  // vertices.
-  void put_corner_normals()
+  void add(Corner_list& list, const Ply_element& element, std::size_t i)
   {
-    if (!has_list_of_normals_ || !mesh_.has_normals()) return;
-    mesh_.corner_normals.reserve(mesh_.number_of_corners());
-    std::size_t next = 0, place = 0;
+    const std::vector<double>& numbers = list.of_face;
+    if (numbers.empty()) return;
+    if (numbers.size() != list.dimension * indices_.size())
+      throw Error(name_of(element, i) + " has " + std::to_string(numbers.size()) + " " +
+                  list.numbers + " for " + std::to_string(indices_.size()) + " vertices");
+    if (&list == &normals_)
+      for (std::size_t k = 0; k < numbers.size(); k += 3)
+        for (const double x : mesh_.finite_normal({numbers[k], numbers[k + 1], numbers[k + 2]},
+                                                  [&] { return name_of(element, i); }))
+          list.of_all.push_back(x);
+    else
+      list.of_all.insert(list.of_all.end(), numbers.begin(), numbers.end());
+    list.faces.push_back(mesh_.number_of_faces() - 1);
+  }
+
+  // Not earlier, because the vertices may come behind the faces. Faces without a list have the values of their
+  // vertices.
+  void put_corner_values()
+  {
+    if (normals_.is_there && mesh_.has_normals()) {
+      for_each_corner(normals_, [&](const double* n, Mesh_data::Index v) {
+        mesh_.corner_normals.push_back(n ? Triple{n[0], n[1], n[2]} : mesh_.normals[v]);
+      });
+      mesh_.vertices_with_several_normals = vertices_with_several_normals(mesh_);
+    }
+    if (roundness_.is_there && !mesh_.roundness.empty())
+      for_each_corner(roundness_, [&](const double* w, Mesh_data::Index v) {
+        mesh_.corner_roundness.push_back(w ? *w : mesh_.roundness[v]);
+      });
+  }
+
+  // calls put(its numbers or null, its vertex)
+  template <class Put>
+  void for_each_corner(const Corner_list& list, const Put& put) const
+  {
+    const double* numbers = list.of_all.data();
+    auto next = list.faces.begin();
     for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f) {
-      const bool has_list = next < faces_with_normals_.size() && faces_with_normals_[next] == f;
-      next += has_list;
+      const bool has_list = next != list.faces.end() && *next == f;
+      if (has_list) ++next;
       for (const Mesh_data::Index v : mesh_.face(f)) {
-        const double* const n = normals_of_corners_.data() + place;
-        mesh_.corner_normals.push_back(has_list ? Triple{n[0], n[1], n[2]} : mesh_.normals[v]);
-        if (has_list) place += 3;
+        put(has_list ? numbers : nullptr, v);
+        if (has_list) numbers += list.dimension;
       }
     }
-    mesh_.vertices_with_several_normals = vertices_with_several_normals(mesh_);
   }
 
   // There is none if all faces are without.
@@ -454,11 +492,10 @@ private:
   bool with_attributes_;
   Mesh_data mesh_;
   Ply_columns columns_;
-  std::vector<double> scalars_, indices_, texture_, normals_;
+  std::vector<double> scalars_, indices_, texture_;
   std::vector<std::string_view> words_; // of the scalars, while digits are counted
-  bool has_list_of_normals_ = false;
-  std::vector<double> normals_of_corners_;      // face by face, of those whose list is not empty
-  std::vector<std::size_t> faces_with_normals_; // these
+  Corner_list normals_{normals_list, 3, "numbers of normals"};
+  Corner_list roundness_{roundness_list, 1, "numbers of roundness"};
 };
 
 } // namespace

@@ -30,8 +30,8 @@ class Old_faces
 public:
   explicit Old_faces(const Mesh_data& mesh)
     : vertices_(mesh.points.size())
-    , is_needed_(mesh.has_corner_normals() || !mesh.attributes.texture.empty() ||
-                 !mesh.attributes.of_faces.empty())
+    , is_needed_(mesh.has_corner_normals() || !mesh.corner_roundness.empty() ||
+                 !mesh.attributes.texture.empty() || !mesh.attributes.of_faces.empty())
   {
     if (!is_needed_) return;
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) old_.add_face(mesh.face(f));
@@ -50,6 +50,7 @@ public:
     if (!is_needed_) return;
     const std::vector<std::size_t> corners = old_corners(mesh);
     select(mesh.corner_normals, corners);
+    select(mesh.corner_roundness, corners);
     select(mesh.attributes.texture, corners);
     select(mesh.attributes.of_faces, face_);
   }

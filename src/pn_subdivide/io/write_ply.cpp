@@ -26,6 +26,8 @@ namespace pn_subdivide {
 namespace {
 
 constexpr const char* texture_list = "texcoord";
+constexpr const char* normals_list = "corner_control_normals";
+constexpr const char* roundness_list = "corner_roundness";
 
 // A list of each face with as many numbers for each corner, or empty.
 struct Corner_list
@@ -52,8 +54,11 @@ struct Ply_content
       lists.push_back({texture_list, m.attributes.texture_type, 2,
                        [this](std::size_t f, auto& numbers) { read_texture(f, numbers); }});
     if (has_several_control_normals())
-      lists.push_back({"corner_control_normals", Scalar_type::float64, 3,
+      lists.push_back({normals_list, Scalar_type::float64, 3,
                        [this](std::size_t f, auto& numbers) { read_normals(f, numbers); }});
+    if (has_several_control_normals() && has_roundness() && !m.corner_roundness.empty())
+      lists.push_back({roundness_list, Scalar_type::float64, 1,
+                       [this](std::size_t f, auto& numbers) { read_roundness(f, numbers); }});
     std::size_t of_corner = 1;
     for (const Corner_list& list : lists) of_corner = (std::max)(of_corner, list.dimension);
     for (std::size_t f = 0; f < m.number_of_faces(); ++f)
@@ -107,6 +112,19 @@ struct Ply_content
       const Triple& n = mesh.corner_control_normals[corner++];
       are_others = are_others || std::memcmp(&n, &mesh.control_normals[v], sizeof n) != 0;
       numbers.insert(numbers.end(), n.begin(), n.end());
+    }
+    if (!are_others) numbers.clear();
+  }
+
+  // The same of the roundness, one number for each corner.
+  void read_roundness(std::size_t f, std::vector<double>& numbers) const
+  {
+    numbers.clear();
+    bool are_others = false;
+    std::size_t corner = mesh.first_corner(f);
+    for (const Mesh_data::Index v : mesh.face(f)) {
+      numbers.push_back(mesh.corner_roundness[corner++]);
+      are_others = are_others || numbers.back() != mesh.roundness[v];
     }
     if (!are_others) numbers.clear();
   }

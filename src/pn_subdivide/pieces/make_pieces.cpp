@@ -85,13 +85,12 @@ std::unique_ptr<Any_pieces> pieces_with_creases(Surface& surface, const Scheme_c
     const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
     return pieces_of_scheme(surface, PN::linear(scheme), number, np);
   }
-  const std::vector<Vector_3> of_corners = take_corner_normals(surface);
-  const Roundness_map roundness = given_roundness(surface);
+  const std::vector<Corner_value> of_corners = take_corner_normals(surface);
   return with_scheme(choice, [&](const auto& scheme) {
     return pieces_of_scheme(
       surface, scheme, number,
       PN::parameters::join(
-        PN::parameters::vertex_roundness_map(roundness).crease_tangent_map(creases.tangents),
+        PN::parameters::crease_tangent_map(creases.tangents),
         np.vertex_normal_map(Control_corner_normals(of_corners, creases.without_fractions))));
   });
 }

@@ -59,6 +59,7 @@ std::string name_of(const Mesh_data& mesh, const Creases& creases, const Surface
   add(mesh.normals);
   add(mesh.corner_normals);
   add(mesh.roundness);
+  add(mesh.corner_roundness);
   add(creases.edges);
   add(creases.vertices);
   for (const Vector_3& t : creases.tangents) add(to_triple(t));

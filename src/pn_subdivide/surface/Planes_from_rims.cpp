@@ -113,13 +113,16 @@ void select_vertices(Mesh_data& mesh, const std::vector<Index>& kept)
 void select_corners(Mesh_data& mesh, const std::vector<std::size_t>& corners)
 {
   select(mesh.corner_normals, corners);
+  select(mesh.corner_roundness, corners);
   select(mesh.attributes.texture, corners);
   std::unordered_map<std::size_t, const Corner_normal*> old;
   for (const Corner_normal& n : mesh.several_normals) old.emplace(n.corner, &n);
   std::vector<Corner_normal> several;
   for (std::size_t c = 0; c < corners.size() && !old.empty(); ++c) {
     const auto found = old.find(corners[c]);
-    if (found != old.end()) several.push_back({c, found->second->vertex, found->second->normal});
+    if (found == old.end()) continue;
+    several.push_back(*found->second);
+    several.back().corner = c;
   }
   mesh.several_normals = std::move(several);
 }

@@ -35,6 +35,7 @@ using Vertex = Surface::Vertex_index;
 using Kind = Recognized_surface::Kind;
 using Patch_map = Surface::Property_map<Face, std::size_t>;
 using Crease_map = Surface::Property_map<Edge, bool>;
+using Normals_of_surfaces = Surface::Property_map<Halfedge, Vector_3>;
 
 Surface without_normals(const Mesh_data& mesh)
 {
@@ -57,7 +58,7 @@ auto with_parameters(const Recognition_plan& plan, const Function& f)
 
 // The least cosine of the angle between the normals of two known surfaces along an edge; -1 if they are not known.
 double cosine_between(const Recognized_part& part, const Surface& surface, Patch_map segments,
-                      Corner_normal_map normals, Edge e)
+                      Normals_of_surfaces normals, Edge e)
 {
   const Halfedge h = surface.halfedge(e), g = surface.opposite(h);
   if (surface.is_border(e)) return -1;
@@ -106,7 +107,7 @@ std::vector<bool> sure_segments(const Recognized_part& part, const Surface& surf
 }
 
 void fill(Recognized_part& part, const Surface& surface, Patch_map segments, Crease_map creases,
-          Corner_normal_map normals)
+          Normals_of_surfaces normals)
 {
   for (const Face f : surface.faces()) part.segments.push_back(segments[f]);
   const std::vector<bool> sure = sure_segments(part, surface);
@@ -201,7 +202,7 @@ Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& pl
   Surface surface = without_normals(mesh);
   const Patch_map segments = surface.add_property_map<Face, std::size_t>("f:segment", 0).first;
   const Crease_map creases = surface.add_property_map<Edge, bool>("e:is_crease", false).first;
-  const Corner_normal_map normals =
+  const Normals_of_surfaces normals =
     surface.add_property_map<Halfedge, Vector_3>("h:of_surface", CGAL::NULL_VECTOR).first;
   const auto corners = surface.add_property_map<Vertex, bool>("v:is_corner", false).first;
   const Roundness_map roundness = add_roundness(surface);

@@ -151,40 +151,25 @@ void add_border(Surface& surface)
   }
 }
 
-// A side's half-edge ends at the next corner of the face.
-void put_corner_normals(Surface& surface, const Mesh_data& mesh,
-                        const std::vector<Halfedge>& halfedge_of)
-{
-  const auto normals = surface.add_property_map<Halfedge, Vector_3>(corner_normals_name).first;
-  std::size_t first = 0;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const auto size = static_cast<std::size_t>(mesh.face(f).size());
-    for (std::size_t i = 0; i < size; ++i)
-      normals[halfedge_of[first + i]] = to_vector(mesh.corner_normals[first + (i + 1) % size]);
-    first += size;
-  }
-}
-
-void put_roundness(Surface& surface, const Mesh_data& mesh)
-{
-  if (mesh.roundness.empty()) return;
-  const Roundness_map roundness = add_roundness(surface);
-  for (const Vertex v : surface.vertices()) roundness[v] = mesh.roundness[v];
-}
-
-// All in the order of to_mesh_data().
+// All but the points, in the order of to_mesh_data().
 void put_values(Surface& surface, const Mesh_data& mesh)
 {
-  for (const Vertex v : surface.vertices()) surface.point(v) = to_point(mesh.points[v]);
-  if (mesh.has_normals()) {
-    const Normal_map normals = add_normals(surface);
-    for (const Vertex v : surface.vertices()) normals[v] = to_vector(mesh.normals[v]);
+  if (!mesh.roundness.empty()) {
+    const Roundness_map roundness = add_roundness(surface);
+    for (const Vertex v : surface.vertices()) roundness[v] = mesh.roundness[v];
   }
-  if (!mesh.has_corner_normals()) return;
-  const auto normals = surface.add_property_map<Halfedge, Vector_3>(corner_normals_name).first;
+  if (!mesh.has_normals()) return;
+  const Normal_map normals = add_normals(surface);
+  for (const Vertex v : surface.vertices()) normals[v] = to_vector(mesh.normals[v]);
+  if (mesh.corner_normals.empty() && mesh.corner_roundness.empty()) return;
+  const Corner_normal_map of_corners = add_corner_normals(surface);
   std::size_t corner = 0;
-  for (const Halfedge h : corners_of(surface))
-    normals[h] = to_vector(mesh.corner_normals[corner++]);
+  for (const Halfedge h : corners_of(surface)) {
+    Corner_value& value = of_corners.values[h];
+    if (!mesh.corner_normals.empty()) value.normal = to_vector(mesh.corner_normals[corner]);
+    if (!mesh.corner_roundness.empty()) value.roundness = mesh.corner_roundness[corner];
+    ++corner;
+  }
 }
 
 } // namespace
@@ -193,8 +178,8 @@ Surface make_surface(const Mesh_data& mesh)
 {
   require_room(mesh);
   if (std::optional<Surface> replayed = replayed_rounds(mesh)) {
+    for (const Vertex v : replayed->vertices()) replayed->point(v) = to_point(mesh.points[v]);
     put_values(*replayed, mesh);
-    put_roundness(*replayed, mesh);
     return std::move(*replayed);
   }
   Surface surface;
@@ -205,12 +190,7 @@ Surface make_surface(const Mesh_data& mesh)
   const std::vector<Halfedge> halfedge_of = add_edges(surface, Side_list(mesh));
   add_faces(surface, mesh, halfedge_of);
   add_border(surface);
-  if (mesh.has_normals()) {
-    const Normal_map normals = surface.add_property_map<Vertex, Vector_3>(normals_name).first;
-    for (const Vertex v : surface.vertices()) normals[v] = to_vector(mesh.normals[v]);
-  }
-  if (mesh.has_corner_normals()) put_corner_normals(surface, mesh, halfedge_of);
-  put_roundness(surface, mesh);
+  put_values(surface, mesh);
   return surface;
 }
 
@@ -241,65 +221,70 @@ void remove_normals(Surface& surface)
   if (std::optional<Normal_map> normals = normals_of(surface))
     surface.remove_property_map(*normals);
   if (std::optional<Corner_normal_map> normals = corner_normals_of(surface))
-    surface.remove_property_map(*normals);
+    surface.remove_property_map(normals->values);
 }
 
 std::optional<Corner_normal_map> corner_normals_of(const Surface& surface)
 {
-  return find_property_map<Halfedge, Vector_3>(surface, corner_normals_name);
+  const auto values = find_property_map<Halfedge, Corner_value>(surface, corner_normals_name);
+  return values ? std::optional<Corner_normal_map>(Corner_normal_map{*values}) : std::nullopt;
 }
 
 Corner_normal_map add_corner_normals(Surface& surface)
 {
   const Normal_map of_vertices = *normals_of(surface);
-  const auto normals = surface.add_property_map<Halfedge, Vector_3>(corner_normals_name).first;
-  for (const Halfedge h : surface.halfedges()) normals[h] = of_vertices[surface.target(h)];
+  const std::optional<Roundness_map> roundness = roundness_of(surface);
+  const Corner_normal_map normals{
+    surface.add_property_map<Halfedge, Corner_value>(corner_normals_name).first};
+  for (const Halfedge h : surface.halfedges()) {
+    const Vertex v = surface.target(h);
+    normals.values[h] = {of_vertices[v], roundness ? (*roundness)[v] : 1};
+  }
   return normals;
 }
 
-std::vector<Vector_3> take_corner_normals(Surface& surface)
+std::vector<Corner_value> take_corner_normals(Surface& surface)
 {
-  std::vector<Vector_3> result;
   std::optional<Corner_normal_map> normals = corner_normals_of(surface);
-  const Normal_map of_vertices = *normals_of(surface);
-  for (const Halfedge h : surface.halfedges())
-    result.push_back(normals ? (*normals)[h] : of_vertices[surface.target(h)]);
-  if (normals) surface.remove_property_map(*normals);
+  if (!normals) normals = add_corner_normals(surface);
+  std::vector<Corner_value> result;
+  for (const Halfedge h : surface.halfedges()) result.push_back(normals->values[h]);
+  surface.remove_property_map(normals->values);
   return result;
 }
 
 namespace {
 
-// calls f(half-edge, normal) for all corners of the wedges
+// calls f(half-edge, value) for all corners of the wedges
 template <class Function>
 void for_each_corner_of(const Surface& surface, const Wedge_list& wedges, const Function& f)
 {
   std::unordered_set<Index> begins;
-  for (const auto& [first, n] : wedges) begins.insert(Index(first));
-  for (const auto& [first, n] : wedges) {
+  for (const auto& wedge : wedges) begins.insert(Index(wedge.first));
+  for (const auto& [first, value] : wedges) {
     Halfedge h = first;
     do {
-      f(h, n);
+      f(h, value);
       h = surface.opposite(surface.next(h));
     } while (!surface.is_border(h) && begins.count(Index(h)) == 0);
   }
 }
 
-// The normals of corners at vertices that have several.
-class Normals_of_several
+// The values of corners at vertices that have several.
+class Values_of_several
 {
 public:
-  Normals_of_several(const Surface& surface, const Wedge_list& wedges)
+  Values_of_several(const Surface& surface, const Wedge_list& wedges)
     : has_several_(wedges.empty() ? 0 : surface.number_of_vertices(), false)
   {
-    for_each_corner_of(surface, wedges, [&](Halfedge h, const Vector_3& n) {
-      of_corner_.emplace(Index(h), n);
+    for_each_corner_of(surface, wedges, [&](Halfedge h, const Corner_value& value) {
+      of_corner_.emplace(Index(h), value);
       has_several_[surface.target(h)] = true;
     });
   }
   bool at(Vertex v) const { return !has_several_.empty() && has_several_[v]; }
   // \pre at(the target)
-  Vector_3 operator()(Halfedge h, const Vector_3& of_vertex) const
+  Corner_value operator()(Halfedge h, const Corner_value& of_vertex) const
   {
     const auto own = of_corner_.find(Index(h));
     return own == of_corner_.end() ? of_vertex : own->second;
@@ -307,15 +292,16 @@ public:
 
 private:
   std::vector<bool> has_several_;
-  std::unordered_map<Index, Vector_3> of_corner_;
+  std::unordered_map<Index, Corner_value> of_corner_;
 };
 
 } // namespace
 
 void put_corner_normals(Surface& surface, const Wedge_list& wedges)
 {
-  Corner_normal_map normals = add_corner_normals(surface);
-  for_each_corner_of(surface, wedges, [&](Halfedge h, const Vector_3& n) { normals[h] = n; });
+  const Corner_normal_map normals = add_corner_normals(surface);
+  for_each_corner_of(surface, wedges,
+                     [&](Halfedge h, const Corner_value& value) { normals.put_whole(h, value); });
 }
 
 std::vector<Halfedge> corners_of(const Surface& surface)
@@ -339,27 +325,35 @@ Mesh_data to_mesh_data(const Surface& surface, const Wedge_list& wedges)
     for (const Vertex v : surface.vertices()) mesh.normals.push_back(to_triple((*normals)[v]));
   }
 
-  if (const std::optional<Roundness_map> roundness = roundness_of(surface))
+  const std::optional<Roundness_map> roundness = roundness_of(surface);
+  if (roundness)
     for (const Vertex v : surface.vertices()) mesh.roundness.push_back((*roundness)[v]);
 
   mesh.reserve_faces(surface.number_of_faces(), surface.number_of_halfedges());
   const std::optional<Corner_normal_map> corner_normals = corner_normals_of(surface);
-  const Normals_of_several of_several(surface, wedges);
+  const Values_of_several of_several(surface, wedges);
   std::vector<Corner_normal> several;
   std::vector<Index> face;
   for (const Surface::Face_index f : surface.faces()) {
     face.clear();
     for (const Halfedge h : halfedges_around_face(surface.halfedge(f), surface)) {
       const Vertex v = surface.target(h);
-      if (corner_normals) mesh.corner_normals.push_back(to_triple((*corner_normals)[h]));
-      if (of_several.at(v))
+      if (corner_normals) {
+        mesh.corner_normals.push_back(to_triple((*corner_normals)[h]));
+        mesh.corner_roundness.push_back(corner_normals->values[h].roundness);
+      }
+      if (of_several.at(v)) {
+        const Corner_value value = of_several(h, {(*normals)[v], roundness ? (*roundness)[v] : 1});
         several.push_back({mesh.number_of_corners() + face.size(), static_cast<Index>(v),
-                           to_triple(of_several(h, (*normals)[v]))});
+                           to_triple(value.normal), value.roundness});
+        if (roundness) mesh.roundness[v] = (std::min)(mesh.roundness[v], value.roundness);
+      }
       face.push_back(static_cast<Index>(v));
     }
     mesh.add_face(face);
   }
   if (corner_normals) set_vertex_normals(mesh);
+  set_vertex_roundness(mesh);
   if (!several.empty()) set_several_normals(mesh, std::move(several));
   return mesh;
 }

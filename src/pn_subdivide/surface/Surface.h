@@ -12,6 +12,10 @@
 #include "io/Mesh_data.h"
 #include "surface/Surface_type.h"
 
+#include <CGAL/PN_subdivision_3/Estimated_control_normals.h>
+
+#include <boost/property_map/property_map.hpp>
+
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -21,12 +25,31 @@ namespace pn_subdivide {
 
 using Normal_map = Surface::Property_map<Surface::Vertex_index, Vector_3>;
 using Roundness_map = Surface::Property_map<Surface::Vertex_index, double>;
-// the normal of a half-edge's face at its target
-using Corner_normal_map = Surface::Property_map<Surface::Halfedge_index, Vector_3>;
+// of a half-edge's face at its target
+using Corner_value = CGAL::PN_subdivision_3::internal::Normal_and_roundness<Kernel>;
 
-// Of vertices with several wedges the normals of these, with the half-edges that they begin at, clockwise. The first
-// wedge of a border vertex may be missing, and has the normal of the vertex.
-using Wedge_list = std::vector<std::pair<Surface::Halfedge_index, Vector_3>>;
+// The normals of corners, with their roundness.
+struct Corner_normal_map
+{
+  using key_type = Surface::Halfedge_index;
+  using value_type = Vector_3;
+  using reference = Vector_3;
+  using category = boost::read_write_property_map_tag;
+
+  static constexpr bool goes_with_roundness = true;
+
+  const Corner_value& whole(key_type h) const { return values[h]; }
+  void put_whole(key_type h, const Corner_value& value) const { values[h] = value; }
+  Vector_3& operator[](key_type h) const { return values[h].normal; }
+  friend Vector_3 get(const Corner_normal_map& map, key_type h) { return map[h]; }
+  friend void put(const Corner_normal_map& map, key_type h, const Vector_3& n) { map[h] = n; }
+
+  Surface::Property_map<Surface::Halfedge_index, Corner_value> values;
+};
+
+// Of vertices with several wedges what these have, with the half-edges that they begin at, clockwise. The first
+// wedge of a border vertex may be missing, and has the normal and the roundness of the vertex.
+using Wedge_list = std::vector<std::pair<Surface::Halfedge_index, Corner_value>>;
 
 inline Point_3 to_point(const Triple& t)
 {
@@ -58,13 +81,13 @@ std::optional<Roundness_map> roundness_of(const Surface& surface);
 // 1 at all vertices, whatever it has been
 Roundness_map add_roundness(Surface& surface);
 
-// Gives each corner the normal of its vertex, which there must be.
+// Gives each corner the normal of its vertex, which there must be, and its roundness.
 Corner_normal_map add_corner_normals(Surface& surface);
 
-// Takes the normals of the corners off the mesh, in the order of its half-edges; those of the vertices if there
+// Takes the values of the corners off the mesh, in the order of its half-edges; those of the vertices if there
 // are none.
-std::vector<Vector_3> take_corner_normals(Surface& surface);
-// Gives each corner the normal of its wedge.
+std::vector<Corner_value> take_corner_normals(Surface& surface);
+// Gives each corner the values of its wedge.
 void put_corner_normals(Surface& surface, const Wedge_list& wedges);
 // those of vertices and of corners
 void remove_normals(Surface& surface);

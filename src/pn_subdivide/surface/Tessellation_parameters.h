@@ -27,13 +27,11 @@ auto with_tessellation_parameters(Surface& surface, const Scheme_choice& choice,
   namespace PN = CGAL::PN_subdivision_3;
   const std::optional<Normal_map> of_vertices = normals_of(surface);
   const auto linear = [&] { return PN::linear(make_scheme("--scheme", choice.scheme, choice)); };
-  const auto roundness = [&] {
-    const std::optional<Roundness_map> given = roundness_of(surface);
-    return PN::parameters::vertex_roundness_map(given ? *given : add_roundness(surface));
-  };
   if (!creases) {
     if (!of_vertices) return f(linear(), CGAL::parameters::default_values());
-    const auto np = roundness().vertex_normal_map(*of_vertices);
+    const std::optional<Roundness_map> given = roundness_of(surface);
+    const auto np = PN::parameters::vertex_roundness_map(given ? *given : add_roundness(surface))
+                      .vertex_normal_map(*of_vertices);
     return with_scheme(choice, [&](const auto& scheme) { return f(scheme, np); });
   }
   const auto sharp = PN::parameters::border(creases->border)
@@ -42,7 +40,7 @@ auto with_tessellation_parameters(Surface& surface, const Scheme_choice& choice,
   if (!of_vertices) return f(linear(), sharp);
   std::optional<Corner_normal_map> normals = corner_normals_of(surface);
   if (!normals) normals = add_corner_normals(surface);
-  const auto np = PN::parameters::join(roundness().crease_tangent_map(creases->tangents),
+  const auto np = PN::parameters::join(PN::parameters::crease_tangent_map(creases->tangents),
                                        sharp.vertex_normal_map(*normals));
   return with_scheme(choice, [&](const auto& scheme) { return f(scheme, np); });
 }

@@ -68,15 +68,16 @@ private:
   }
 };
 
-// The normals of take_corner_normals(), by half-edge, and those without edges that hardly are sharp.
+// What take_corner_normals() takes, by half-edge, and that without edges that hardly are sharp.
 struct Control_corner_normals
 {
-  Control_corner_normals(const std::vector<Vector_3>& of_corners,
-                         std::shared_ptr<const Normals_without_fractions> of_others = nullptr)
-    : normals(&of_corners)
+  Control_corner_normals(const std::vector<Corner_value>& of_corners,
+                         std::shared_ptr<const Normals_without_fractions> of_others)
+    : values(&of_corners)
+    , roundness(&of_corners)
     , without_fractions(std::move(of_others))
   {
-    if (without_fractions && without_fractions->normals.size() != of_corners.size())
+    if (without_fractions && without_fractions->values.size() != of_corners.size())
       without_fractions = nullptr; // those of the control mesh
   }
 
@@ -85,21 +86,21 @@ struct Control_corner_normals
   using reference = const Vector_3&;
   using category = boost::readable_property_map_tag;
 
+  static constexpr bool goes_with_roundness = true;
+
+  Corner_value whole(key_type h) const { return {(*values)[h].normal, (*roundness)[h].roundness}; }
   friend const Vector_3& get(const Control_corner_normals& n, key_type h)
   {
-    return (*n.normals)[h];
+    return (*n.values)[h].normal;
   }
-  friend Control_corner_normals normals_without_fractions(const Control_corner_normals& n)
+  friend Control_corner_normals normals_without_fractions(Control_corner_normals n)
   {
-    return n.without_fractions ? n.without_fractions->normals : *n.normals;
+    if (!n.without_fractions) return n;
+    n.values = &n.without_fractions->values;
+    if (n.without_fractions->has_roundness) n.roundness = n.values;
+    return n;
   }
-  friend const std::vector<double>* roundness_without_fractions(const Control_corner_normals& n)
-  {
-    return n.without_fractions && !n.without_fractions->roundness.empty()
-             ? &n.without_fractions->roundness
-             : nullptr;
-  }
-  const std::vector<Vector_3>* normals;
+  const std::vector<Corner_value>*values, *roundness; // these of those
   std::shared_ptr<const Normals_without_fractions> without_fractions;
 };
 

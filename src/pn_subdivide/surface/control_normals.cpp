@@ -69,14 +69,6 @@ void point_away(Mesh_data& mesh, const Normals_option& option)
   }
 }
 
-void put_roundness(Mesh_data& mesh, const Roundness_map& roundness)
-{
-  mesh.roundness.clear();
-  mesh.roundness.reserve(mesh.points.size());
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    mesh.roundness.push_back(roundness[Surface::Vertex_index(Mesh_data::Index(v))]);
-}
-
 // With the roundness that the estimate has.
 void estimate(Mesh_data& mesh, PN::Control_normal_estimate how)
 {
@@ -86,10 +78,12 @@ void estimate(Mesh_data& mesh, PN::Control_normal_estimate how)
   const Roundness_map roundness = add_roundness(surface);
   PN::estimate_control_normals(
     surface, normals, PN::parameters::control_normal_estimate(how).vertex_roundness_map(roundness));
-  put_roundness(mesh, roundness);
-  mesh.normals.reserve(mesh.points.size());
-  for (const Surface::Vertex_index v : surface.vertices())
+  mesh.roundness.clear();
+  mesh.corner_roundness.clear();
+  for (const Surface::Vertex_index v : surface.vertices()) {
     mesh.normals.push_back(to_triple(normals[v]));
+    mesh.roundness.push_back(roundness[v]);
+  }
 }
 
 // As the library does it on entry, so that no round and several rounds start from the same normals.
@@ -140,25 +134,29 @@ void estimate_between_creases(Mesh_data& mesh, std::optional<PN::Control_normal_
 {
   Surface surface = make_surface(mesh);
   const Crease_maps maps = add_creases(surface, creases);
+  add_roundness(surface);
   const Corner_normal_map normals = add_corner_normals(surface);
-  const Roundness_map roundness = add_roundness(surface);
-  PN::estimate_control_normals(
-    surface, normals,
-    PN::parameters::control_normal_estimate(of_all.value_or(default_estimate))
-      .vertex_roundness_map(roundness)
-      .edge_is_constrained_map(maps.edges)
-      .vertex_is_constrained_map(maps.vertices));
+  const auto estimated = PN::estimate_control_normals(
+    surface, PN::parameters::control_normal_estimate(of_all.value_or(default_estimate))
+               .edge_is_constrained_map(maps.edges)
+               .vertex_is_constrained_map(maps.vertices));
   const Wedges wedges(surface, [&](auto e) { return creases.is_sharp(e); });
-  const Normal_map of_vertices = *normals_of(surface);
   for (const Surface::Halfedge_index h : surface.halfedges())
-    if (!of_all && wedges.number[surface.target(h)] == 1) {
-      normals[h] = of_vertices[surface.target(h)];
-      roundness[surface.target(h)] = 1;
-    }
-  if (of_all || mesh.roundness.empty()) put_roundness(mesh, roundness);
+    if (!surface.is_border(h) && (of_all || wedges.number[surface.target(h)] > 1))
+      normals.values[h] = {estimated[h], get(estimated.roundness_map(), h)};
   Mesh_data with_normals = to_mesh_data(surface);
   mesh.normals = std::move(with_normals.normals);
   mesh.corner_normals = std::move(with_normals.corner_normals);
+  if (!of_all && !mesh.roundness.empty()) return;
+  mesh.roundness = std::move(with_normals.roundness);
+  mesh.corner_roundness = std::move(with_normals.corner_roundness);
+}
+
+// With the roundness that the estimate has.
+void set_estimated_normals(Mesh_data& mesh, const Creases& creases)
+{
+  estimate(mesh, default_estimate);
+  if (creases.any()) estimate_between_creases(mesh, default_estimate, creases);
 }
 
 void set_without_fractions(Creases& creases, Mesh_data mesh,
@@ -176,7 +174,7 @@ void set_without_fractions(Creases& creases, Mesh_data mesh,
   if (has_others) estimate_between_creases(mesh, of_all, others);
   Surface surface = make_surface(mesh);
   creases.without_fractions = std::make_shared<Normals_without_fractions>(
-    Normals_without_fractions{take_corner_normals(surface), std::move(mesh.roundness)});
+    Normals_without_fractions{take_corner_normals(surface), !mesh.roundness.empty()});
 }
 
 // Vertices whose normal in the file gives way to several.
@@ -237,6 +235,7 @@ bool smooth(Mesh_data& mesh, const Creases& creases, const std::string& name, Re
   }
   if (done.roundness < 1) {
     mesh.roundness.assign(mesh.points.size(), done.roundness);
+    mesh.corner_roundness.clear();
     std::snprintf(number, sizeof number, "; the points have noise, too: roundness %g",
                   done.roundness);
     change += number;
@@ -283,22 +282,23 @@ void set_aside(Mesh_data& mesh, const Stray_normals& stray, const Creases& creas
   if (stray.components == stray.of) return drop_normals(mesh);
   Mesh_data estimated = mesh;
   drop_normals(estimated);
-  estimate(estimated, default_estimate);
-  if (creases.any()) estimate_between_creases(estimated, default_estimate, creases);
+  set_estimated_normals(estimated, creases);
   mesh.roundness.assign(mesh.points.size(), 1.);
+  mesh.corner_roundness.assign(estimated.corner_roundness.size(), 1.);
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
     if (stray.is_stray[v]) {
       mesh.normals[v] = estimated.normals[v];
       mesh.roundness[v] = estimated.roundness[v];
     }
-  if (mesh.corner_normals.empty()) return;
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     std::size_t corner = mesh.first_corner(f);
     for (const Mesh_data::Index v : mesh.face(f)) {
-      if (stray.is_stray[v])
+      if (stray.is_stray[v] && !mesh.corner_normals.empty())
         mesh.corner_normals[corner] = estimated.corner_normals.empty()
                                         ? estimated.normals[v]
                                         : estimated.corner_normals[corner];
+      if (stray.is_stray[v] && !mesh.corner_roundness.empty())
+        mesh.corner_roundness[corner] = estimated.corner_roundness[corner];
       ++corner;
     }
   }
@@ -401,14 +401,14 @@ bool set_control_normals(Mesh_data& mesh, const Normals_option& option, Creases&
   return option.smooths && smooth(mesh, creases, name, report);
 }
 
-std::vector<double> estimated_roundness(const Mesh_data& mesh, const Creases& creases)
+void put_estimated_roundness(Mesh_data& mesh, const Creases& creases)
 {
   Mesh_data points = mesh;
   points.corner_normals.clear();
   points.attributes = Attributes();
-  estimate(points, default_estimate);
-  if (creases.any()) estimate_between_creases(points, default_estimate, creases);
-  return std::move(points.roundness);
+  set_estimated_normals(points, creases);
+  mesh.roundness = std::move(points.roundness);
+  mesh.corner_roundness = std::move(points.corner_roundness);
 }
 
 constexpr const char* no_creases = " (--sharp none takes none)";

@@ -46,7 +46,7 @@ bool set_control_normals(Mesh_data& mesh, const Normals_option& option, Creases&
                          const std::string& name, Report& report);
 
 // That which an estimate of the normals has, also where they are given.
-std::vector<double> estimated_roundness(const Mesh_data& mesh, const Creases& creases);
+void put_estimated_roundness(Mesh_data& mesh, const Creases& creases);
 
 // To be called before these, when the creases are known: says in one line what normals in the file are taken for
 // where they differ, and drops them, if --normals leaves it open, where they say nothing: zero everywhere,

@@ -23,11 +23,11 @@
 namespace pn_subdivide {
 
 // Of the mesh without edges whose sharpness is less than 1, where these have estimated normals beside them: what an edge leads
-// to as its sharpness goes to 0. Normals by half-edge; roundness by vertex, or empty.
+// to as its sharpness goes to 0. By half-edge; the roundness may be that of the mesh.
 struct Normals_without_fractions
 {
-  std::vector<Vector_3> normals;
-  std::vector<double> roundness;
+  std::vector<Corner_value> values;
+  bool has_roundness;
 };
 
 // What is sharp in a mesh.

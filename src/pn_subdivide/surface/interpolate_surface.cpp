@@ -69,15 +69,10 @@ Interpolation_report interpolate_with_creases(Surface& surface, const Scheme& sc
     return PN::interpolate_limit_points<Tag>(surface, PN::linear(scheme), np);
   std::optional<Corner_normal_map> normals = corner_normals_of(surface);
   if (!normals) normals = add_corner_normals(surface);
-  const std::optional<Roundness_map> given = roundness_of(surface);
-  Roundness_map roundness = given ? *given : add_roundness(surface);
-  auto report = PN::interpolate_limit_points<Tag>(
+  return PN::interpolate_limit_points<Tag>(
     surface, scheme,
-    PN::parameters::join(
-      PN::parameters::vertex_roundness_map(roundness).crease_tangent_map(creases.tangents),
-      np.vertex_normal_map(*normals)));
-  if (!given) surface.remove_property_map(roundness);
-  return report;
+    PN::parameters::join(PN::parameters::crease_tangent_map(creases.tangents),
+                         np.vertex_normal_map(*normals)));
 }
 
 } // namespace

@@ -82,12 +82,9 @@ template <class S, class Options>
 Limit_report move_to_limits(Surface& surface, Corner_normal_map normals, const S& scheme,
                             const Crease_maps& creases, const Options& options)
 {
-  const std::optional<Roundness_map> given = roundness_of(surface);
-  const Roundness_map roundness = given ? *given : add_roundness(surface);
   return PN::internal::move_to_limit_of_call<Tag>(
     surface, scheme,
-    PN::parameters::join(options, PN::parameters::vertex_roundness_map(roundness)
-                                    .vertex_normal_map(normals)
+    PN::parameters::join(options, CGAL::parameters::vertex_normal_map(normals)
                                     .edge_is_constrained_map(creases.edges)
                                     .vertex_is_constrained_map(creases.vertices)));
 }
@@ -108,10 +105,10 @@ Limit_report move_to_limits_of(Surface& surface, const Scheme_choice& choice,
 {
   const bool is_linear = !normals_of(surface);
   if (is_linear && !surface_normals) {
-    Corner_normal_map unused =
-      surface.add_property_map<Surface::Halfedge_index, Vector_3>("h:unused").first;
+    Corner_normal_map unused{
+      surface.add_property_map<Surface::Halfedge_index, Corner_value>("h:unused").first};
     const Limit_report report = move_to_linear_limits(surface, unused, choice, creases, options);
-    surface.remove_property_map(unused);
+    surface.remove_property_map(unused.values);
     return report;
   }
   if (is_linear) add_normals(surface);

@@ -201,13 +201,21 @@ Kept_normals kept_normals(const Surface& surface, const Wedge_list& wedges)
 {
   Mesh_data mesh = to_mesh_data(surface, wedges);
   if (mesh.several_normals.empty())
-    return {std::move(mesh.normals), std::move(mesh.corner_normals)};
+    return {std::move(mesh.normals), std::move(mesh.corner_normals),
+            std::move(mesh.corner_roundness)};
   std::vector<Triple> of_corners;
   of_corners.reserve(mesh.number_of_corners());
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for (const Mesh_data::Index v : mesh.face(f)) of_corners.push_back(mesh.normals[v]);
-  for (const Corner_normal& n : mesh.several_normals) of_corners[n.corner] = n.normal;
-  return {std::move(mesh.normals), std::move(of_corners)};
+    for (const Mesh_data::Index v : mesh.face(f)) {
+      of_corners.push_back(mesh.normals[v]);
+      if (!mesh.roundness.empty()) mesh.corner_roundness.push_back(mesh.roundness[v]);
+    }
+  for (const Corner_normal& n : mesh.several_normals) {
+    of_corners[n.corner] = n.normal;
+    if (!mesh.roundness.empty()) mesh.corner_roundness[n.corner] = n.roundness;
+  }
+  set_vertex_roundness(mesh);
+  return {std::move(mesh.normals), std::move(of_corners), std::move(mesh.corner_roundness)};
 }
 
 Mesh_data output_mesh(Surface& surface, std::optional<Crease_maps>& creases,
@@ -224,6 +232,8 @@ Mesh_data output_mesh(Surface& surface, std::optional<Crease_maps>& creases,
   mesh.normal_kind = normals.kind;
   mesh.control_normals = std::move(control.of_vertices);
   mesh.corner_control_normals = std::move(control.of_corners);
+  if (!control.roundness_of_corners.empty())
+    mesh.corner_roundness = std::move(control.roundness_of_corners);
   if (normals.kind == Normal_kind::control) put_control_normals(mesh, normals);
   return mesh;
 }

@@ -23,6 +23,7 @@ namespace pn_subdivide {
 struct Kept_normals
 {
   std::vector<Triple> of_vertices, of_corners;
+  std::vector<double> roundness_of_corners;
 };
 
 // The control normals of the surface; those of corners only where vertices have several.

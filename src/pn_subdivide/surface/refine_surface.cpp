@@ -128,7 +128,7 @@ void refine_with_creases(Surface& surface, const Scheme_choice& choice,
     const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
     return refine(surface, PN::linear(scheme), refinement, sharp);
   }
-  const std::vector<Vector_3> of_corners = take_corner_normals(surface);
+  const std::vector<Corner_value> of_corners = take_corner_normals(surface);
   const Isolated_normals isolated(surface, *of_vertices);
   const Wedge_normals normals{
     {of_corners, creases.without_fractions}, *of_vertices, refinement.wedges};

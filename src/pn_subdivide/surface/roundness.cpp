@@ -21,16 +21,22 @@ namespace {
 
 using Source = Roundness_option::Source;
 
-void require_range(const std::vector<double>& roundness)
+void require_range(const Mesh_data& mesh)
 {
-  for (std::size_t v = 0; v < roundness.size(); ++v) {
+  const auto require = [](double w, const auto& name) {
     // schemes with negative weights write what is a little beyond
-    if (roundness[v] >= -0.5 && roundness[v] <= 1.5) continue;
+    if (w >= -0.5 && w <= 1.5) return;
     char number[40];
-    std::snprintf(number, sizeof number, "%g", roundness[v]);
-    throw Error("vertex " + std::to_string(v) + " has the roundness " + number +
-                ": it must be from 0 to 1");
-  }
+    std::snprintf(number, sizeof number, "%g", w);
+    throw Error(name() + " has the roundness " + number + ": it must be from 0 to 1");
+  };
+  for (std::size_t v = 0; v < mesh.roundness.size(); ++v)
+    require(mesh.roundness[v], [&] { return "vertex " + std::to_string(v); });
+  if (mesh.corner_roundness.empty()) return;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (std::size_t i = 0; i < mesh.face(f).size(); ++i)
+      require(mesh.corner_roundness[mesh.first_corner(f) + i],
+              [&] { return "corner " + std::to_string(i) + " of face " + std::to_string(f); });
 }
 
 bool is_constant(const std::vector<double>& roundness)
@@ -44,6 +50,11 @@ bool is_one(const std::vector<double>& roundness)
   return std::all_of(roundness.begin(), roundness.end(), [](double w) { return w == 1; });
 }
 
+void suit(Mesh_data& mesh)
+{
+  if (is_one(mesh.roundness) && is_one(mesh.corner_roundness)) Roundness_of_file{mesh};
+}
+
 } // namespace
 
 Roundness_option parse_roundness_option(const std::string& text)
@@ -54,37 +65,52 @@ Roundness_option parse_roundness_option(const std::string& text)
   return {Source::constant, parse_roundness(text, "auto, file, estimate or ")};
 }
 
-void set_roundness(Mesh_data& mesh, const Roundness_option& option, std::vector<double> of_file,
+Roundness_of_file::Roundness_of_file(Mesh_data& mesh)
+  : of_vertices(std::exchange(mesh.roundness, {}))
+  , of_corners(std::exchange(mesh.corner_roundness, {}))
+{}
+
+void Roundness_of_file::put_into(Mesh_data& mesh)
+{
+  mesh.roundness = std::move(of_vertices);
+  mesh.corner_roundness = std::move(of_corners);
+}
+
+void set_roundness(Mesh_data& mesh, const Roundness_option& option, Roundness_of_file&& of_file,
                    bool has_normals_of_file, const Creases& creases)
 {
   switch (option.source) {
   case Source::automatic:
-    if (has_normals_of_file && !of_file.empty()) mesh.roundness = std::move(of_file);
+    if (has_normals_of_file && !of_file.of_vertices.empty()) of_file.put_into(mesh);
     break;
   case Source::file:
-    if (of_file.empty())
+    if (of_file.of_vertices.empty())
       throw Error("--roundness file, but the vertices have no property 'roundness'; --roundness "
                   "estimate reads it off the points");
-    mesh.roundness = std::move(of_file);
+    of_file.put_into(mesh);
     break;
   case Source::estimate:
-    mesh.roundness = estimated_roundness(mesh, creases);
+    put_estimated_roundness(mesh, creases);
     break;
   case Source::constant:
     mesh.roundness.assign(mesh.points.size(), option.value);
+    mesh.corner_roundness.clear();
     break;
   }
   if (creases.without_fractions && option.source != Source::automatic)
-    creases.without_fractions->roundness.clear(); // that of the mesh
-  require_range(mesh.roundness);
-  if (is_one(mesh.roundness)) mesh.roundness.clear();
+    creases.without_fractions->has_roundness = false; // that of the mesh
+  require_range(mesh);
+  suit(mesh);
 }
 
 void suit_roundness(Mesh_data& mesh)
 {
   const bool has_control_normals =
     mesh.has_control_normals() || (mesh.has_normals() && mesh.normal_kind == Normal_kind::control);
-  if (!has_control_normals || is_one(mesh.roundness)) mesh.roundness.clear();
+  if (has_control_normals)
+    suit(mesh);
+  else
+    Roundness_of_file{mesh};
 }
 
 std::string roundness_description(const std::vector<double>& roundness)

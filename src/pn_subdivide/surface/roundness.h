@@ -35,10 +35,20 @@ struct Roundness_option
 // auto | file | estimate | X. Throws Usage_error.
 Roundness_option parse_roundness_option(const std::string& text);
 
+// What a mesh had.
+struct Roundness_of_file
+{
+  // The mesh has none afterwards.
+  explicit Roundness_of_file(Mesh_data& mesh);
+  void put_into(Mesh_data& mesh);
+
+  std::vector<double> of_vertices, of_corners;
+};
+
 // Chooses between the roundness of the file and that of an estimate of normals, if there was one: `of_file` and
 // `mesh.roundness`, which is empty afterwards where all is 1. Throws Error if the file was to have one and has none, or
 // a number that is not from 0 to 1, naming the vertex.
-void set_roundness(Mesh_data& mesh, const Roundness_option& option, std::vector<double> of_file,
+void set_roundness(Mesh_data& mesh, const Roundness_option& option, Roundness_of_file&& of_file,
                    bool has_normals_of_file, const Creases& creases);
 
 // Drops what is not to be written: 1 everywhere, or beside normals that are no control normals.

@@ -265,7 +265,7 @@ std::string set_surface_normals(Mesh_data& mesh, const Plan& plan, const Recogni
   Normals_option given = plan.normals;
   given.source = Normals_option::Source::file;
   if (from_file && !mesh.has_normals()) set_control_normals(mesh, given); // throws
-  std::vector<double> roundness_of_file = std::exchange(mesh.roundness, {});
+  Roundness_of_file roundness_of_file(mesh);
   put_surface_normals(mesh, part, from_file);
   set_control_normals(mesh, given, creases, input, report);
   if (!from_file) mesh.roundness = part.roundness;
@@ -292,7 +292,7 @@ std::string set_normals(Mesh_data& mesh, const Plan& plan, Creases& creases, Rep
                 (mesh.vertices_with_several_normals == 1 ? " vertex has" : " vertices have") +
                 " several normals; their normalized sum is taken");
   const bool has_other_normals = mesh.normal_kind != Normal_kind::control;
-  std::vector<double> roundness_of_file = std::exchange(mesh.roundness, {});
+  Roundness_of_file roundness_of_file(mesh);
   const bool are_smoothed = set_control_normals(mesh, plan.normals, creases, input, report);
   if (source != Source::none)
     set_roundness(mesh, plan.roundness, std::move(roundness_of_file),

@@ -138,7 +138,8 @@ Triangulation triangulate(Surface& surface)
     if (surface.degree(Surface::Face_index(f)) > 3) split(Surface::Face_index(f));
   result.old_corner = old_corners(surface, old_halfedges);
   if (const std::optional<Corner_normal_map> normals = corner_normals_of(surface))
-    for (const Halfedge h : surface.halfedges()) (*normals)[h] = (*normals)[result.old_corner[h]];
+    for (const Halfedge h : surface.halfedges())
+      normals->put_whole(h, normals->whole(result.old_corner[h]));
   return result;
 }
 

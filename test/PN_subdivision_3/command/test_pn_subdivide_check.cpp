@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <random>
@@ -282,6 +283,42 @@ TEST_F(Pn_subdivide_check, DistancesAreFromTheControlMesh)
                   largest);
     expect_part(text, part);
   }
+}
+
+// Of many meshes, by scripts/never_worse.py: options behind -- replace its own, and what cannot be measured is no success.
+TEST_F(Pn_subdivide_check, ManyAreCompared)
+{
+  if (std::system("python3 -c ''") != 0) GTEST_SKIP() << "left out: no python3";
+  folder.write("beam.off", box(10, 1, 1));
+  folder.write("block.off", box(2, 1.5, 1));
+  folder.write("cube.off", box(1, 1, 1));
+  folder.write("small.off", box(0.5, 0.5, 0.5));
+  folder.write("large.off", box(2, 2, 2));
+  folder.write("broken.off", "OFF\n1 2\n");
+  const auto expect = [&](int code, const std::string& arguments, const std::string& part) {
+    const std::string out = work.file("out");
+    const int status = std::system(("cd '" + folder.file("") +
+                                    "' && python3 -B '" PN_DATA_DIR
+                                    "/../../scripts/never_worse.py' '" PN_SUBDIVIDE_COMMAND "' " +
+                                    arguments + " >'" + out + "' 2>&1")
+                                     .c_str());
+    const std::string text = Temporary_folder::content(out);
+    EXPECT_EQ(status, code << 8) << arguments << text;
+    expect_part(text, part);
+  };
+  expect(0, "block.off beam.off", "2 meshes, 2 closed: volume beyond linear by 0.05 on 0,");
+  expect(1, "beam.off -- --normals angle",
+         "1 meshes, 1 closed: volume beyond linear by 0.05 on 1,");
+  expect(0, "beam.off -- --normals angle --sharp angle:40", "by 0.05 on 0,");
+  expect(2, "", "no mesh");
+  expect(2, "-- --sharp angle:40", "no mesh");
+  expect(2, "block.off broken.off", "refused: pn_subdivide: ");
+  expect(2, "block.off broken.off", "1 meshes, 1 closed");
+  expect(2, "block.off -- --no-such-option", "refused: ");
+  // which the ball round the cube is closer to than the linear result, or farther from
+  expect(0, "cube.off --reference large.off", "cube.off: mean distance ");
+  expect(1, "cube.off --reference small.off", "cube.off: mean distance ");
+  expect(2, "beam.off block.off --reference beam.off", "--reference is for one mesh");
 }
 
 // --- where it is said ---

@@ -13,11 +13,18 @@
 
 #include "io/mesh_io.h"
 
+#include <CGAL/PN_subdivision_3/detect_creases.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -95,6 +102,42 @@ std::string ply(const std::vector<double>& roundness, bool with_normals)
 }
 
 const std::vector<double> several = {0, 0.25, 1, 0.5, 0.3, 0};
+
+// Twelve sides that end in a chamfer, and a lid or a cap of a sphere below; with the normals of the sides, or without any.
+std::string pin(bool with_normals, bool has_cap = false)
+{
+  std::ostringstream text;
+  text.precision(17);
+  const double pi = std::acos(-1.);
+  std::vector<std::pair<double, double>> rings = {{1.8, 28}, {2.4, 26}, {2.4, 0}};
+  for (const double angle : {0.4, 0.2}) // of a sphere of radius 4 through the last ring
+    if (has_cap) rings.push_back({4 * std::sin(angle), 3.2 - 4 * std::cos(angle)});
+  const int n = 12, m = int(rings.size()), last = n * (m - 1);
+  text << (with_normals ? "NOFF\n" : "OFF\n") << n * m + has_cap << ' '
+       << n * (m - 1) + 1 + (has_cap ? n : 1) << " 0\n";
+  for (const auto& [r, height] : rings)
+    for (int i = 0; i < n; ++i) {
+      const double x = std::cos(2 * pi * i / n), y = std::sin(2 * pi * i / n);
+      text << r * x << ' ' << r * y << ' ' << height;
+      if (with_normals) text << ' ' << x << ' ' << y << " 0";
+      text << '\n';
+    }
+  if (has_cap) text << "0 0 -0.8\n";
+  for (int v = 0; v < last; ++v) {
+    const int next = v % n == n - 1 ? v - n + 1 : v + 1;
+    text << "4 " << v << ' ' << v + n << ' ' << next + n << ' ' << next << '\n';
+  }
+  text << n;
+  for (int i = 0; i < n; ++i) text << ' ' << i;
+  text << '\n';
+  if (!has_cap) text << n;
+  for (int i = 0; i < n; ++i)
+    if (has_cap)
+      text << "3 " << n * m << ' ' << last + (i + 1) % n << ' ' << last + i << '\n';
+    else
+      text << ' ' << last + n - 1 - i;
+  return text.str();
+}
 
 double largest_difference(const std::vector<Triple>& a, const std::vector<Triple>& b)
 {
@@ -242,25 +285,38 @@ TEST_F(Pn_subdivide_roundness, EstimateReadsItOffThePoints)
 TEST_F(Pn_subdivide_roundness, WedgesBesideChamfersAreNotRound)
 {
   for (const bool with_normals : {false, true}) {
-    std::ostringstream text;
-    text << (with_normals ? "NOFF" : "OFF") << "\n36 26 0\n";
-    const double radii[3] = {2.4, 2.4, 1.8}, heights[3] = {0, 26, 28}, pi = std::acos(-1.);
-    for (int v = 0; v < 36; ++v) {
-      const double x = std::cos(pi * v / 6), y = std::sin(pi * v / 6), r = radii[v / 12];
-      text << r * x << ' ' << r * y << ' ' << heights[v / 12];
-      if (with_normals) text << ' ' << x << ' ' << y << " 0";
-      text << '\n';
-    }
-    for (int v = 0; v < 24; ++v) {
-      const int next = v % 12 == 11 ? v - 11 : v + 1;
-      text << "4 " << v << ' ' << next << ' ' << next + 12 << ' ' << v + 12 << '\n';
-    }
-    text << "12 11 10 9 8 7 6 5 4 3 2 1 0\n12 24 25 26 27 28 29 30 31 32 33 34 35\n";
-    folder.write("pin.off", text.str());
+    folder.write("pin.off", pin(with_normals));
     const std::string all = with_normals ? "roundness 0 at 24 of 36" : "roundness 0 at";
     const std::string said =
       err("pin.off", with_normals ? "--sharp angle:40 --normals file" : "--sharp angle:40");
     EXPECT_TRUE(contains(said, all)) << said;
+  }
+}
+
+// One of each wedge, which files carry on: beside the side, that is not round, the cap is.
+TEST_F(Pn_subdivide_roundness, WedgesHaveThatOfTheLibrary)
+{
+  namespace PN = CGAL::PN_subdivision_3;
+  using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+  for (const bool has_cap : {false, true}) {
+    folder.write("pin.off", pin(false, has_cap));
+    Mesh mesh;
+    std::ifstream(folder.file("pin.off")) >> mesh;
+    const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
+    PN::detect_creases(mesh, 40, sharp);
+    PN::subdivide(mesh, PN::CatmullClark_scheme(),
+                  CGAL::parameters::number_of_iterations(2).edge_is_constrained_map(sharp));
+    std::vector<Triple> points;
+    for (const auto v : mesh.vertices())
+      points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
+    const Mesh_data once =
+      refined("pin.off", "o.ply", "--levels 2 --sharp angle:40 --output-normals both");
+    EXPECT_LE(largest_difference(once.points, points), 1e-12) << has_cap;
+    EXPECT_EQ(once.corner_roundness.empty(), false) << has_cap;
+    written("pin.off", "a.ply", "--sharp angle:40 --output-normals both");
+    EXPECT_TRUE(written("a.ply", "b.ply", "--output-normals both") ==
+                Temporary_folder::content(folder.file("o.ply")))
+      << has_cap;
   }
 }
 

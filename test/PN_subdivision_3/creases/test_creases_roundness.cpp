@@ -9,6 +9,7 @@
 // Roundness of wedges and creases from points and tags alone.
 
 #include <CGAL/PN_subdivision_3/compare_with_linear.h>
+#include <CGAL/PN_subdivision_3/detect_creases.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -171,6 +173,40 @@ TEST(Creases_roundness, VerticesHaveTheLeastOfTheirWedges)
     PN::parameters::vertex_roundness_map(roundness).edge_is_constrained_map(pin.sharp));
   for (auto v : pin.mesh.vertices())
     if (pin.mesh.point(v).z() < 27) EXPECT_LE(roundness[v], 0.2) << v;
+}
+
+// Round two circles of different size; where lines join the arcs, tangents of arcs do not meet.
+TEST(Creases_roundness, RimsOfLinesAndArcsKeepTheVolume)
+{
+  const double pi = Turned_part::pi, step = pi / 12;
+  std::vector<Point> rim;
+  double twice_area = 0, twice_segments = 0;
+  for (const auto& [x, r, first] : {std::tuple(0., 8., pi / 2), {25., 5., -pi / 2}}) {
+    for (int i = 0; i <= 12; ++i)
+      rim.emplace_back(x + r * std::cos(first + i * step), r * std::sin(first + i * step), 0);
+    twice_segments += 12 * r * r * (step - std::sin(step));
+  }
+  const auto n = unsigned(rim.size());
+  Mesh mesh;
+  for (double height : {0., 6.})
+    for (const Point& p : rim) mesh.add_vertex(Point(p.x(), p.y(), height));
+  std::vector<Mesh::Vertex_index> lower, upper;
+  for (unsigned i = 0; i < n; ++i) {
+    const unsigned next = (i + 1) % n;
+    twice_area += rim[i].x() * rim[next].y() - rim[i].y() * rim[next].x();
+    lower.push_back(Mesh::Vertex_index(n - 1 - i));
+    upper.push_back(Mesh::Vertex_index(n + i));
+    mesh.add_face(Mesh::Vertex_index(i), Mesh::Vertex_index(next), Mesh::Vertex_index(n + next),
+                  Mesh::Vertex_index(n + i));
+  }
+  mesh.add_face(lower);
+  mesh.add_face(upper);
+  const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("sharp", false).first;
+  PN::detect_creases(mesh, 40, sharp);
+  const auto result = PN::compare_with_linear(
+    mesh, PN::CatmullClark_scheme(),
+    CGAL::parameters::number_of_iterations(2).edge_is_constrained_map(sharp));
+  EXPECT_NEAR(result.volume_ratio, 1 + twice_segments / twice_area, 0.015);
 }
 
 // Steps in a plane: tangents along their diagonal are those of no arc. Ends mirror them.

@@ -486,6 +486,33 @@ TEST(Compare_with_linear, FoldsOfRoofs)
   }
 }
 
+// Whatever their angle.
+TEST(Compare_with_linear, CreasesAreNoFolds)
+{
+  Mesh box = cube(1, 1, 1);
+  for (const auto v : box.vertices())
+    box.point(v) = box.point(v) + Vector_3(box.point(v).z() / 2, 0, 0);
+  const PN::CatmullClark_scheme scheme;
+  Mesh result = box, linear = box;
+  const auto all = [](Mesh& m) {
+    return CGAL::parameters::number_of_iterations(2).edge_is_constrained_map(
+      m.add_property_map<Mesh::Edge_index, bool>("e:sharp", true).first);
+  };
+  const auto of_box = all(box), of_result = all(result), of_linear = all(linear);
+  PN::subdivide(result, scheme, of_result);
+  PN::subdivide(linear, PN::linear(scheme), of_linear);
+  const Mesh& control = box;
+  for (const auto& c :
+       {PN::compare_with_linear(control, scheme, of_box),
+        PN::compare_with_linear(control, result, linear, of_box, of_result, of_linear)}) {
+    EXPECT_EQ(c.folded_edges, 0u);
+    EXPECT_EQ(c.linear_folded_edges, 0u);
+  }
+  const auto untold = PN::compare_with_linear(control, result, linear, of_box);
+  EXPECT_GT(untold.folded_edges, 0u);
+  EXPECT_GT(untold.linear_folded_edges, 0u);
+}
+
 // Right angles stay right whatever the rounding of a turned box.
 TEST(Compare_with_linear, BoxesDoNotFold)
 {

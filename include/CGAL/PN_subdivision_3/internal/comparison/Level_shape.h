@@ -84,9 +84,12 @@ public:
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<double, 3>;
 
-  Level_shape(Level_connectivity level, std::vector<Vector> points, double rounding)
+  // is_sharp: of edges, or empty
+  Level_shape(Level_connectivity level, std::vector<Vector> points, std::vector<bool> is_sharp,
+              double rounding)
     : level_(std::move(level))
     , points_(std::move(points))
+    , is_sharp_(std::move(is_sharp))
     , rounding_(rounding)
   {
     areas_.reserve(level_.number_of_faces());
@@ -102,8 +105,8 @@ public:
     return std::abs(volume_) <= 1e-13 * volume_terms_ + rounding_ * area_ ? 0 : volume_;
   }
 
-  // Edges at which two faces with an area meet at an angle greater than this, which has a cosine, by more than
-  // what rounding makes of rectangular ones.
+  // Edges that are not sharp, at which two faces with an area meet at an angle greater than this, which has a cosine, by more
+  // than what rounding makes of rectangular ones.
   std::size_t edges_beyond(double cosine) const { return folds_beyond(cosine).edges; }
   struct Folds
   {
@@ -115,7 +118,7 @@ public:
     constexpr double margin = 1e-10;
     Folds folds;
     for (Index e = 0; e < level_.number_of_edges(); ++e) {
-      if (level_.is_border_edge(e)) continue;
+      if (level_.is_border_edge(e) || (!is_sharp_.empty() && is_sharp_[e])) continue;
       const Vector &m = areas_[level_.face(2 * e)], &n = areas_[level_.face(2 * e + 1)];
       if (!(dot<double, 3>(m, n) < (cosine - margin) * quick_length(m) * quick_length(n))) continue;
       ++folds.edges;
@@ -172,6 +175,7 @@ private:
 
   Level_connectivity level_;
   std::vector<Vector> points_;
+  std::vector<bool> is_sharp_;
   double rounding_;
   std::vector<Vector> areas_; // their directions, 0 of faces without area
   double volume_ = 0, volume_terms_ = 0, area_ = 0;

@@ -38,6 +38,7 @@ struct Level_with_points
 {
   Level_connectivity level;
   std::vector<Coordinates<FT, 3>> points;
+  std::vector<bool> is_sharp = {}; // of edges; or empty
   // of control vertices, if their roundness varies
   std::size_t of_roundness_0 = 0, of_roundness_below_1 = 0;
 };
@@ -102,6 +103,10 @@ Level_with_points<FT> refined_aside(const Scheme& scheme, const Access& access, 
     while (refiner.rounds_done() < rounds) refiner.refine();
     result.level = refiner.level();
     result.points = points_of<Average>(refiner.values(), result.level.number_of_vertices());
+    if constexpr (are_creases_v<decltype(creases)>) {
+      result.is_sharp.assign(result.level.number_of_edges(), false);
+      for (const auto& e : refiner.creases().edges) result.is_sharp[e.edge] = e.sharpness > 0;
+    }
     for (Level_connectivity::Index v = 0; v < result.points.size(); ++v)
       check_in_range(result.points[v],
                      [&] { return "the point of the new vertex " + std::to_string(v); });

@@ -131,8 +131,8 @@ private:
   std::vector<Value>& values_;
 };
 
-// How round creases are, which their wedges are no more than: where tangents turn from edges as in a round
-// fan, or where all arcs meet. Ends mirror the tangents of their neighbors, and tell nothing.
+// How round creases are, which their wedges are no more than: where arcs meet. Ends mirror the tangents of their neighbors,
+// and tell nothing: beside corners tangents turn from edges as in a round fan, too, and beside darts none is round.
 template <class FT, class Value>
 class Crease_turns
 {
@@ -146,14 +146,17 @@ public:
     , creases_(creases)
     , values_(values)
     , is_inside_(level.number_of_vertices(), false)
+    , is_dart_(is_inside_)
   {}
 
   // of all slots
   std::vector<double> operator()()
   {
     std::vector<double> of_vertices(is_inside_.size(), 1), result(values_.size(), 1);
-    for (const Crease_star& star : creases_.stars)
+    for (const Crease_star& star : creases_.stars) {
       is_inside_[star.vertex] = creases_.rule(star) == Vertex_rule::crease;
+      is_dart_[star.vertex] = creases_.rule(star) == Vertex_rule::dart;
+    }
     for (const Crease_star& star : creases_.stars)
       if (is_inside_[star.vertex]) of_vertices[star.vertex] = of_vertex(star);
     for (const Crease_edge<FT>& e : creases_.edges)
@@ -171,6 +174,7 @@ private:
   double of_vertex(const Crease_star& star) const
   {
     double least = 1, miss = 0; // cosine of the turns; arcs
+    bool has_end = false;
     for (Index i = 0; i < star.number_of_ends; ++i) {
       const Crease_end& end = creases_.end(star, i);
       const Crease_edge<FT>& e = creases_.edge(end);
@@ -181,19 +185,22 @@ private:
       const Vector u = quotient(edge, edge_length);
       const Vector t = to_double_3<FT>(e.tangent_from[1 - end.side]);
       const auto cosine = dot<double, 3>(t, u);
+      least = (std::min)(least, cosine);
+      if (is_dart_[w]) return 0;
+      has_end = has_end || !is_inside_[w];
+      if (!is_inside_[w]) continue;
       Vector difference_of_arcs = to_double_3<FT>(e.tangent_from[end.side]);
       add_multiple<double, 3>(difference_of_arcs, 2 * cosine, u);
       add_multiple<double, 3>(difference_of_arcs, -1, t);
-      least = (std::min)(least, cosine);
-      miss = (std::max)(miss, is_inside_[w] ? length(difference_of_arcs) : 1);
+      miss = (std::max)(miss, length(difference_of_arcs));
     }
-    return either(share_of_turn(least), share_of_arcs(miss));
+    return share_of_arcs(miss) * (has_end ? share_of_turn(least) : 1);
   }
 
   const Level_connectivity& level_;
   const Creases<FT>& creases_;
   const std::vector<Value>& values_;
-  std::vector<bool> is_inside_; // two edges of a crease meet there
+  std::vector<bool> is_inside_, is_dart_; // two edges of a crease meet there, or one ends
 };
 
 // The control data of a level with creases, once before the first round: the wedges' normals where

@@ -157,7 +157,7 @@ public:
     if constexpr (is_pn_v<Scheme>)
       if (!is_of_halfedges_v<Access, Normal_map> || !goes_on(creases))
         keep_without_fractions(level, creases, [&](Creases<FT>& others) {
-          return values_without_fractions(level, points, normals, others);
+          return values_of_slots(level, points, normals_without_fractions(normals), others);
         });
     return values_of_slots(level, points, normals, creases);
   }
@@ -230,22 +230,6 @@ private:
   }
 
   template <class Point_map, class Normal_map>
-  std::vector<Value> values_without_fractions(const Level_connectivity& level, Point_map points,
-                                              const Normal_map& normals, Creases<FT>& creases) const
-  {
-    std::vector<Value> values =
-      values_of_slots(level, points, normals_without_fractions(normals), creases);
-    if constexpr (has_roundness_v<Value>)
-      if (const auto* const roundness = roundness_without_fractions(normals)) {
-        const Index n = level.number_of_vertices();
-        const std::vector<Index> extra = vertices_of_extra_slots(creases, n);
-        for (Index s = 0; s < values.size(); ++s)
-          values[s].roundness = FT((*roundness)[s < n ? s : extra[s - n]]);
-      }
-    return values;
-  }
-
-  template <class Point_map, class Normal_map>
   std::vector<Value> values_of_slots(const Level_connectivity& level, Point_map points,
                                      [[maybe_unused]] Normal_map normals,
                                      Creases<FT>& creases) const
@@ -272,7 +256,8 @@ private:
         read_vertex_normals(normals, is_given, n, values);
       }
       Control_creases<FT, Value>(level, creases, values, is_given, normal_estimate(scheme_))();
-      put_given_roundness(scheme_, n, values, &is_given, extra);
+      if constexpr (!goes_with_roundness_v<Normal_map>)
+        put_given_roundness(scheme_, n, values, &is_given, extra);
     }
     return values;
   }

@@ -114,12 +114,20 @@ public:
       put(map_, access_.halfedge_at(h), Normal(n[0], n[1], n[2]));
       if constexpr (goes_with_roundness_v<Map> &&
                     has_roundness_v<std::decay_t<decltype(values[slot])>>)
-        (*map_.values)[access_.halfedge_at(h)].roundness = values[slot].roundness;
+        put_roundness(access_.halfedge_at(h), values[slot].roundness);
     });
   }
   void keep() { is_changed_ = false; }
 
 private:
+  template <class FT>
+  void put_roundness(const Key& key, const FT& w)
+  {
+    auto whole = get_whole(map_, key);
+    whole.roundness = w;
+    put_whole(map_, key, whole);
+  }
+
   const Access& access_;
   Map map_;
   std::vector<std::pair<Index, decltype(get_whole(std::declval<Map>(), Key()))>> old_;
@@ -155,8 +163,8 @@ struct Normal_writers<Access, Map, true>
 
 // Normals of corners without one for each corner of the refined mesh. Those of the control mesh are read from `corners`.
 // Those of the refined mesh go to `vertices`, where a vertex has several wedges that of the first one, and those of
-// the wedges of such vertices to `wedges`, with the half-edges that they begin at, clockwise. A border vertex's
-// first wedge that begins at an edge that is no crease is not listed.
+// the wedges of such vertices to `wedges`, with their roundness if `corners` have one and the half-edges that they begin
+// at, clockwise. A border vertex's first wedge that begins at an edge that is no crease is not listed.
 template <class Corner_map, class Vertex_map_>
 struct Wedge_normals
 {
@@ -165,7 +173,8 @@ struct Wedge_normals
   using value_type = typename boost::property_traits<Vertex_map>::value_type;
   using reference = value_type;
   using category = boost::read_write_property_map_tag;
-  using List = std::vector<std::pair<key_type, value_type>>;
+  using Of_wedge = decltype(get_whole(std::declval<const Corner_map&>(), std::declval<key_type>()));
+  using List = std::vector<std::pair<key_type, Of_wedge>>;
 
   Corner_map corners;
   Vertex_map vertices;
@@ -174,28 +183,29 @@ struct Wedge_normals
   friend value_type get(const Wedge_normals& n, const key_type& h) { return get(n.corners, h); }
 };
 
+template <class Corner_map, class Vertex_map>
+inline constexpr bool is_of_estimate_v<Wedge_normals<Corner_map, Vertex_map>> =
+  is_of_estimate_v<Corner_map>;
+template <class Corner_map, class Vertex_map>
+inline constexpr bool goes_with_roundness_v<Wedge_normals<Corner_map, Vertex_map>> =
+  goes_with_roundness_v<Corner_map>;
+template <class Corner_map, class Vertex_map, class Key>
+auto get_whole(const Wedge_normals<Corner_map, Vertex_map>& n, const Key& h)
+{
+  return get_whole(n.corners, h);
+}
+
 // What a map of normals says of the mesh without edges of which less than one round is left: its normals, the same if they are
-// given, and where these are an estimate its roundness by the numbers of the vertices, or null.
+// given.
 template <class Map>
 const Map& normals_without_fractions(const Map& map)
 {
   return map;
 }
-template <class Map>
-const std::vector<double>* roundness_without_fractions(const Map&)
-{
-  return nullptr;
-}
 template <class Corner_map, class Vertex_map>
 auto normals_without_fractions(const Wedge_normals<Corner_map, Vertex_map>& n)
 {
   return normals_without_fractions(n.corners);
-}
-template <class Corner_map, class Vertex_map>
-const std::vector<double>*
-roundness_without_fractions(const Wedge_normals<Corner_map, Vertex_map>& n)
-{
-  return roundness_without_fractions(n.corners);
 }
 
 // Lists the wedges; they are nobody's until keep() is called.
@@ -223,8 +233,13 @@ public:
         const Crease_end& e = creases.end(star, i);
         if (!creases.edge(e).has_after(e.side)) continue;
         const auto wedge = star.wedge(creases.edge(e).after[e.side]);
-        const Coordinates<FT, 3>& n = (value + std::ptrdiff_t(wedge))->second.normal;
-        wedges_.emplace_back(access_.halfedge_at(creases.halfedge(e)), Normal(n[0], n[1], n[2]));
+        const auto& of_wedge = (value + std::ptrdiff_t(wedge))->second;
+        const Coordinates<FT, 3>& n = of_wedge.normal;
+        wedges_.emplace_back(access_.halfedge_at(creases.halfedge(e)),
+                             typename Map::Of_wedge{Normal(n[0], n[1], n[2])});
+        if constexpr (goes_with_roundness_v<Map> &&
+                      has_roundness_v<std::decay_t<decltype(of_wedge)>>)
+          wedges_.back().second.roundness = of_wedge.roundness;
       }
     }
   }
