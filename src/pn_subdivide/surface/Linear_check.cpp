@@ -72,7 +72,7 @@ Shape shape_of(const Surface& surface, const Frame& frame)
   PN::Level_connectivity level;
   PN::internal::with_mesh_access(
     surface, [&](const auto& access) { level = PN::internal::checked_level(access); });
-  return Shape(std::move(level), frame(points_of(surface)), frame.rounding());
+  return Shape(std::move(level), frame(points_of(surface)), {}, frame.rounding());
 }
 
 Mesh_measures measures_of(const Shape& shape)
