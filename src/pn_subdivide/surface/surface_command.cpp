@@ -531,17 +531,20 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
 }
 
 // Limits are those of what is smooth or sharp forever.
-void require_limit_of_creases(const Creases& creases, const Plan& plan, unsigned levels)
+void require_limit_of_creases(const Creases& creases, const Plan& plan, unsigned levels,
+                              bool in_pieces)
 {
   const Limit_choice& limit = plan.limit;
-  if ((!limit.is_used() && !plan.is_adaptive) || creases.number_of_edges == 0) return;
+  const bool is_adaptive = plan.is_adaptive && in_pieces;
+  if ((!limit.is_used() && !is_adaptive) || creases.number_of_edges == 0) return;
   double sharpness = 0; // the largest that is not for ever
   for (const double s : creases.edges)
     if (!std::isinf(s)) sharpness = (std::max)(sharpness, s);
-  if (sharpness <= (plan.is_adaptive ? 0 : levels)) return;
-  if (plan.is_adaptive)
-    throw Usage_error("--chord: limits are known only of edges that are smooth or sharp forever; "
-                      "take --sharpness inf, or --levels auto");
+  if (sharpness <= (is_adaptive ? 0 : levels)) return;
+  if (is_adaptive)
+    throw Usage_error(
+      "--chord and --pieces, --memory: edges must be smooth or sharp forever there; "
+      "take --sharpness inf, or leave out --pieces and --memory");
   throw Usage_error(std::string(limit.points ? "--limit" : limit.normals_option) +
                     ": limits are known only of edges that are smooth or sharp forever; with this "
                     "--sharpness take --levels " +
@@ -751,7 +754,7 @@ void run_surface_command(const Surface_options& given_options)
     const bool is_copy = plan.output_normals.copies && mesh.normal_kind != Normal_kind::control;
     if (is_copy) mesh.are_said_to_be_control = true; // they stay what the file says that they are
     settle_file_normals(mesh, plan.normals, creases, can_be_sharp, input, report);
-    require_limit_of_creases(creases, plan, options.levels);
+    require_limit_of_creases(creases, plan, options.levels, in_pieces);
     require_interpolation_of_creases(creases, plan);
     if (in_pieces) require_mesh_for_pieces(mesh, creases, plan.output_normals, plan.output);
     const bool has_file_normals = mesh.has_normals();

@@ -74,10 +74,11 @@ void expect_bound(const Control_mesh& shape, const Scheme& scheme, double eps, d
   EXPECT_TRUE(result.reached);
   EXPECT_LE(result.bound, eps);
   expect_conforming(out, control);
-  PN::subdivide_to_limit(control, scheme,
-                         PN::parameters::roundness(roundness)
-                           .number_of_iterations((std::min)(result.depth + 4, tests_are_full ? 6u : 4u))
-                           .vertex_normal_map(normal_map(control)));
+  PN::subdivide_to_limit(
+    control, scheme,
+    PN::parameters::roundness(roundness)
+      .number_of_iterations((std::min)(result.depth + 4, tests_are_full ? 6u : 4u))
+      .vertex_normal_map(normal_map(control)));
   const std::vector<Triangle> all = triangles(out);
   double largest = 0;
   for (auto v : control.vertices()) largest = (std::max)(largest, distance(control.point(v), all));
@@ -129,6 +130,7 @@ TEST(Tessellation, ToleranceOutOfReachGivesWhatIsInReach)
                                0.7 + 1e-18 * control.point(v).z());
     const auto result = PN::tessellate(control, PN::linear(PN::CatmullClark_scheme()), eps, out);
     EXPECT_FALSE(result.reached); // its outline is bent
+    EXPECT_EQ(result.obstacle, PN::Tessellation_result::Obstacle::digits);
     EXPECT_GT(result.number_of_triangles, 10000U);
     EXPECT_LE(result.number_of_triangles, 600000U);
   }
