@@ -19,6 +19,7 @@
 #include "surface/Linear_check.h"
 #include "surface/Output_normals.h"
 #include "surface/Planes_from_rims.h"
+#include "surface/Planes_of_part.h"
 #include "surface/Recognized_part.h"
 #include "surface/Surface_table.h"
 #include "surface/attributes.h"
@@ -461,11 +462,13 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   const bool is_creased = creases.any() || creases.border != Border::surface;
   const bool has_tags = is_creased && are_tags_written(options, plan.output_normals);
   const double chord = plan.is_adaptive ? plan.chord->of(mesh) : 0;
+  const bool has_rims =
+    part && (plan.is_adaptive || takes_planes_from_rims(options, plan.output_normals));
   Mesh_origin origin;
   if (plan.output_normals.with_control())
     origin = origin_after(mesh, scheme.scheme, options.levels);
   if (options.levels == 0 && !plan.limit.is_used() && !plan.interpolation && !plan.curvature &&
-      !must_split && !has_tags && !options.planes) {
+      !must_split && !has_tags && !has_rims) {
     mesh.tags = Crease_tags();
     mesh.origin = std::move(origin);
     put_control_normals(mesh, plan.output_normals);
@@ -475,6 +478,8 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   Attributes attributes = std::move(mesh.attributes);
   mesh = Mesh_data();
   if (table) table->number_faces(attributes);
+  std::optional<Planes_of_part> planes;
+  if (part) planes.emplace(surface, *part);
   if (!plan.is_adaptive) announce_long_work(surface, options, scheme, report);
   if (options.check)
     check.emplace(surface, creases, choices(plan, options, scheme, has_file_normals));
@@ -504,7 +509,11 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
       control = control_normals_at_limits(surface, plan, options, scheme, rounds.creases);
     move_to_limits(surface, plan, options, scheme, rounds.creases, report);
   }
+  if (planes && !has_rims && (options.levels > 0 || plan.limit.points))
+    planes->place_inside(surface, *segments_of(attributes), scheme, options.levels, plan.threads);
   if (table) table->measure(surface, attributes);
+  if (planes)
+    table->set_crossed_planes(planes->number_of_crossed(surface, *segments_of(attributes)));
   if (check) check->compare(surface, scheme, {options.levels, plan.threads, plan.limit});
   std::optional<Curvature_values> curvature;
   if (plan.curvature) {
@@ -516,17 +525,18 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   Crease_tags tags;
   if (has_tags) tags = tags_of(surface, *rounds.creases);
   if (must_split) split_for_output(surface, plan.output, attributes, report);
-  std::optional<Planes_from_rims> planes;
-  if (options.planes) planes.emplace(surface, *segments_of(attributes), *part);
+  std::optional<Planes_from_rims> rims;
+  if (has_rims) rims.emplace(surface, *segments_of(attributes), *part);
   mesh = output_mesh(surface, rounds.creases, wedges, plan.output_normals, std::move(control));
   suit_roundness(mesh);
   mesh.attributes = std::move(attributes);
   mesh.tags = std::move(tags);
   mesh.origin = std::move(origin);
   if (curvature) add_curvature(mesh, plan, std::move(*curvature), report);
-  if (planes) {
-    planes->put_into(mesh);
-    planes->report(plan.output.title("standard output"), report);
+  if (rims) {
+    table->forget_folds([&](std::size_t segment) { return rims->replaces(segment); });
+    rims->put_into(mesh);
+    rims->report(plan.output.title("standard output"), report);
   }
 }
 
