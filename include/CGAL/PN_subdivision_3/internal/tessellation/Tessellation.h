@@ -266,7 +266,7 @@ private:
   {
     constexpr std::size_t most_faces = std::size_t(1) << 22;
     unsigned rounds = 0;
-    for (std::size_t n = 4 * faces; n <= most_faces; n *= 4) ++rounds;
+    for (std::size_t n = 4 * faces; 0 < n && n <= most_faces; n *= 4) ++rounds;
     return rounds;
   }
 
