@@ -80,14 +80,14 @@ inline double distance(const Corner& a, const Corner& b)
 class Section
 {
 public:
-  // If one of the normals is not known, or they are opposite but for rounding, which then has no say, it is an arc.
+  // If one of the normals is not known, it is an arc. Where they are opposite there is no plane of it, of which rounding
+  // would have the say.
   Section(const Corner& a, const Corner& b)
     : a_(a.point)
     , chord_(minus(b.point, a.point))
   {
     const Vector of_a = a.normal == Vector{} ? mirrored(b.normal) : a.normal;
-    Vector of_b = b.normal == Vector{} ? mirrored(a.normal) : b.normal;
-    if (between(of_a, of_b) == Vector{}) of_b = mirrored(of_a);
+    const Vector of_b = b.normal == Vector{} ? mirrored(a.normal) : b.normal;
     normal_ = between(of_a, of_b);
     start_ = -slope(of_a);
     end_ = slope(of_b);
