@@ -396,19 +396,20 @@ private:
                                          internal::normal_estimate(scheme),
                                          takes_corners || !creases.empty());
     if constexpr (takes_corners) {
-      std::vector<Value> slots;
+      std::vector<Value> slot_values;
       const auto read = [&](const auto& creases_of_slots) {
-        slots.assign(creases_of_slots.number_of_slots, Value());
-        std::vector<bool> is_put(slots.size(), !internal::is_of_estimate_v<Normal_map>);
-        internal::read_corner_normals<FT>(access, level, creases_of_slots, normals, slots, &is_put);
+        slot_values.assign(creases_of_slots.number_of_slots, Value());
+        std::vector<bool> is_put(slot_values.size(), !internal::is_of_estimate_v<Normal_map>);
+        internal::read_corner_normals<FT>(access, level, creases_of_slots, normals, slot_values,
+                                          &is_put);
         return is_put;
       };
       std::vector<bool> is_put = read(creases);
-      control_->set_slots(slots, std::move(is_put));
+      control_->set_slots(slot_values, std::move(is_put));
       if constexpr (internal::are_creases_v<Level_creases>)
         if (internal::has_fractions(creases)) {
           is_put = read(internal::Gone_creases<FT>(level, creases).creases);
-          control_->set_slots_without_fractions(slots, std::move(is_put));
+          control_->set_slots_without_fractions(slot_values, std::move(is_put));
         }
     }
     control_->set_roundness(roundness);

@@ -221,8 +221,8 @@ the limit mask, `Limit_point::error` is infinite, and neither counts in the repo
 of the control mesh. Functions that move a mesh then leave the points where they are.
 \param yes a `bool`
 */
-template <class Bool>
-auto points(const Bool& yes)
+template <class Yes>
+auto points(const Yes& yes)
 {
   return internal::with_parameter<internal::points_t>(yes);
 }
@@ -232,8 +232,8 @@ auto points(const Bool& yes)
 whether limits have the normals of the surface; by default they have the limits of the control normals.
 \param yes a `bool`
 */
-template <class Bool>
-auto surface_normals(const Bool& yes)
+template <class Yes>
+auto surface_normals(const Yes& yes)
 {
   return internal::with_parameter<internal::surface_normals_t>(yes);
 }
@@ -243,8 +243,8 @@ auto surface_normals(const Bool& yes)
 whether the limits of a curve have its tangents and normals; by default they have not.
 \param yes a `bool`
 */
-template <class Bool>
-auto curve_normals(const Bool& yes)
+template <class Yes>
+auto curve_normals(const Yes& yes)
 {
   return internal::with_parameter<internal::curve_normals_t>(yes);
 }
@@ -254,8 +254,8 @@ auto curve_normals(const Bool& yes)
 whether limits have curvatures, where they exist; by default they have not.
 \param yes a `bool`
 */
-template <class Bool>
-auto curvatures(const Bool& yes)
+template <class Yes>
+auto curvatures(const Yes& yes)
 {
   return internal::with_parameter<internal::curvatures_t>(yes);
 }
@@ -278,8 +278,8 @@ whether the vertices of `Surface_pieces` are moved to the limit surface, as by `
 `points`, `surface_normals`, `tolerance`, `normal_tolerance` and `max_depth` say what is computed, and how accurately.
 \param yes a `bool`; what limits need is compiled if the parameter is given
 */
-template <class Bool>
-auto to_limit(const Bool& yes)
+template <class Yes>
+auto to_limit(const Yes& yes)
 {
   return internal::with_parameter<internal::to_limit_t>(yes);
 }
@@ -289,8 +289,8 @@ auto to_limit(const Bool& yes)
 whether the distance of the triangles of `tessellate()` from the surface is proved, by default not.
 \param yes a `bool`; code for proofs is compiled if the parameter is given
 */
-template <class Bool>
-auto proven_bound(const Bool& yes)
+template <class Yes>
+auto proven_bound(const Yes& yes)
 {
   return internal::with_parameter<internal::proven_bound_t>(yes);
 }
@@ -423,8 +423,8 @@ whether `CatmullClark_subdivision()` and `Loop_subdivision()` are the modified s
 where curvature is then bounded. By default they are not.
 \param yes a `bool`
 */
-template <class Bool>
-auto tuned(const Bool& yes)
+template <class Yes>
+auto tuned(const Yes& yes)
 {
   return internal::with_parameter<internal::tuned_t>(yes);
 }
@@ -435,8 +435,8 @@ whether `CatmullClark_subdivision()` and `Loop_subdivision()` transfer curvature
 `tuned()` does. By default they do not.
 \param yes a `bool`
 */
-template <class Bool>
-auto curvature_transfer(const Bool& yes)
+template <class Yes>
+auto curvature_transfer(const Yes& yes)
 {
   return internal::with_parameter<internal::curvature_transfer_t>(yes);
 }

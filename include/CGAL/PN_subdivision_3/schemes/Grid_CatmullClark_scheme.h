@@ -155,13 +155,13 @@ private:
       g = right(strip[k]);
       for (int r = row - 1; r >= 0; --r, g = right(g)) put(g, &vertices[r * columns + k]);
     }
-    emit(shape, vertices, s);
+    emit_row(shape, vertices, s);
   }
   static Index reversed(Index h) { return h == null ? null : Level_connectivity::opposite(h); }
 
   // Where one of the vertices with weights is irregular the lines end at these: strips of quads do not agree beyond.
   template <class Stencil>
-  void emit(const internal::Grid_shape& shape, const Vertices& vertices, Stencil& s) const
+  void emit_row(const internal::Grid_shape& shape, const Vertices& vertices, Stencil& s) const
   {
     std::array<FT, 25> weights;
     bool goes_on = true;

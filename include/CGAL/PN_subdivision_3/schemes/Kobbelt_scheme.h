@@ -89,7 +89,7 @@ public:
     }
     Row row;
     add_edge(h, FT(1), row);
-    row.emit(s);
+    row.emit_row(s);
   }
 
   /// the row of the new vertex of a face.
@@ -109,7 +109,7 @@ public:
       add_strip(h, FT(1) / FT(2), row);
       add_strip(across, FT(1) / FT(2), row);
     }
-    row.emit(s);
+    row.emit_row(s);
   }
 
 private:

@@ -84,14 +84,14 @@ public:
   }
   // Those of a part of a level between two rounds, whose slots in the whole are given. `whole` must stay, and so must
   // `corner_slots`, see slots_of_charts().
-  Attribute_rounds(const Attribute_rounds& whole, const Level_part& part, const Indices& slots,
+  Attribute_rounds(const Attribute_rounds& whole, const Level_part& part, const Indices& slot_ids,
                    const Chart_slots& chart_slots)
     : for_chunks_(whole.for_chunks_)
     , wanted_(whole.wanted_)
     , control_faces_(whole.control_faces_)
   {
     for (const auto& values : whole.carried_.vertices) {
-      carried_.vertices.push_back(values->part(slots));
+      carried_.vertices.push_back(values->part(slot_ids));
       by_rows_.push_back({carried_.vertices.back().get(), {}, true});
     }
     std::size_t rank_by_rows = whole.carried_.vertices.size();
@@ -107,11 +107,11 @@ public:
         linear_.push_back(&add(part.corners()));
       else if (kind == Corner_kind::by_rows)
         by_rows_.push_back(
-          {&add(slots), kept_in(part, whole.by_rows_[rank_by_rows++].kept_vertices), false});
+          {&add(slot_ids), kept_in(part, whole.by_rows_[rank_by_rows++].kept_vertices), false});
       else {
         const Smooth_corners<FT>& smooth = whole.smooth_[rank];
         Creases<FT> creases = part.creases(smooth.creases());
-        Row_values<FT>& values = add(part.slots(creases, chart_slots[rank]));
+        Row_values<FT>& values = add(part.slot_origins(creases, chart_slots[rank]));
         smooth_.emplace_back(values, std::move(creases), smooth);
       }
     }
@@ -222,10 +222,11 @@ public:
   // of the level that the values are of, for its parts
   Chart_slots slots_of_charts(const Level_connectivity& level) const
   {
-    Chart_slots slots;
-    slots.reserve(smooth_.size());
-    for (const Smooth_corners<FT>& smooth : smooth_) slots.emplace_back(level, smooth.creases());
-    return slots;
+    Chart_slots chart_slots;
+    chart_slots.reserve(smooth_.size());
+    for (const Smooth_corners<FT>& smooth : smooth_)
+      chart_slots.emplace_back(level, smooth.creases());
+    return chart_slots;
   }
   // The rim of the level has been closed; the values of the new vertices do not matter.
   void close_rim(const Level_size& closed, const Indices& neighbors)

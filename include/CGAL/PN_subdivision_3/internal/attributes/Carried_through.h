@@ -77,15 +77,15 @@ public:
   }
 
   // Those of a part of the level, of which its slots in the level are given.
-  Carried_rounds part(const Level_part& part, const std::vector<Level_part::Index>& slots,
+  Carried_rounds part(const Level_part& part, const std::vector<Level_part::Index>& slot_ids,
                       const typename Rounds::Chart_slots& chart_slots) const
   {
-    return Carried_rounds(std::make_unique<Rounds>(*rounds_, part, slots, chart_slots));
+    return Carried_rounds(std::make_unique<Rounds>(*rounds_, part, slot_ids, chart_slots));
   }
-  Carried_rounds part(const Level_part& part, const std::vector<Level_part::Index>& slots,
+  Carried_rounds part(const Level_part& part, const std::vector<Level_part::Index>& slot_ids,
                       const Level_connectivity& level) const
   {
-    return this->part(part, slots, rounds_->slots_of_charts(level));
+    return this->part(part, slot_ids, rounds_->slots_of_charts(level));
   }
 
 private:

@@ -436,12 +436,12 @@ private:
   {
     count_valences(level_, creases_);
     const One_round smooth(scheme_, level_, number);
-    const Corner_slots<FT> slots(level_, creases_);
+    const Corner_slots<FT> slot_of(level_, creases_);
     const auto needs_row = [this](const Crease_star& s) { return has_smooth_rule(s); };
-    smooth_rows_.emplace(level_, creases_, slots, smooth.mask(), needs_row);
+    smooth_rows_.emplace(level_, creases_, slot_of, smooth.mask(), needs_row);
     if constexpr (Has_normal_mask<Scheme>::value)
       if (smooth.has_own_normals())
-        smooth_normal_rows_.emplace(level_, creases_, slots, smooth.normal_mask(), needs_row);
+        smooth_normal_rows_.emplace(level_, creases_, slot_of, smooth.normal_mask(), needs_row);
   }
 
   const Scheme& scheme_;

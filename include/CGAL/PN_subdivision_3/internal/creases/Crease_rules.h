@@ -164,10 +164,10 @@ private:
   }
   template <std::size_t n>
   FT averaged_roundness(const std::array<Entry, n>& entries,
-                        const std::array<Index, n>& slots) const
+                        const std::array<Index, n>& slot_ids) const
   {
     return internal::averaged_roundness(entries,
-                                        [&](std::size_t j) { return roundness(slots[j]); });
+                                        [&](std::size_t j) { return roundness(slot_ids[j]); });
   }
   // that of the crease: a circle between a plane and what is not round is one
   FT largest(const std::vector<FT>& of_wedges) const
@@ -224,8 +224,8 @@ private:
     std::vector<FT> roundness;
     if constexpr (has_roundness) {
       roundness.resize(star.number_of_wedges, FT(1));
-      for_each_wedge(star, to_a, to_b, [&](Index w, const std::array<Index, 3>& slots) {
-        roundness[w] = averaged_roundness(entries, slots);
+      for_each_wedge(star, to_a, to_b, [&](Index w, const std::array<Index, 3>& slot_ids) {
+        roundness[w] = averaged_roundness(entries, slot_ids);
       });
     }
     const Rule average(entries.data(), entries.data() + 3, largest(roundness));
@@ -233,9 +233,9 @@ private:
     result.tangents = {opposite_vector<FT, 3>(average.tangent()), average.tangent()};
     if constexpr (is_pn) {
       result.normals.resize(star.number_of_wedges, zero_vector<FT, 3>());
-      for_each_wedge(star, to_a, to_b, [&](Index w, const std::array<Index, 3>& slots) {
+      for_each_wedge(star, to_a, to_b, [&](Index w, const std::array<Index, 3>& slot_ids) {
         result.normals[w] =
-          normal<3>(average, {normal(slots[0]), normal(slots[1]), normal(slots[2])});
+          normal<3>(average, {normal(slot_ids[0]), normal(slot_ids[1]), normal(slot_ids[2])});
       });
     }
     return result;
@@ -251,9 +251,9 @@ private:
       const Crease_edge<FT>& crease = data_.creases.edge(first);
       if (!crease.has_after(first.side)) continue;
       const Index slot = crease.after[first.side];
-      std::array<Index, 3> slots{far_after(first), far_before(last), slot};
-      if (is_reversed) std::swap(slots[0], slots[1]);
-      f(star.wedge(slot), slots);
+      std::array<Index, 3> slot_ids{far_after(first), far_before(last), slot};
+      if (is_reversed) std::swap(slot_ids[0], slot_ids[1]);
+      f(star.wedge(slot), slot_ids);
     }
   }
 

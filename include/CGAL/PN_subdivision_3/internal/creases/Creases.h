@@ -328,19 +328,20 @@ private:
 // follow one another. With several of them it has their mean normal.
 template <class Average, class Function>
 void for_each_crease_vertex(
-  const std::vector<std::pair<Level_connectivity::Index, typename Average::Value>>& slots,
+  const std::vector<std::pair<Level_connectivity::Index, typename Average::Value>>& slot_values,
   Level_connectivity::Index number_of_vertices, const Function& f)
 {
   using FT = typename Average::FT;
   using Value = typename Average::Value;
   constexpr bool has_normals = has_normal_v<Value>;
-  for (std::size_t i = 0; i < slots.size();) {
+  for (std::size_t i = 0; i < slot_values.size();) {
     const std::size_t first = i;
-    const auto v = slots[i].first;
-    Value value = slots[i].second;
+    const auto v = slot_values[i].first;
+    Value value = slot_values[i].second;
     int wedges = 1;
-    for (++i; i < slots.size() && slots[i].first >= number_of_vertices; ++i, ++wedges)
-      if constexpr (has_normals) add_multiple<FT, 3>(value.normal, FT(1), slots[i].second.normal);
+    for (++i; i < slot_values.size() && slot_values[i].first >= number_of_vertices; ++i, ++wedges)
+      if constexpr (has_normals)
+        add_multiple<FT, 3>(value.normal, FT(1), slot_values[i].second.normal);
     if constexpr (has_normals)
       if (wedges > 1)
         decided<FT>([&] { value.normal = unit_or_zero<FT, 3>(value.normal, FT(wedges)); },

@@ -98,7 +98,7 @@ slots_at_ended(const Host& host, const Level_connectivity& level, const Creases<
                const Refined_creases<FT>& refined)
 {
   using Index = Level_connectivity::Index;
-  std::vector<Index> slots;
+  std::vector<Index> slot_ids;
   const auto edge_slot = [&](Index h) {
     const auto it =
       std::lower_bound(creases.edges.begin(), creases.edges.end(), Level_connectivity::edge(h),
@@ -111,19 +111,20 @@ slots_at_ended(const Host& host, const Level_connectivity& level, const Creases<
   };
   const auto ends = [](double s) { return !(refined_sharpness(s) > 0); };
   for (std::size_t i = 0; i < creases.stars.size(); ++i)
-    for_each_corner_at_ended(
-      level, creases, creases.stars[i], ends, [&](Index h, Index wedge, double) {
-        const Index star = refined.star[i];
-        slots.push_back(star == Level_connectivity::null ? level.target(h)
-                                                         : refined.creases.stars[star].slot(wedge));
-        slots.push_back(edge_slot(h));
-        slots.push_back(edge_slot(level.next(h)));
-        if constexpr (Host::refined_degree == 4)
-          slots.push_back(host.vertex_of_face(level.face(h)));
-      });
-  std::sort(slots.begin(), slots.end());
-  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
-  return slots;
+    for_each_corner_at_ended(level, creases, creases.stars[i], ends,
+                             [&](Index h, Index wedge, double) {
+                               const Index star = refined.star[i];
+                               slot_ids.push_back(star == Level_connectivity::null
+                                                    ? level.target(h)
+                                                    : refined.creases.stars[star].slot(wedge));
+                               slot_ids.push_back(edge_slot(h));
+                               slot_ids.push_back(edge_slot(level.next(h)));
+                               if constexpr (Host::refined_degree == 4)
+                                 slot_ids.push_back(host.vertex_of_face(level.face(h)));
+                             });
+  std::sort(slot_ids.begin(), slot_ids.end());
+  slot_ids.erase(std::unique(slot_ids.begin(), slot_ids.end()), slot_ids.end());
+  return slot_ids;
 }
 
 // The creases of a level without those of which less than a round is left.
@@ -231,12 +232,12 @@ private:
   void find_reach(const Level_connectivity& level, const Creases<FT>& old)
   {
     reach.assign(creases.number_of_slots, 1);
-    const Corner_slots<FT> slots(level, creases);
+    const Corner_slots<FT> slot_of(level, creases);
     for (const Crease_star& star : old.stars)
       for_each_corner_at_ended(level, old, star, is_fraction, [&](Index h, Index, double s) {
         Index g = h;
         do {
-          reach[slots(g)] = (std::min)(reach[slots(g)], s);
+          reach[slot_of(g)] = (std::min)(reach[slot_of(g)], s);
           g = level.next(g);
         } while (g != h);
       });

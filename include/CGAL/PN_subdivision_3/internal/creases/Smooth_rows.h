@@ -82,9 +82,9 @@ public:
   using Row = Entry_row<FT>;
 
   // `level` is that of the mask, `slots` has those of its corners
-  Slot_shares(const Level_connectivity& level, const Corner_slots<FT>& slots, const Mask& mask)
+  Slot_shares(const Level_connectivity& level, const Corner_slots<FT>& slot_of, const Mask& mask)
     : level_(level)
-    , slots_(slots)
+    , slots_(slot_of)
     , mask_(mask)
   {}
 
@@ -219,9 +219,9 @@ public:
   // needs_row(star) says where
   template <class Mask, class Needs_row>
   Smooth_rows(const Level_connectivity& level, const Creases<FT>& creases,
-              const Corner_slots<FT>& slots, const Mask& mask, const Needs_row& needs_row)
+              const Corner_slots<FT>& slot_of, const Mask& mask, const Needs_row& needs_row)
   {
-    Slot_shares<FT, Mask> shares(level, slots, mask);
+    Slot_shares<FT, Mask> shares(level, slot_of, mask);
     for (const Crease_star& star : creases.stars) {
       if (needs_row(star)) shares.vertex(star.vertex, row_);
       close_row(star_end_);

@@ -164,7 +164,7 @@ Creases<FT> creases_of_part(const Creases<FT>& whole, const Level_connectivity& 
 // a crease are told from the others by this; `slots` are those of the whole.
 template <class FT, class Halfedge_origin, class Whole_values, class Values>
 void take_slot_values(const Level_connectivity& part, const Creases<FT>& creases,
-                      const Halfedge_origin& halfedge_origin, const Corner_slots<FT>& slots,
+                      const Halfedge_origin& halfedge_origin, const Corner_slots<FT>& slot_of,
                       const Whole_values& whole_values, Values& values)
 {
   using Index = Level_connectivity::Index;
@@ -172,14 +172,14 @@ void take_slot_values(const Level_connectivity& part, const Creases<FT>& creases
     if (part.is_isolated(v)) continue;
     const Index own = part.halfedge_of_vertex(v);
     const Index h = part.is_border(own) ? part.next_around_target(own) : own;
-    values[v] = whole_values[slots(halfedge_origin(h))];
+    values[v] = whole_values[slot_of(halfedge_origin(h))];
   }
   for (const Crease_star& star : creases.stars)
     for (Index i = 0; i < star.number_of_ends; ++i) {
       const Crease_end& e = creases.end(star, i);
       if (creases.edge(e).has_after(e.side))
         values[creases.edge(e).after[e.side]] =
-          whole_values[slots(halfedge_origin(creases.halfedge(e)))];
+          whole_values[slot_of(halfedge_origin(creases.halfedge(e)))];
     }
 }
 

@@ -243,9 +243,9 @@ private:
     for (Index begin = first; begin < last; begin += 2 * half) {
       const Index end = (std::min)(begin + 2 * half, last);
       for (const Index start : {begin, begin + 1}) {
-        emit(rows_, start, end, rows);
+        emit_row(rows_, start, end, rows);
         if constexpr (Normal_rows<FT, Round_mask>::differ)
-          emit(normal_rows_.rows, start, end, normal_rows);
+          emit_row(normal_rows_.rows, start, end, normal_rows);
         average(rows, normal_rows, values.data(), start);
         for (std::size_t r = 0; r < rows.number_of_rows(); ++r)
           ordered[static_cast<std::size_t>(start - begin) + 2 * r] = values[r];
@@ -254,12 +254,12 @@ private:
     }
   }
 
-  void emit(const Univariate_rows<FT>& source, Index start, Index end,
-            Stencil_block<FT>& rows) const
+  void emit_row(const Univariate_rows<FT>& source, Index start, Index end,
+                Stencil_block<FT>& rows) const
   {
     rows.clear();
     for (Index i = start; i < end; i += 2) {
-      source.emit(i, size(), end_, rows.row());
+      source.emit_row(i, size(), end_, rows.row());
       rows.close_row();
     }
   }

@@ -111,7 +111,7 @@ private:
     Stencil_block<FT> block;
     for (Index i = center - next.first; i <= center + next.second; ++i) {
       block.clear();
-      rows_.emit(i, size.first + size.second + 1, Curve_end::reflect, block.row());
+      rows_.emit_row(i, size.first + size.second + 1, Curve_end::reflect, block.row());
       block.close_row();
       result.emplace_back(block.begin(0), block.end(0));
     }

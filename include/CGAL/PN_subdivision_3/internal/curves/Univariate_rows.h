@@ -81,7 +81,7 @@ public:
   }
 
   template <class Stencil>
-  void emit(Index i, Index n, Curve_end end, Stencil& s) const
+  void emit_row(Index i, Index n, Curve_end end, Stencil& s) const
   {
     const auto& row = rows_[row_of(i)];
     const Index shift = shift_of(i);
@@ -92,7 +92,7 @@ public:
     }
     Merged_row<FT> merged;
     for (const auto& [offset, weight] : row) fold(shift + offset, weight, n, end, merged);
-    merged.emit(s);
+    merged.emit_row(s);
   }
 
 private:

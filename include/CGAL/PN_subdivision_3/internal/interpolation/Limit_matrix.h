@@ -94,17 +94,18 @@ private:
   {
     if (first_.rows() > 0) {
       first_factor_.compute(first_);
-      if (first_factor_.info() != Eigen::Success) return false;
+      if (first_factor_.info() != Eigen::ComputationInfo()) return false;
     }
     if (rest_.rows() == 0) return true;
     find_scale();
     if (is_symmetric_) {
       cholesky_.compute(scale_.asDiagonal() * rest_);
-      if (cholesky_.info() == Eigen::Success && cholesky_.vectorD().minCoeff() > 0) return true;
+      if (cholesky_.info() == Eigen::ComputationInfo() && cholesky_.vectorD().minCoeff() > 0)
+        return true;
       is_symmetric_ = false;
     }
     rest_factor_.compute(rest_);
-    return rest_factor_.info() == Eigen::Success;
+    return rest_factor_.info() == Eigen::ComputationInfo();
   }
 
   // the factors d_i that make d_i m_ij symmetric, if there are any
@@ -192,7 +193,7 @@ public:
   {
     return *this;
   }
-  Eigen::ComputationInfo info() const { return Eigen::Success; }
+  Eigen::ComputationInfo info() const { return Eigen::ComputationInfo(); }
 
   // of values by rows: all copies of the first unknown, of the second, ...
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const
@@ -224,11 +225,11 @@ inline Eigen::VectorXd solve_limit_system(const Row_matrix& a, const Eigen::Vect
     solver.setMaxIterations(60);
     solver.compute(a);
     Eigen::VectorXd x = solver.solve(b);
-    if (solver.info() == Eigen::Success && x.allFinite()) return x;
+    if (solver.info() == Eigen::ComputationInfo() && x.allFinite()) return x;
   }
   Eigen::SparseLU<Eigen::SparseMatrix<double>> factor;
   factor.compute(Eigen::SparseMatrix<double>(a));
-  if (factor.info() != Eigen::Success) return {};
+  if (factor.info() != Eigen::ComputationInfo()) return {};
   Eigen::VectorXd x = factor.solve(b);
   if (!x.allFinite()) return {};
   return x;

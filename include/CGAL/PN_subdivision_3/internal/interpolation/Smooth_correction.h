@@ -111,7 +111,7 @@ private:
   static bool is_factored(Factor& factor, const Matrix& system)
   {
     factor.compute(system);
-    return factor.info() == Eigen::Success;
+    return factor.info() == Eigen::ComputationInfo();
   }
 
   void find_free(const std::vector<Index>& vertices, unsigned rings)

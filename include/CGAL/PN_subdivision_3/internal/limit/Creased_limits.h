@@ -124,14 +124,14 @@ private:
   static std::vector<Index> slots_about(const Level_connectivity& level,
                                         const Corner_slots<FT>& slot_of, Index v)
   {
-    std::vector<Index> slots;
+    std::vector<Index> slot_ids;
     const Index own = level.halfedge_of_vertex(v);
     Index h = own;
     do {
-      slots.push_back(level.is_border(h) ? v : slot_of(h));
+      slot_ids.push_back(level.is_border(h) ? v : slot_of(h));
       h = level.next_around_target(h);
     } while (h != own);
-    return slots;
+    return slot_ids;
   }
 
   // refines the whole level until nothing ends any more
@@ -325,10 +325,10 @@ private:
     limit.tangents = {tangent_from(creases, to), tangent_towards(creases, from),
                       opposite_vector<FT, 3>(tangent_towards(creases, to))};
     limit.arrival_tangent = opposite_vector<FT, 3>(tangent_from(creases, from));
-    std::vector<Index> slots;
+    std::vector<Index> slot_ids;
     if constexpr (is_pn) {
-      add_wedge(level, creases, from, to, false, limit, slots);
-      add_wedge(level, creases, to, from, true, limit, slots);
+      add_wedge(level, creases, from, to, false, limit, slot_ids);
+      add_wedge(level, creases, to, from, true, limit, slot_ids);
       if constexpr (!has_roundness_v<Value>) {
         const FT of_all = average_of<Average>(scheme_).roundness;
         limit.roundness.push_back({of_all, of_all, of_all});
@@ -343,8 +343,8 @@ private:
       result.depth = steps.depth();
     }
     if constexpr (is_pn)
-      for (std::size_t w = 0; w < slots.size(); ++w)
-        results[slots[w]].value.normal = limit.normals[w][0];
+      for (std::size_t w = 0; w < slot_ids.size(); ++w)
+        results[slot_ids[w]].value.normal = limit.normals[w][0];
     tangent_from(limits, from) = opposite_vector<FT, 3>(limit.tangents[0]);
     tangent_from(limits, to) = limit.tangents[0];
   }
@@ -353,28 +353,28 @@ private:
   void evaluate_normals(const Level& level, const Creases<FT>& creases, unsigned next_round,
                         std::vector<Result>& results)
   {
-    std::vector<Index> slots;
+    std::vector<Index> slot_ids;
     for (const Crease_star& star : creases.stars)
       if (is_asked_for(star) && creases.rule(star) == Vertex_rule::crease)
-        for (Index w = 0; w < star.number_of_wedges; ++w) slots.push_back(star.slot(w));
-    std::vector<Result> of_slots(slots.size());
-    evaluation_.evaluate_settled(level, slots, next_round, 0,
+        for (Index w = 0; w < star.number_of_wedges; ++w) slot_ids.push_back(star.slot(w));
+    std::vector<Result> of_slots(slot_ids.size());
+    evaluation_.evaluate_settled(level, slot_ids, next_round, 0,
                                  [&](Index i) -> Result& { return of_slots[i]; });
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-      results[slots[i]].surface_normal = of_slots[i].surface_normal;
-      results[slots[i]].has_surface_normal = of_slots[i].has_surface_normal;
+    for (std::size_t i = 0; i < slot_ids.size(); ++i) {
+      results[slot_ids[i]].surface_normal = of_slots[i].surface_normal;
+      results[slot_ids[i]].has_surface_normal = of_slots[i].has_surface_normal;
     }
   }
 
   // the normals of the wedge that lies behind one end and before the other one, if there is one
   static void add_wedge(const Level& level, const Creases<FT>& creases, const Crease_end& behind,
                         const Crease_end& before, bool is_reversed, Crease_limit& limit,
-                        std::vector<Index>& slots)
+                        std::vector<Index>& slot_ids)
   {
     const Crease_edge<FT>&first = creases.edge(behind), &last = creases.edge(before);
     if (!first.has_after(behind.side)) return;
-    slots.push_back(first.after[behind.side]);
-    std::array<Index, 3> three{slots.back(), first.before[1 - behind.side],
+    slot_ids.push_back(first.after[behind.side]);
+    std::array<Index, 3> three{slot_ids.back(), first.before[1 - behind.side],
                                last.after[1 - before.side]};
     if (is_reversed) std::swap(three[1], three[2]);
     typename Crease_limit::Three normals;

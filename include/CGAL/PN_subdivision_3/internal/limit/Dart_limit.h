@@ -176,9 +176,9 @@ private:
 
     count_valences(whole, creases);
     const auto mask = mask_of(Number(), whole);
-    const Corner_slots<Number> slots(whole, creases);
+    const Corner_slots<Number> slot_of(whole, creases);
     Entry_row<Number> row;
-    Slot_shares<Number, std::decay_t<decltype(mask)>>(whole, slots, mask).vertex(0, row);
+    Slot_shares<Number, std::decay_t<decltype(mask)>>(whole, slot_of, mask).vertex(0, row);
     matrix->front().clear();
     for (const auto* e = row.begin(); e != row.end(); ++e) {
       const auto place = std::find(rings.ring.begin(), rings.ring.end(), e->vertex);

@@ -75,11 +75,11 @@ public:
   template <class Function>
   std::pair<double, double> differences(const Function& f) const
   {
-    const typename Cells::Cell_slots slots(cell_.level.level, cell_.creases);
+    const typename Cells::Cell_slots slot_of(cell_.level.level, cell_.creases);
     double delta = 0, d = 0;
     for_each_halfedge([&](Index h) {
-      const auto &a = cell_.level.values[slots(h)],
-                 &b = cell_.level.values[slots(cell_.level.level.next(h))];
+      const auto &a = cell_.level.values[slot_of(h)],
+                 &b = cell_.level.values[slot_of(cell_.level.level.next(h))];
       f(point_of(a));
       d = (std::max)(d, quick_length(difference<double, 3>(point_of(a), point_of(b))));
       if constexpr (has_normal_v<typename Cells::Value>) {

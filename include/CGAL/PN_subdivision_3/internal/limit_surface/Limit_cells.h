@@ -194,7 +194,7 @@ private:
 
   template <class Values>
   Cell cut(const Level_connectivity& level, const Level_creases& creases, const Values& values,
-           const Cell_slots& slots, Index base, unsigned rounds) const
+           const Cell_slots& slot_of, Index base, unsigned rounds) const
   {
     std::vector<Index> centers;
     Index h = base;
@@ -211,7 +211,7 @@ private:
     cell.level.values.resize(cell.creases.number_of_slots);
     if constexpr (are_creases_v<Level_creases>)
       take_slot_values(
-        sub.level(), cell.creases, [&](Index g) { return sub.halfedge_origin(g); }, slots, values,
+        sub.level(), cell.creases, [&](Index g) { return sub.halfedge_origin(g); }, slot_of, values,
         cell.level.values);
     else
       for (Index v = 0; v < sub.origin().size(); ++v)

@@ -265,10 +265,10 @@ private:
       std::sort(vertices.begin(), vertices.end());
       vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
       const auto results = limits(cell, vertices);
-      const typename Cells::Cell_slots slots(cell.level.level, cell.creases);
+      const typename Cells::Cell_slots slot_of(cell.level.level, cell.creases);
       std::vector<Corner> corners;
       for (const Index h : cell.halfedges()) {
-        const auto& r = results[slots(h)];
+        const auto& r = results[slot_of(h)];
         Corner c{};
         c.point = point_of(r.value);
         if constexpr (is_pn) c.normal = r.value.normal;

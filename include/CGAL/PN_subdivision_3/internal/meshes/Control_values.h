@@ -157,21 +157,21 @@ public:
     if (it == several_normals_.end() || *it != v) return &values_[v].normal;
     return &given_to_several_[std::size_t(it - several_normals_.begin())];
   }
-  void set_slots(const std::vector<Value>& slots, std::vector<bool> tell_of_tangents)
+  void set_slots(const std::vector<Value>& slot_values, std::vector<bool> tell_of_tangents)
   {
     is_estimated_ = false;
     is_given_.clear();
-    for (Index v = 0; v < values_.size(); ++v) values_[v].normal = slots[v].normal;
+    for (Index v = 0; v < values_.size(); ++v) values_[v].normal = slot_values[v].normal;
     if constexpr (has_roundness_v<Value>)
-      for (Index v = 0; v < values_.size(); ++v) share_roundness(slots[v], values_[v]);
-    slots_ = {slots, std::move(tell_of_tangents)};
+      for (Index v = 0; v < values_.size(); ++v) share_roundness(slot_values[v], values_[v]);
+    slots_ = {slot_values, std::move(tell_of_tangents)};
   }
-  const Given_slots& slots() const { return slots_; }
+  const Given_slots& given_slots() const { return slots_; }
   // those that there are without edges whose sharpness is less than 1
-  void set_slots_without_fractions(const std::vector<Value>& slots,
+  void set_slots_without_fractions(const std::vector<Value>& slot_values,
                                    std::vector<bool> tell_of_tangents)
   {
-    slots_without_fractions_ = {slots, std::move(tell_of_tangents)};
+    slots_without_fractions_ = {slot_values, std::move(tell_of_tangents)};
   }
   const Given_slots& slots_without_fractions() const { return slots_without_fractions_; }
   bool has_several_normals(Index v) const

@@ -39,13 +39,13 @@ public:
   using Index = Level_connectivity::Index;
 
   template <class Is_removed>
-  Slot_numbers(std::uint64_t slots, std::uint64_t number, const Is_removed& is_removed)
+  Slot_numbers(std::uint64_t slot_count, std::uint64_t number, const Is_removed& is_removed)
     : number_(static_cast<Index>(number))
-    , removed_(static_cast<Index>(slots - number))
+    , removed_(static_cast<Index>(slot_count - number))
   {
     if (removed_ == 0) return;
     slots_.reserve(number_);
-    for (Index i = 0; i < slots; ++i)
+    for (Index i = 0; i < slot_count; ++i)
       if (!is_removed(i)) slots_.push_back(i);
   }
 
@@ -236,9 +236,9 @@ private:
     return h == Mesh::null_halfedge() ? Level_connectivity::null : 2 * edges_.number();
   }
   // how many numbers have slots in the mesh as it is
-  static Index number_of_slots(std::uint64_t slots, const Slot_numbers& numbers)
+  static Index number_of_slots(std::uint64_t slot_count, const Slot_numbers& numbers)
   {
-    return static_cast<Index>(slots - numbers.slots_for(0));
+    return static_cast<Index>(slot_count - numbers.slots_for(0));
   }
 
   void resize(const Level_size& size)

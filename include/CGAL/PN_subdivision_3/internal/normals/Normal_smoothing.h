@@ -273,7 +273,7 @@ private:
     Eigen::SparseMatrix<double> matrix(right.size(), right.size());
     matrix.setFromTriplets(triplets.begin(), triplets.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(matrix);
-    if (factors.info() != Eigen::Success) return normals_;
+    if (factors.info() != Eigen::ComputationInfo()) return normals_;
     const Eigen::VectorXd x = factors.solve(right);
     Vectors<3> smooth = normals_;
     for (std::size_t v = 0; v < normals_.size(); ++v) {

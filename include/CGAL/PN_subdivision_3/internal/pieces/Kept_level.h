@@ -117,7 +117,7 @@ public:
     if constexpr (!std::is_empty_v<Carried>)
       if (attributes)
         out.put_attributes(
-          attributes.part(part, slots(part, level, creases), level)->put_part(part));
+          attributes.part(part, slot_origins(part, level, creases), level)->put_part(part));
     out.begin(part.level, vertices, faces);
     vertices_ = std::move(part.vertices);
     if constexpr (are_creases_v<Level_creases>) list_corners(extraction, level, creases);
@@ -157,12 +157,12 @@ public:
 private:
   using Extraction = Piece_extraction<All_candidates>;
 
-  static std::vector<Index> slots(const Level_part& part, const Level_connectivity& level,
-                                  const Level_creases& creases)
+  static std::vector<Index> slot_origins(const Level_part& part, const Level_connectivity& level,
+                                         const Level_creases& creases)
   {
     if constexpr (are_creases_v<Level_creases>)
       if (!creases.empty())
-        return part.slots(part.creases(creases), Corner_slots<FT>(level, creases));
+        return part.slot_origins(part.creases(creases), Corner_slots<FT>(level, creases));
     return part.vertices;
   }
 
@@ -175,14 +175,14 @@ private:
   void list_corners(const Extraction& extraction, const Level_connectivity& level,
                     const Creases<FT>& creases)
   {
-    const Corner_slots<FT> slots(level, creases);
+    const Corner_slots<FT> slot_of(level, creases);
     for (const Crease_star& star : creases.stars) {
       if (star.number_of_wedges == 1) continue;
       const Index first = level.halfedge_of_vertex(star.vertex);
       Index h = first;
       do {
         if (extraction.is_inside(h))
-          corners_.push_back({extraction.new_halfedge(h), slots(h), star.wedge(slots(h))});
+          corners_.push_back({extraction.new_halfedge(h), slot_of(h), star.wedge(slot_of(h))});
         h = level.next_around_target(h);
       } while (h != first);
     }

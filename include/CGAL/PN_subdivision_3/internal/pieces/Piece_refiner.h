@@ -216,7 +216,7 @@ private:
   template <class Candidates>
   static Part part_of(const Refiner& level, [[maybe_unused]] const Carried& attributes,
                       Piece_extraction<Candidates>& extraction, Piece_elements&& elements,
-                      [[maybe_unused]] const Slots& slots,
+                      [[maybe_unused]] const Slots& slot_of,
                       [[maybe_unused]] const Chart_slots& chart_slots)
   {
     const bool has_creases = !level.creases().empty();
@@ -226,7 +226,7 @@ private:
     if constexpr (is_creased)
       if (has_creases) {
         part.creases = cut.creases(level.creases());
-        slots_of_part = cut.slots(part.creases, *slots);
+        slots_of_part = cut.slot_origins(part.creases, *slot_of);
       }
     const std::vector<Index>& origins = has_creases ? slots_of_part : cut.vertices;
     part.values = values_of_part(level.values(), origins);
@@ -253,12 +253,12 @@ private:
       owned_with_rings(level.level(), elements, rings_after(level.rounds_done()));
     const All_candidates candidates(level.level(), kept);
     Piece_extraction<All_candidates> extraction(level.level(), candidates, has_isolated);
-    Slots slots;
-    if constexpr (is_creased) slots.emplace(level.level(), level.creases());
+    Slots slot_of;
+    if constexpr (is_creased) slot_of.emplace(level.level(), level.creases());
     Chart_slots chart_slots;
     if constexpr (carries)
       if (attributes) chart_slots = attributes->slots_of_charts(level.level());
-    return part_of(level, attributes, extraction, extraction.elements(elements), slots,
+    return part_of(level, attributes, extraction, extraction.elements(elements), slot_of,
                    chart_slots);
   }
 

@@ -282,7 +282,7 @@ private:
       keep_without_fractions(*whole_control_, creases_, [&](Creases<FT>& others) {
         return values_of_slots(control, control.slots_without_fractions(), others);
       });
-    const std::vector<Value> values = values_of_slots(control, control.slots(), creases_);
+    const std::vector<Value> values = values_of_slots(control, control.given_slots(), creases_);
     if constexpr (Control::has_normals) {
       for (Index v = 0; v < whole_control_->number_of_vertices(); ++v)
         if (!control.is_given(v)) control.put_estimate(v, values[v].normal);
@@ -291,7 +291,7 @@ private:
     return values;
   }
   std::vector<Value> values_of_slots(const Control& control,
-                                     const typename Control::Given_slots& slots,
+                                     const typename Control::Given_slots& given_slots,
                                      Creases<FT>& creases) const
   {
     const Index n = whole_control_->number_of_vertices();
@@ -311,15 +311,15 @@ private:
       for (std::size_t s = 0; s < values.size(); ++s)
         if (!is_given[s]) values[s].normal = zero_vector<FT, 3>();
       // those of the wedges of vertices that have several, if they are given
-      for (Index s = 0; s < slots.values.size(); ++s)
+      for (Index s = 0; s < given_slots.values.size(); ++s)
         if (control.has_several_normals(s < n ? s : extra[s - n])) {
-          values[s].normal = slots.values[s].normal;
-          share_roundness(slots.values[s], values[s]);
+          values[s].normal = given_slots.values[s].normal;
+          share_roundness(given_slots.values[s], values[s]);
           is_given[s] = true;
         }
       for (Crease_edge<FT>& e : creases.edges) e.tangent_from.fill(zero_vector<FT, 3>());
-      if (!slots.values.empty())
-        make_control_tangents(*whole_control_, creases, values, slots.tell_of_tangents,
+      if (!given_slots.values.empty())
+        make_control_tangents(*whole_control_, creases, values, given_slots.tell_of_tangents,
                               normal_estimate(scheme_) == Control_normal_estimate::coherent);
       Control_creases<FT, Value>(*whole_control_, creases, values, is_given,
                                  normal_estimate(scheme_))();
@@ -333,13 +333,13 @@ private:
 
   void put_mean_normals(const std::vector<Value>& values, Control& control) const
   {
-    Slot_values slots;
+    Slot_values slot_values;
     for (const Crease_star& star : creases_.stars)
       if (star.number_of_wedges > 1)
         for (Index w = 0; w < star.number_of_wedges; ++w)
-          slots.emplace_back(star.slot(w), values[star.slot(w)]);
+          slot_values.emplace_back(star.slot(w), values[star.slot(w)]);
     for_each_crease_vertex<Average>(
-      slots, whole_control_->number_of_vertices(),
+      slot_values, whole_control_->number_of_vertices(),
       [&](std::size_t, Index v, const Value& value) { control.put_estimate(v, value.normal); });
   }
 

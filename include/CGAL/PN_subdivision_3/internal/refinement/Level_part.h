@@ -63,7 +63,7 @@ struct Level_part
   }
   // the slots in the whole of those of the part
   template <class FT>
-  Origins slots(const Creases<FT>& creases, const Corner_slots<FT>& whole) const
+  Origins slot_origins(const Creases<FT>& creases, const Corner_slots<FT>& whole) const
   {
     Origins result = vertices;
     result.resize(creases.number_of_slots);

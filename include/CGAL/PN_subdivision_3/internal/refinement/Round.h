@@ -186,8 +186,8 @@ private:
   }
 
   template <class Any_mask, class Vertex>
-  void emit(const Any_mask& mask, Index first, Index n, const Vertex& vertex,
-            Stencil_block<FT>& rows) const
+  void emit_row(const Any_mask& mask, Index first, Index n, const Vertex& vertex,
+                Stencil_block<FT>& rows) const
   {
     rows.clear();
     for (Index i = 0; i < n; ++i) {
@@ -221,10 +221,10 @@ private:
   {
     const auto averages = [&](Index begin, Index number, Value* values) {
       const Block block(average_);
-      emit(mask_, begin, number, vertex, rows);
+      emit_row(mask_, begin, number, vertex, rows);
       if constexpr (has_normal_mask)
         if (has_own_normals_) {
-          emit(normal_mask_, begin, number, vertex, normal_rows);
+          emit_row(normal_mask_, begin, number, vertex, normal_rows);
           block(rows, normal_rows, old, values);
           return;
         }

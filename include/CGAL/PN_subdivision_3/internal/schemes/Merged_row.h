@@ -55,7 +55,7 @@ public:
 
   // writes the row; the entry of the largest weight comes last, by add_rest()
   template <class Stencil>
-  void emit(Stencil& s) const
+  void emit_row(Stencil& s) const
   {
     auto largest = entries_.begin();
     for (auto e = entries_.begin(); e != entries_.end(); ++e)

@@ -56,7 +56,7 @@ struct Adaptive_level
 
   Valued_level<Value> level; // values are those of the slots
   Level_creases creases;
-  std::vector<Index> slots, edges;
+  std::vector<Index> slot_ids, edges;
   std::vector<Adaptive_face> faces;
   std::vector<std::vector<Value>>
     planes{}; // attributes of vertices, three a plane, as points of the slots without normals
@@ -134,21 +134,22 @@ private:
         part.creases = creases_of_part(
           level_.creases, part.level.level, [&](Index e) { return old_edges[e]; },
           [&](Index v) { return old_vertices[v]; });
-        part.slots.assign(part.creases.number_of_slots, Level_connectivity::null);
-        const Corner_slots<FT> slots(level_.level.level, level_.creases);
+        part.slot_ids.assign(part.creases.number_of_slots, Level_connectivity::null);
+        const Corner_slots<FT> slot_of(level_.level.level, level_.creases);
         const auto halfedge = [&](Index h) { return 2 * old_edges[h / 2] + (h & 1u); };
         const auto take = [&](const auto& from, auto& to) {
           to.resize(part.creases.number_of_slots);
-          take_slot_values(part.level.level, part.creases, halfedge, slots, from, to);
+          take_slot_values(part.level.level, part.creases, halfedge, slot_of, from, to);
         };
         take(values, part.level.values);
         for (std::size_t p = 0; p < part.planes.size(); ++p) take(level_.planes[p], part.planes[p]);
-        take_slot_values(part.level.level, part.creases, halfedge, slots, level_.slots, part.slots);
+        take_slot_values(part.level.level, part.creases, halfedge, slot_of, level_.slot_ids,
+                         part.slot_ids);
         return;
       }
     for (const Index v : old_vertices) {
       part.level.values.push_back(values[v]);
-      part.slots.push_back(level_.slots[v]);
+      part.slot_ids.push_back(level_.slot_ids[v]);
       for (std::size_t p = 0; p < part.planes.size(); ++p)
         part.planes[p].push_back(level_.planes[p][v]);
     }

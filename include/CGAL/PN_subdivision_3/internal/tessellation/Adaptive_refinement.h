@@ -164,8 +164,8 @@ private:
   void set_limits(const Level& level, const Results& results, Index first_new)
   {
     for (std::size_t s = 0; s < results.size(); ++s)
-      if (level.slots[s] != null && level.slots[s] >= first_new)
-        set_slot(level.slots[s], results[s]);
+      if (level.slot_ids[s] != null && level.slot_ids[s] >= first_new)
+        set_slot(level.slot_ids[s], results[s]);
   }
   // at those of some vertices
   void set_limits_of(Level& level, const std::vector<Index>& vertices, Index first_new)
@@ -179,7 +179,7 @@ private:
         const auto begin = vertices.begin() + static_cast<std::ptrdiff_t>(i);
         part.assign(begin, begin + (std::min)(vertices.end() - begin, limits_at_once));
         limits_(level.level, rounds_ + 1, part, results);
-        for (std::size_t k = 0; k < part.size(); ++k) set_slot(level.slots[part[k]], results[k]);
+        for (std::size_t k = 0; k < part.size(); ++k) set_slot(level.slot_ids[part[k]], results[k]);
       }
     }
   }
@@ -207,11 +207,11 @@ private:
     const Level_connectivity& connectivity = level.level.level;
     const Results results = limits(level, nullptr);
     for (Index v = 0; v < connectivity.number_of_vertices(); ++v)
-      level.slots.push_back(all_.add_slot(all_.add_vertex()));
+      level.slot_ids.push_back(all_.add_slot(all_.add_vertex()));
     for (const Index v : vertices_of_extra_slots(level.creases, connectivity.number_of_vertices()))
-      level.slots.push_back(all_.add_slot(v));
+      level.slot_ids.push_back(all_.add_slot(v));
     const std::vector<unsigned> faces = faces_of_slots(level);
-    for (Index s = 0; s < level.slots.size(); ++s) set_slot(s, results[s], faces[s] != 1);
+    for (Index s = 0; s < level.slot_ids.size(); ++s) set_slot(s, results[s], faces[s] != 1);
     for (Index e = 0; e < connectivity.number_of_edges(); ++e)
       level.edges.push_back(all_.add_edge());
     level.faces.resize(connectivity.number_of_faces());
@@ -233,7 +233,7 @@ private:
   {
     const Level_connectivity& connectivity = level.level.level;
     const Slots slot_of(connectivity, level.creases);
-    std::vector<unsigned> faces(level.slots.size(), 0);
+    std::vector<unsigned> faces(level.slot_ids.size(), 0);
     for (Index h = 0; h < connectivity.number_of_halfedges(); ++h)
       if (!connectivity.is_border(h)) ++faces[slot_of(h)];
     if constexpr (is_creased)
@@ -279,7 +279,8 @@ private:
     else {
       set_limits_of(next, vertices, first_new);
       measure(level, [&](Index h, Index v) {
-        const Index slot = h == null ? next.slots[v] : all_.edge(level.edges[h / 2]).middle[h % 2];
+        const Index slot =
+          h == null ? next.slot_ids[v] : all_.edge(level.edges[h / 2]).middle[h % 2];
         return all_.place_of(all_.slot(slot).vertex);
       });
     }
@@ -551,7 +552,7 @@ private:
   {
     const Level_connectivity& old = level.level.level;
     const Host host(old, rounds_);
-    next.slots.assign(next.level.values.size(), null);
+    next.slot_ids.assign(next.level.values.size(), null);
     {
       const Slots old_slots(old, level.creases), new_slots(next.level.level, next.creases);
       for (Index f = 0; f < old.number_of_faces(); ++f)
@@ -603,7 +604,7 @@ private:
     const Level_connectivity& old = level.level.level;
     const Edge_split split(old);
     const auto add_slot = [&](Index new_slot, Index vertex) {
-      Index& slot = next.slots[new_slot];
+      Index& slot = next.slot_ids[new_slot];
       if (slot != null) return slot;
       slot = all_.add_slot(vertex);
       for (std::size_t p = 0; p < of_planes.size(); ++p)
@@ -611,7 +612,7 @@ private:
       return slot;
     };
     for_each_halfedge_of_face(old, f, [&](Index h) {
-      next.slots[new_slots(split.second_half(h))] = level.slots[old_slots(h)];
+      next.slot_ids[new_slots(split.second_half(h))] = level.slot_ids[old_slots(h)];
       const Index e = Level_connectivity::edge(h), edge = level.edges[e];
       if (!all_.edge(edge).is_split()) {
         const Index vertex = all_.add_vertex();

@@ -77,7 +77,7 @@ public:
     Index h = first;
     do {
       const Index next = connectivity_.next(h);
-      leaf.slots[leaf.degree] = level_.slots[slot_of_(h)];
+      leaf.slot_ids[leaf.degree] = level_.slot_ids[slot_of_(h)];
       leaf.halfedges[leaf.degree++] =
         2 * level_.edges[Level_connectivity::edge(next)] + (next & 1u);
       h = next;
@@ -163,7 +163,7 @@ private:
     const Index first = connectivity_.halfedge_of_face(f);
     Index h = first;
     do {
-      const Index slot = level_.slots[slot_of_(h)];
+      const Index slot = level_.slot_ids[slot_of_(h)];
       c.corners[c.number] = all_.corner(slot);
       c.know_normals = c.know_normals && all_.slot(slot).has_surface_normal;
       c.are_trusted = c.are_trusted && !(c.corners[c.number].normal == Vector{});

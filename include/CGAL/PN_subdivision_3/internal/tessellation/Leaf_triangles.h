@@ -31,7 +31,7 @@ struct Tessellation_triangle
   using Index = Level_connectivity::Index;
 
   Index origin;                   // the face of the control mesh
-  std::array<Index, 3> slots;     // of the corners
+  std::array<Index, 3> slot_ids;  // of the corners
   std::array<Index, 3> halfedges; // of the result, each from a corner to the next
 };
 
@@ -106,7 +106,7 @@ private:
     for (Index i = 0; i < leaf.degree; ++i) {
       const auto side = side_bit(i), last_side = side_bit(i == 0 ? leaf.degree - 1 : i - 1);
       auto sides = static_cast<unsigned char>(side | last_side);
-      all_.for_each_part(leaf.slots[i], leaf.halfedges[i], [&](Index slot, Index h, double t) {
+      all_.for_each_part(leaf.slot_ids[i], leaf.halfedges[i], [&](Index slot, Index h, double t) {
         polygon_.push_back({slot, h, sides, i + t, all_.corner(slot)});
         sides = side;
       });
@@ -120,9 +120,9 @@ private:
     for (const Place& p : polygon_) {
       const auto i = static_cast<std::size_t>(p.at);
       if (p.at == double(i)) before = 0;
-      const flatness::Vector a = all_.corner(leaf.slots[i]).point,
-                             side =
-                               flatness::minus(all_.corner(leaf.slots[(i + 1) % degree_]).point, a);
+      const flatness::Vector a = all_.corner(leaf.slot_ids[i]).point,
+                             side = flatness::minus(
+                               all_.corner(leaf.slot_ids[(i + 1) % degree_]).point, a);
       const double length = flatness::length(side);
       const double along =
         length > 0 ? flatness::product(flatness::minus(p.corner.point, a), side) / length : 0;

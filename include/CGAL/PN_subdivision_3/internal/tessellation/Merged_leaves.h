@@ -96,10 +96,10 @@ private:
   bool is_straight(const Tessellation_leaf& leaf, Index i) const
   {
     if (!all_.edge(leaf.halfedges[i] / 2).is_seen_split()) return false;
-    const flatness::Vector a = all_.corner(leaf.slots[i]).point,
-                           b = all_.corner(leaf.slots[(i + 1) % leaf.degree]).point;
+    const flatness::Vector a = all_.corner(leaf.slot_ids[i]).point,
+                           b = all_.corner(leaf.slot_ids[(i + 1) % leaf.degree]).point;
     bool result = true;
-    all_.for_each_part(leaf.slots[i], leaf.halfedges[i], [&](Index slot, Index, double) {
+    all_.for_each_part(leaf.slot_ids[i], leaf.halfedges[i], [&](Index slot, Index, double) {
       result = result &&
                flatness::distance_from_line(all_.corner(slot).point, a, b) <= straight * tolerance_;
     });
@@ -113,17 +113,17 @@ private:
     double error = trial_.try_alone(node.leaf, tolerance_ - node.discrepancy());
     if (error == infinity) return infinity;
     for (const Tessellation_triangle& t : trial_.triangles()) {
-      const auto a = all_.corner(t.slots[0]), b = all_.corner(t.slots[1]),
-                 c = all_.corner(t.slots[2]);
+      const auto a = all_.corner(t.slot_ids[0]), b = all_.corner(t.slot_ids[1]),
+                 c = all_.corner(t.slot_ids[2]);
       if (flatness::is_turned_or_thin(a, b, c, 1e-4)) return infinity;
     }
     seen_.clear();
     for (const Tessellation_triangle& t : trial_.triangles())
-      for (const Index s : t.slots) note(s);
+      for (const Index s : t.slot_ids) note(s);
     for (Index c = 0; c < node.number_of_children; ++c) {
       const Tessellation_leaf& child = nodes_[node.child(c)].leaf;
       for (Index i = 0; i < child.degree; ++i)
-        all_.for_each_part(child.slots[i], child.halfedges[i], [&](Index slot, Index, double) {
+        all_.for_each_part(child.slot_ids[i], child.halfedges[i], [&](Index slot, Index, double) {
           if (note(slot)) error = (std::max)(error, distance(all_.corner(slot).point));
         });
     }
@@ -146,11 +146,11 @@ private:
     const auto point = [](const flatness::Vector& q) { return Kernel::Point_3(q[0], q[1], q[2]); };
     double least = std::numeric_limits<double>::infinity();
     for (const Tessellation_triangle& t : trial_.triangles())
-      least = (std::min)(
-        least,
-        CGAL::squared_distance(point(p), Kernel::Triangle_3(point(all_.corner(t.slots[0]).point),
-                                                            point(all_.corner(t.slots[1]).point),
-                                                            point(all_.corner(t.slots[2]).point))));
+      least =
+        (std::min)(least, CGAL::squared_distance(
+                            point(p), Kernel::Triangle_3(point(all_.corner(t.slot_ids[0]).point),
+                                                         point(all_.corner(t.slot_ids[1]).point),
+                                                         point(all_.corner(t.slot_ids[2]).point))));
     return std::sqrt(least);
   }
 

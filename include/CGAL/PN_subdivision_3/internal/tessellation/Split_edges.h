@@ -182,7 +182,7 @@ struct Tessellation_leaf
 
   double error = 0;                 // estimated
   Index origin = 0;                 // the face of the control mesh
-  std::array<Index, 4> slots{};     // of the corners
+  std::array<Index, 4> slot_ids{};  // of the corners
   std::array<Index, 4> halfedges{}; // to the next corner
   unsigned char degree = 0;         // 3 or 4
   bool has_flatter_second = false;  // of a quadrilateral: the diagonal from its second corner

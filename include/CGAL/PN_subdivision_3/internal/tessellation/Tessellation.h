@@ -155,7 +155,7 @@ std::vector<bool> used_vertices(const Split_edges<FT>& all, const Leaf_triangles
 {
   std::vector<bool> used(all.number_of_vertices(), false);
   for (const Tessellation_triangle& t : triangles.triangles())
-    for (const Level_connectivity::Index slot : t.slots) used[all.slot(slot).vertex] = true;
+    for (const Level_connectivity::Index slot : t.slot_ids) used[all.slot(slot).vertex] = true;
   return used;
 }
 

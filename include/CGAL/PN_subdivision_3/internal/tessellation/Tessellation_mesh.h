@@ -54,7 +54,7 @@ public:
   {
     for (const Tessellation_triangle& t : triangles_)
       for (std::size_t i = 0; i < 3; ++i)
-        f(t.halfedges[i == 0 ? 2 : i - 1], all_.slot(t.slots[i]).normal);
+        f(t.halfedges[i == 0 ? 2 : i - 1], all_.slot(t.slot_ids[i]).normal);
   }
   // of the vertices, where there are several wedges the mean of these
   std::vector<Vector> normals() const
@@ -84,7 +84,7 @@ private:
       const auto& triangle = triangles_[t];
       for (std::size_t i = 0; i < 3; ++i) {
         const Index h = triangle.halfedges[i], next = triangle.halfedges[(i + 1) % 3];
-        const Index target = all_.slot(triangle.slots[(i + 1) % 3]).vertex;
+        const Index target = all_.slot(triangle.slot_ids[(i + 1) % 3]).vertex;
         level_.set_next(h, next);
         before[next] = h;
         level_.set_face(h, t);

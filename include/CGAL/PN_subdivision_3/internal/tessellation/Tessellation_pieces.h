@@ -229,13 +229,13 @@ private:
     Part part{{}, Level_creases(0), {}, Level_part(extraction, true), {}, {}, {}, {}};
     const Level_connectivity& cut = part.of.level;
     part.creases = Level_creases(cut.number_of_vertices());
-    std::vector<Index> slots = part.of.vertices;
+    std::vector<Index> slot_ids = part.of.vertices;
     if constexpr (is_creased)
       if (!data_.creases.empty()) {
         part.creases = part.of.creases(data_.creases);
-        slots = part.of.slots(part.creases, slots_);
+        slot_ids = part.of.slot_origins(part.creases, slots_);
       }
-    part.control.values = values_of_part(data_.control.values, slots);
+    part.control.values = values_of_part(data_.control.values, slot_ids);
     read_attributes(part);
     for (const Index f : part.of.faces) part.is_owned.push_back(division.owns_face(i, f) ? 1 : 0);
     part.is_wanted = part.is_owned;
@@ -289,7 +289,7 @@ private:
       std::unordered_map<Index, std::vector<flatness::Vector>> several;
       for (const Tessellation_node& node : refinement.nodes())
         for (Index i = 0; node.is_leaf && i < node.leaf.degree; ++i)
-          all.for_each_part(node.leaf.slots[i], node.leaf.halfedges[i],
+          all.for_each_part(node.leaf.slot_ids[i], node.leaf.halfedges[i],
                             [&](Index slot, Index, double) {
                               const Index v = all.slot(slot).vertex;
                               if (!used[v] || is_seen[slot]) return;
