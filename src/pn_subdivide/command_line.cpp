@@ -215,8 +215,8 @@ void add_part(CLI::App& command, bool& part)
 void add_planes(CLI::App& command, std::optional<std::string>& planes)
 {
   command.add_option("--planes", planes,
-                     "With --sharp surfaces: rims makes planes of as few triangles as their "
-                     "refined rims allow; no control mesh for further rounds");
+                     "rims: with --sharp surfaces planes are of as few triangles as their refined "
+                     "rims allow, unless control data are asked for; with this they must be");
 }
 
 void add_repair_options(CLI::App& command, Surface_options& options)

@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_TESSELLATE_H
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/Tessellation_result.h>
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
@@ -19,9 +20,7 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Tessellation.h>
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -29,27 +28,6 @@
 
 namespace CGAL {
 namespace PN_subdivision_3 {
-
-/// \ingroup PkgPNSubdivision3Limit
-/// What `tessellate()` has reached.
-struct Tessellation_result
-{
-  /// the largest distance between the triangles and the limit surface, in the unit of the coordinates: an estimate, or a
-  /// bound that is proved if `proven_bound` asks for it.
-  double bound = 0;
-  /// the number of the control face where `bound` is, in the order of `faces(control)`.
-  std::size_t worst_face = 0;
-  /// where that is, about.
-  std::array<double, 3> worst_place{};
-  /// whether `bound` is within the tolerance everywhere.
-  bool reached = true;
-  /// the number of vertices of the result.
-  std::size_t number_of_vertices = 0;
-  /// the number of its triangles.
-  std::size_t number_of_triangles = 0;
-  /// the most rounds of refinement that were done about a vertex.
-  unsigned depth = 0;
-};
 
 namespace internal {
 
@@ -104,9 +82,10 @@ most
 split, the distance of the new limit points from their expected places is measured; half of it is added to the
 estimate of its children. Without surface normals (at creases, corners, and where the ring has no tangent plane) 0.27 to 0.45 of
 the distance that was measured on the parent stands for the estimate, as the limits of the control normals have it between
-these; a fourth is what remains of it on smooth surfaces. On the control mesh itself a round is made of all faces, and the estimate is the measured distance.
+these; a fourth is what remains of it on smooth surfaces. Of all faces of the control mesh, and of the children of its polygons, a round is made, and the estimate is the measured distance.
 Edges on creases and borders must be as close to their curve, which is estimated from the turns of the points of the level
-along it. Everything is multiplied by 1.1, at borders by 1.25. It is an estimate, not a proof.
+along it. Faces whose triangles, with the vertices that finer neighbors put on their sides, turn out to miss the tolerance are split
+again. Everything is multiplied by 1.1, at borders by 1.25. It is an estimate, not a proof.
 
 <b>A proven bound.</b> With `parameters::proven_bound(true)` faces are split until a bound is within the tolerance: the limit is as near to
 that of the linear scheme as the enclosure of `Limit_surface` has it, after up to two more rounds on the face; that one lies in the hull of
@@ -119,7 +98,7 @@ are flat enough, by the same estimate and by the distances of the vertices insid
 straight lose their vertices, if both faces agree. So rulings of cylinders and cones stay undivided, and planes within curved
 rims have few triangles, which may be long.
 
-<b>Creases and borders</b> are those of `subdivide_to_limit()`: sharpness must be infinite. A plane stays as
+<b>Creases and borders</b> are those of `subdivide()`, of any sharpness. A plane stays as
 coarse as the control mesh is, apart from faces with more than four corners, which are split once.
 
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or `Parallel_if_available_tag`. The result is
@@ -146,7 +125,8 @@ coarse as the control mesh is, apart from faces with more than four corners, whi
 
 \returns what was reached. With as many rounds as are allowed faces that are not flat enough stay as they are. A tolerance
   for which more than \f$ 2^{31} \f$ triangles are foreseen, or that is less than \f$ 2^{-48} \f$ of the box, gives what is in
-  reach with about 260,000. The result is complete, and `Tessellation_result::reached` is false
+  reach with about 260,000, and with more of them faces are split again only once. The result is complete,
+  `Tessellation_result::reached` is false, and `Tessellation_result::obstacle` tells why
 
 \throws std::invalid_argument if `chord_error` is not positive and finite, if the scheme does not split edges, if `out` is
   not empty, if an array of attributes does not fit, belongs to edges, or to corners by another rule, if a bound is not proven, naming

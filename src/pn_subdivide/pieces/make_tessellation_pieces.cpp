@@ -64,6 +64,7 @@ public:
       tessellation_.worst_face = piece.worst_face;
       tessellation_.worst_place = piece.worst_place;
     }
+    if (!piece.reached) tessellation_.obstacle = piece.obstacle;
     tessellation_.reached = tessellation_.reached && piece.reached;
     tessellation_.depth = (std::max)(tessellation_.depth, piece.depth);
     tessellation_.triangles = kept_->number_of_triangles();

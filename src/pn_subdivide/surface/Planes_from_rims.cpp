@@ -9,11 +9,11 @@
 #include "surface/Planes_from_rims.h"
 
 #include "io/Error.h"
+#include "surface/Planes_of_part.h"
+#include "surface/output_tags.h"
 #include "surface/surface_command.h"
 
 #include <CGAL/PN_subdivision_3/triangulate_planes.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -29,18 +29,6 @@ void refuse(bool is_given, const std::string& option, const std::string& why)
 {
   if (is_given) throw Usage_error("--planes rims and " + option + " exclude each other: " + why);
 }
-
-// By face of a surface.
-struct Segment_map
-{
-  using key_type = Surface::Face_index;
-  using value_type = std::size_t;
-  using reference = std::size_t;
-  using category = boost::readable_property_map_tag;
-
-  friend std::size_t get(const Segment_map& map, key_type f) { return (*map.segments)[f]; }
-  const std::vector<std::size_t>* segments;
-};
 
 // New faces made of old corners.
 class New_faces
@@ -140,6 +128,12 @@ void require_options_for_planes(const Surface_options& options)
   for (const char* const choice : {"control", "both"})
     refuse(options.output_normals == choice, std::string("--output-normals ") + choice, why);
   refuse(options.write_tags.has_value(), "--write-tags", why);
+}
+
+bool takes_planes_from_rims(const Surface_options& options, const Output_normals& normals)
+{
+  return options.planes || (wants_surfaces(options.creases) && options.levels > 0 &&
+                            !are_tags_written(options, normals));
 }
 
 Planes_from_rims::Planes_from_rims(const Surface& surface, const std::vector<double>& segments,

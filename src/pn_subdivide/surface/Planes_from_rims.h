@@ -11,6 +11,7 @@
 
 #include "io/Mesh_data.h"
 #include "io/Report.h"
+#include "surface/Output_normals.h"
 #include "surface/Recognized_part.h"
 #include "surface/Surface.h"
 
@@ -26,6 +27,10 @@ struct Surface_options;
 // --planes rims: throws Usage_error if it does not go with the other options.
 void require_options_for_planes(const Surface_options& options);
 
+// Whether planes become triangles between their rims: where that is asked for, and with --sharp surfaces where the result is
+// no control data and has been refined.
+bool takes_planes_from_rims(const Surface_options& options, const Output_normals& normals);
+
 // Planes of a refined mesh, triangulated anew from their rims.
 class Planes_from_rims
 {
@@ -37,6 +42,7 @@ public:
   // Puts the triangles in the place of the planes' faces, behind all others; vertices inside planes go. Corners have what their
   // vertices had there. `mesh`: of the surface, with its attributes.
   void put_into(Mesh_data& mesh) const;
+  bool replaces(std::size_t segment) const { return is_replaced_[segment]; }
 
   // Notes what was done, and warns of planes that keep their faces.
   void report(const std::string& output, Report& report) const;

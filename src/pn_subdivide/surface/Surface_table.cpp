@@ -199,6 +199,8 @@ Surface_table::Surface_table(const Recognized_part& part, const Surface& control
     const Face_place place = place_of(control, f);
     along_[part.segments[f]] += along(place, part.segments[f]);
   }
+  for (const Surface::Face_index f : control.faces())
+    was_folded_.push_back(is_folded(place_of(control, f), part.segments[f]));
 }
 
 // Of twice the area of a face what is along the normal of its surface.
@@ -207,6 +209,14 @@ double Surface_table::along(const Face_place& place, std::size_t segment) const
   if (part_.surfaces[segment].kind == Kind::unknown) return 0;
   return dot(as_vec3(place.twice_area),
              as_shape(part_.surfaces[segment]).normal(as_vec3(place.middle)));
+}
+
+// against most of its surface, by more than rounding
+bool Surface_table::is_folded(const Face_place& place, std::size_t segment) const
+{
+  const double side = along_[segment] < 0 ? -1 : 1;
+  const double rounding = 1e-9 * place.size + 8 * part_.surfaces[segment].residual;
+  return side * along(place, segment) < -rounding * place.size;
 }
 
 void Surface_table::number_faces(Attributes& attributes) const
@@ -222,10 +232,7 @@ void Surface_table::measure(const Surface& refined, Attributes& attributes)
   for (const Surface::Face_index f : refined.faces()) {
     const auto parent = std::size_t(numbers[f]);
     const std::size_t segment = part_.segments[parent];
-    const Face_place place = place_of(refined, f);
-    const double side = along_[segment] < 0 ? -1 : 1;
-    const double rounding = 1e-9 * place.size + 8 * part_.surfaces[segment].residual;
-    if (side * along(place, segment) < -rounding * place.size) folded.insert(parent);
+    if (!was_folded_[parent] && is_folded(place_of(refined, f), segment)) folded.insert(parent);
     numbers[f] = double(segment);
   }
   folded_faces_.assign(folded.begin(), folded.end());
@@ -317,6 +324,11 @@ void Surface_table::warn(const std::string& input, Report& report) const
                 " segments in the place of " + std::to_string(part_.surfaces.size()) +
                 ": its coordinates have all digits, as those of a file of fewer that has been "
                 "moved or scaled");
+  if (crossed_planes_ > 0)
+    report.warn(
+      input + ": " + number_of(crossed_planes_, "plane", "planes") +
+      (crossed_planes_ == 1 ? " intersects itself: its" : " intersect themselves: their") +
+      " rims cross or touch each other, as they do not in the control mesh");
   report.set_high_faces(folded_faces_);
   if (folded_faces_.empty()) return;
   constexpr std::size_t most = 10;

@@ -12,6 +12,8 @@
 #include "io/Report.h"
 #include "surface/Recognized_part.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,16 @@ public:
   // The numbers of the faces take the place of the segments until the refined mesh is measured.
   void number_faces(Attributes& attributes) const;
   void measure(const Surface& refined, Attributes& attributes);
+  void set_crossed_planes(std::size_t number) { crossed_planes_ = number; }
+  // Forgets the folds of what has got other faces: is_replaced(segment).
+  template <class Is_replaced>
+  void forget_folds(const Is_replaced& is_replaced)
+  {
+    folded_faces_.erase(
+      std::remove_if(folded_faces_.begin(), folded_faces_.end(),
+                     [&](std::size_t f) { return is_replaced(part_.segments[f]); }),
+      folded_faces_.end());
+  }
   // the largest that was measured on known surfaces
   double largest_deviation() const;
 
@@ -44,11 +56,14 @@ public:
 
 private:
   double along(const Face_place& place, std::size_t segment) const;
+  bool is_folded(const Face_place& place, std::size_t segment) const;
 
   const Recognized_part& part_;
   std::vector<Deviation> before_, after_;
-  std::vector<double> along_; // of the segments: their faces' sum
-  std::vector<std::size_t> folded_faces_;
+  std::vector<double> along_;             // of the segments: their faces' sum
+  std::vector<bool> was_folded_;          // of the control faces
+  std::vector<std::size_t> folded_faces_; // that were not
+  std::size_t crossed_planes_ = 0;
 };
 
 } // namespace pn_subdivide

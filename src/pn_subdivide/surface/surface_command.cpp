@@ -20,6 +20,7 @@
 #include "surface/Linear_check.h"
 #include "surface/Output_normals.h"
 #include "surface/Planes_from_rims.h"
+#include "surface/Planes_of_part.h"
 #include "surface/Recognized_part.h"
 #include "surface/Surface_table.h"
 #include "surface/attributes.h"
@@ -556,11 +557,13 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   const bool is_creased = creases.any() || creases.border != Border::surface;
   const bool has_tags = is_creased && are_tags_written(options, plan.output_normals);
   const double chord = plan.is_adaptive ? plan.chord->of(mesh) : 0;
+  const bool has_rims =
+    part && (plan.is_adaptive || takes_planes_from_rims(options, plan.output_normals));
   Mesh_origin origin;
   if (plan.output_normals.with_control())
     origin = origin_after(mesh, scheme.scheme, options.levels);
   if (options.levels == 0 && !plan.limit.is_used() && !plan.interpolation && !plan.curvature &&
-      !must_split && !has_tags && !options.planes) {
+      !must_split && !has_tags && !has_rims) {
     mesh.tags = Crease_tags();
     mesh.origin = std::move(origin);
     put_control_normals(mesh, plan.output_normals);
@@ -570,6 +573,8 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   Attributes attributes = std::move(mesh.attributes);
   mesh = Mesh_data();
   if (table) table->number_faces(attributes);
+  std::optional<Planes_of_part> planes;
+  if (part) planes.emplace(surface, *part);
   if (!plan.is_adaptive) announce_long_work(surface, options, scheme, report);
   if (options.check)
     check.emplace(surface, creases,
@@ -604,40 +609,48 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
       control = control_normals_at_limits(surface, plan, options, scheme, rounds.creases);
     move_to_limits(surface, plan, options, scheme, rounds.creases, report);
   }
+  if (planes && !has_rims && (options.levels > 0 || plan.limit.points))
+    planes->place_inside(surface, *segments_of(attributes), scheme, options.levels, plan.threads);
   if (table) table->measure(surface, attributes);
+  if (planes)
+    table->set_crossed_planes(planes->number_of_crossed(surface, *segments_of(attributes)));
   Linear_check::Rounds compared{options.levels, plan.threads, plan.limit, std::nullopt};
   if (plan.is_adaptive) compared.chord = chord;
-  if (check && !options.planes) check->compare(surface, scheme, compared);
+  if (check && !has_rims) check->compare(surface, scheme, compared);
   Crease_tags tags;
   if (has_tags) tags = tags_of(surface, *rounds.creases);
   if (must_split) split_for_output(surface, plan.output, attributes, report);
-  std::optional<Planes_from_rims> planes;
-  if (options.planes) planes.emplace(surface, *segments_of(attributes), *part);
+  std::optional<Planes_from_rims> rims;
+  if (has_rims) rims.emplace(surface, *segments_of(attributes), *part);
   mesh = output_mesh(surface, rounds.creases, wedges, plan.output_normals, std::move(control));
   suit_roundness(mesh);
   mesh.attributes = std::move(attributes);
   mesh.tags = std::move(tags);
   mesh.origin = std::move(origin);
   if (curvature) add_curvature(mesh, plan, std::move(*curvature), report);
-  if (planes) {
-    planes->put_into(mesh);
+  if (rims) {
+    table->forget_folds([&](std::size_t segment) { return rims->replaces(segment); });
+    rims->put_into(mesh);
     if (check) check->compare(make_surface(mesh), scheme, compared);
-    planes->report(plan.output.title("standard output"), report);
+    rims->report(plan.output.title("standard output"), report);
   }
 }
 
 // Limits are those of what is smooth or sharp forever.
-void require_limit_of_creases(const Creases& creases, const Plan& plan, unsigned levels)
+void require_limit_of_creases(const Creases& creases, const Plan& plan, unsigned levels,
+                              bool in_pieces)
 {
   const Limit_choice& limit = plan.limit;
-  if ((!limit.is_used() && !plan.is_adaptive) || creases.number_of_edges == 0) return;
+  const bool is_adaptive = plan.is_adaptive && in_pieces;
+  if ((!limit.is_used() && !is_adaptive) || creases.number_of_edges == 0) return;
   double sharpness = 0; // the largest that is not for ever
   for (const double s : creases.edges)
     if (!std::isinf(s)) sharpness = (std::max)(sharpness, s);
-  if (sharpness <= (plan.is_adaptive ? 0 : levels)) return;
-  if (plan.is_adaptive)
-    throw Usage_error("--chord: limits are known only of edges that are smooth or sharp forever; "
-                      "take --sharpness inf, or --levels auto");
+  if (sharpness <= (is_adaptive ? 0 : levels)) return;
+  if (is_adaptive)
+    throw Usage_error(
+      "--chord and --pieces, --memory: edges must be smooth or sharp forever there; "
+      "take --sharpness inf, or leave out --pieces and --memory");
   throw Usage_error(std::string(limit.points ? "--limit" : limit.normals_option) +
                     ": limits are known only of edges that are smooth or sharp forever; with this "
                     "--sharpness take --levels " +
@@ -876,7 +889,7 @@ void run_surface_command(const Surface_options& given_options)
     if (seen.is_taken) part = std::exchange(seen.part, std::nullopt);
     if (seen.is_taken)
       take_part(mesh, *part, plan, options.creases.border.has_value(), creases, report);
-    require_limit_of_creases(creases, plan, options.levels);
+    require_limit_of_creases(creases, plan, options.levels, in_pieces);
     require_interpolation_of_creases(creases, plan);
     if (in_pieces) require_mesh_for_pieces(mesh, creases, plan.output_normals, plan.output);
     const bool has_file_normals = mesh.has_normals();

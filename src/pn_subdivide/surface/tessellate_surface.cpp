@@ -51,6 +51,24 @@ Result tessellated(const Surface& surface, const S& scheme, Chord chord, Surface
                              CGAL::parameters::vertex_normal_map(add_corner_normals(result)));
 }
 
+const char* text_of(Result::Obstacle obstacle)
+{
+  using Obstacle = Result::Obstacle;
+  switch (obstacle) {
+  case Obstacle::rounds:
+    return " in 12 rounds";
+  case Obstacle::triangles:
+    return " with 260,000 triangles";
+  case Obstacle::digits:
+    return ", for which coordinates have too few digits";
+  case Obstacle::pieces:
+    return " in pieces, whose neighbors are split again only once";
+  case Obstacle::none:
+    break;
+  }
+  return "";
+}
+
 void refuse(bool is_given, const std::string& option, const std::string& why)
 {
   if (is_given)
@@ -91,8 +109,8 @@ Tessellation tessellate_surface(Surface& surface, const Scheme_choice& scheme,
       return tessellated(surface, s, within, result, creases.has_value(), np, attributes);
     });
   surface = std::move(result);
-  return {r.bound,   r.reached, r.number_of_triangles, r.depth, r.worst_face, r.worst_place,
-          is_proven, false};
+  return {r.bound,       r.reached, r.obstacle, r.number_of_triangles, r.depth, r.worst_face,
+          r.worst_place, is_proven, false};
 }
 
 void report_tessellation(const Tessellation& tessellation, double chord, const std::string& output,
@@ -102,7 +120,7 @@ void report_tessellation(const Tessellation& tessellation, double chord, const s
                            {"bound", tessellation.bound},
                            {"asked", chord},
                            {"triangles", tessellation.triangles}});
-  char text[200];
+  char text[300];
   const char* const what = tessellation.is_proven ? "proven bound" : "estimated error";
   std::snprintf(text, sizeof text, "chord: %.6g asked for, %s %.3g", chord, what,
                 tessellation.bound);
@@ -110,9 +128,10 @@ void report_tessellation(const Tessellation& tessellation, double chord, const s
   if (tessellation.reached) return;
   const auto& p = tessellation.worst_place;
   std::snprintf(text, sizeof text,
-                ": --chord %.6g is not reached: the %s is %.3g at control face %zu, "
+                ": --chord %.6g is not reached%s: the %s is %.3g at control face %zu, "
                 "near %.6g %.6g %.6g",
-                chord, what, tessellation.bound, tessellation.worst_face, p[0], p[1], p[2]);
+                chord, text_of(tessellation.obstacle), what, tessellation.bound,
+                tessellation.worst_face, p[0], p[1], p[2]);
   report.warn(output + text);
 }
 

@@ -14,6 +14,7 @@
 #include "surface/creases.h"
 #include "surface/surface_schemes.h"
 
+#include <CGAL/PN_subdivision_3/Tessellation_result.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
 
 #include <array>
@@ -33,6 +34,8 @@ struct Tessellation
 {
   double bound = 0;
   bool reached = true;
+  CGAL::PN_subdivision_3::Tessellation_result::Obstacle obstacle =
+    CGAL::PN_subdivision_3::Tessellation_result::Obstacle::none;
   std::size_t triangles = 0;
   unsigned depth = 0;
   std::size_t worst_face = 0;

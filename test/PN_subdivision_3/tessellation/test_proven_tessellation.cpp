@@ -176,6 +176,7 @@ TEST(Tessellation, ToleranceOutOfReachGivesWhatIsInReach)
                                0.7 + 1e-18 * control.point(v).z());
     const auto result = PN::tessellate(control, PN::linear(PN::CatmullClark_scheme()), eps, out);
     EXPECT_FALSE(result.reached); // its outline is bent
+    EXPECT_EQ(result.obstacle, PN::Tessellation_result::Obstacle::digits);
     EXPECT_GT(result.number_of_triangles, 10000U);
     EXPECT_LE(result.number_of_triangles, 600000U);
   }

@@ -593,12 +593,6 @@ TEST(Tessellate, RefusesMeshes)
   const Surface_mesh cube = to_surface_mesh(
     named_shapes::with_normals(named_shapes::cube(), named_shapes::Normals::missing));
   expect_refused(cube, PN::Loop_scheme(), 0.1, "4 corners");
-  Surface_mesh control = cube, out;
-  const auto sharp = control.add_property_map<Surface_mesh::Edge_index, double>("e:s", 2.).first;
-  EXPECT_THROW(PN::tessellate(control, PN::CatmullClark_scheme(), 0.1, out,
-                              params::edge_is_constrained_map(sharp)),
-               std::invalid_argument);
-  EXPECT_EQ(out.num_vertices(), 0U);
   Surface_mesh full = cube;
   EXPECT_THROW(PN::tessellate(cube, PN::CatmullClark_scheme(), 0.1, full), std::invalid_argument);
   EXPECT_EQ(full.num_vertices(), cube.num_vertices());
@@ -614,6 +608,7 @@ TEST(Tessellate, TellsWhatIsNotReached)
       PN::tessellate(in, PN::CatmullClark_scheme(), 1e-4, out,
                      params::number_of_iterations(rounds).vertex_normal_map(normal_map(in)));
     EXPECT_FALSE(result.reached);
+    EXPECT_EQ(result.obstacle, PN::Tessellation_result::Obstacle::rounds);
     EXPECT_LT(result.worst_face, control.number_of_faces());
     const double away =
       std::hypot(result.worst_place[0], result.worst_place[1], result.worst_place[2]);

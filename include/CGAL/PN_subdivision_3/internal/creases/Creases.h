@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -189,6 +190,21 @@ struct No_creases
 
 template <class Level_creases>
 constexpr bool are_creases_v = !std::is_same_v<Level_creases, No_creases>;
+
+// Whether something is sharp, but not forever.
+template <class FT>
+bool is_anything_ending(const Creases<FT>& creases)
+{
+  const auto ends = [](const auto& x) {
+    return x.sharpness > 0 && x.sharpness < infinite_sharpness;
+  };
+  return std::any_of(creases.edges.begin(), creases.edges.end(), ends) ||
+         std::any_of(creases.stars.begin(), creases.stars.end(), ends);
+}
+inline bool is_anything_ending(No_creases)
+{
+  return false;
+}
 
 // The vertices of the slots behind all vertices.
 template <class FT>

@@ -37,11 +37,12 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// The limits at all slots of a level with creases that are sharp forever.
+// The limits at all slots of a level with creases.
 //
 // Where there is no crease, they are those of the level cut open: what the ring of a vertex becomes depends on
 // the ring alone, and in it on slots. Vertices on creases are evaluated with their neighbors along the
-// crease, darts with their ring, and corners stay. Where a ring is not settled, the whole level is refined.
+// crease, darts with their ring, and corners stay. Where a ring is not settled, or something is sharp, but not forever, the
+// whole level is refined.
 template <class Scheme, class FT>
 class Creased_limits
 {
@@ -68,6 +69,7 @@ public:
                                  const std::vector<Index>* some = nullptr)
   {
     if (creases.empty()) return evaluation_(level, next_round, some);
+    if (is_anything_ending(creases)) return after_the_end(level, creases, next_round, some);
     std::vector<Result> results(creases.number_of_slots);
     Creases<FT> limits = creases;
     some_ = some;
@@ -115,6 +117,53 @@ private:
       return value.normal;
     else
       return zero_vector<FT, 3>();
+  }
+
+  // \name Where something is sharp, but not forever
+  // The slots of the corners about a vertex, from its half-edge on, which is that of its descendants.
+  static std::vector<Index> slots_about(const Level_connectivity& level,
+                                        const Corner_slots<FT>& slot_of, Index v)
+  {
+    std::vector<Index> slot_ids;
+    const Index own = level.halfedge_of_vertex(v);
+    Index h = own;
+    do {
+      slot_ids.push_back(level.is_border(h) ? v : slot_of(h));
+      h = level.next_around_target(h);
+    } while (h != own);
+    return slot_ids;
+  }
+
+  // refines the whole level until nothing ends any more
+  std::vector<Result> after_the_end(const Level& level, const Creases<FT>& creases,
+                                    unsigned next_round, const std::vector<Index>* some)
+  {
+    Refiner refiner(scheme_, Level_connectivity(level.level), Creases<FT>(creases),
+                    {level.values.begin(), level.values.end()}, for_chunks_, next_round - 1);
+    for (; is_anything_ending(refiner.creases()); ++next_round) refiner.refine();
+    std::vector<Index> vertices; // old ones keep their numbers
+    if (some != nullptr)
+      vertices = *some;
+    else
+      for (Index v = 0; v < level.level.number_of_vertices(); ++v) vertices.push_back(v);
+    Level refined{refiner.level(), {refiner.values().begin(), refiner.values().end()}};
+    Creases<FT> now = refiner.creases();
+    const Corner_slots<FT> old_slots(level.level, creases), new_slots(refined.level, now);
+    std::vector<Result> results(creases.number_of_slots);
+    std::vector<std::pair<Index, Index>> spread; // from a slot to one of those that it comes from
+    for (const Index v : vertices) {
+      if (level.level.is_isolated(v)) {
+        spread.emplace_back(v, v);
+        continue;
+      }
+      const std::vector<Index> from = slots_about(refined.level, new_slots, v),
+                               to = slots_about(level.level, old_slots, v);
+      for (std::size_t i = 0; i < to.size(); ++i) spread.emplace_back(from[i], to[i]);
+    }
+    Creases<FT> with_tangents = now;
+    const std::vector<Result> limits = (*this)(refined, with_tangents, next_round, &vertices);
+    for (const auto& [from, to] : spread) results[to] = limits[from];
+    return results;
   }
 
   // \name Vertices whose limit depends on their ring

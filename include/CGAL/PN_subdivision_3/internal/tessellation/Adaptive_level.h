@@ -28,16 +28,21 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// What is known of a face of a level: where it comes from, and what the limit points on its parent have told.
+// What is known of a face of a level: where it comes from, and what limit points have told of it.
 struct Adaptive_face
 {
   using Index = Level_connectivity::Index;
 
+  // Of which face the middles have been seen: there are none of faces of the control mesh, nor of children of polygons,
+  // before a round is made of them.
+  enum class Seen : unsigned char { none, of_parent, of_itself };
+
   Index origin = 0;       // the face of the control mesh
   bool is_wanted = false; // a part of what is tessellated here, not of a ring around it
-  bool is_split = false;  // not flat enough
-  Index node = Level_connectivity::null;
-  double measured = 0;    // how far the middles of the parent were from its triangles
+  bool is_split = false;  // not flat enough, or to be seen
+  Seen seen = Seen::none;
+  Index node = Level_connectivity::null, before = Level_connectivity::null;
+  double measured = 0;    // how far the middles were from the triangles
   double discrepancy = 0; // and from where they had been expected
 };
 

@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_ADAPTIVE_REFINEMENT_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_ADAPTIVE_REFINEMENT_H
 
+#include <CGAL/PN_subdivision_3/Tessellation_result.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
@@ -46,6 +47,9 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+// how many there are where the tolerance is out of reach
+constexpr double triangles_out_of_reach = 0x1p18;
+
 struct Tessellation_demand
 {
   double tolerance; // of the triangles, divided by 2^exponent, as is what flatness is told from
@@ -58,8 +62,9 @@ struct Tessellation_demand
 };
 
 // Refines, level by level, the faces that are not flat enough, with the rings of faces that they need. Every vertex gets
-// its limit when it is new, so that the cost is that of the vertices of the result. The first round is done
-// everywhere, so that something has been seen of every face.
+// its limit when it is new, so that the cost is that of the vertices of the result. Of faces of the control mesh and of
+// the children of its polygons a round is made before it is known whether they have to be split, so that something has been
+// seen of every face.
 template <class Scheme, class FT, class Level_creases, bool may_be_proven = false>
 class Adaptive_refinement
 {
@@ -69,12 +74,14 @@ public:
   using Value = typename Average::Value;
   using Level = Adaptive_level<Value, Level_creases>;
   using Attributes = Tessellation_attributes<Scheme, FT, Level_creases>;
+  using Obstacle = Tessellation_result::Obstacle;
 
   Adaptive_refinement(const Scheme& scheme, const Tessellation_demand& demand,
                       const For_chunks& for_chunks)
     : scheme_(scheme)
     , demand_(demand)
     , tolerance_((std::max)(demand.tolerance, least_tolerance))
+    , obstacle_(demand.tolerance < least_tolerance ? Obstacle::digits : Obstacle::none)
     , for_chunks_(for_chunks)
     , limits_(scheme, demand_.limits, for_chunks)
     , attributes_(scheme, demand_.limits, for_chunks)
@@ -82,14 +89,17 @@ public:
     all_.set_exponent(demand.exponent);
   }
 
+  // before: the nodes of the same that has been made before, of which some have to be split now
   void operator()(Valued_level<Value>&& control, Level_creases&& creases,
                   const typename Attributes::Data& attributes = {},
-                  const Face_marks* wanted = nullptr)
+                  const Face_marks* wanted = nullptr, std::deque<Tessellation_node>&& before = {})
   {
+    before_ = std::move(before);
     Level level = first_level(std::move(control), std::move(creases), attributes);
     if (wanted != nullptr)
       for (Index f = 0; f < level.faces.size(); ++f) level.faces[f].is_wanted = (*wanted)[f] != 0;
     for (bool is_done = false; !is_done;) is_done = !refine(level);
+    before_.clear();
   }
 
   const Tessellation_demand& demand() const { return demand_; }
@@ -108,7 +118,7 @@ public:
     all_.keep_vertices(used);
   }
   const Attributes& attributes() const { return attributes_; }
-  bool is_reached() const { return is_reached_; }
+  Obstacle obstacle() const { return obstacle_; }
   unsigned depth() const { return rounds_; }
 
 private:
@@ -132,8 +142,7 @@ private:
     bool has_flatter_second = false; // see Tessellation_leaf
   };
 
-  // what coordinates in double can tell, and how many triangles there are where the tolerance is out of reach
-  static constexpr double least_tolerance = 0x1p-48, triangles_out_of_reach = 0x1p18;
+  static constexpr double least_tolerance = 0x1p-48; // what coordinates in double can tell
   // The sagitta of halves is a fourth; what is known badly may fall more slowly.
   static constexpr double rest_of_discrepancy = 0.5, rest_of_distance = 0.45, least_rest = 0.27;
   // where a normal is not to be trusted, and the surface not smooth about the vertex
@@ -218,7 +227,8 @@ private:
     return level;
   }
 
-  // A single face between two edges of a smooth curve has no angle that a tangent plane could tell.
+  // A single face between two edges of a smooth curve has no angle that a tangent plane could tell. Where the edges do not
+  // remain sharp, there are others.
   static std::vector<unsigned> faces_of_slots(const Level& level)
   {
     const Level_connectivity& connectivity = level.level.level;
@@ -226,6 +236,11 @@ private:
     std::vector<unsigned> faces(level.slot_ids.size(), 0);
     for (Index h = 0; h < connectivity.number_of_halfedges(); ++h)
       if (!connectivity.is_border(h)) ++faces[slot_of(h)];
+    if constexpr (is_creased)
+      for (const auto& star : level.creases.stars)
+        for (Index i = 0; i < star.number_of_ends; ++i)
+          if (!std::isinf(level.creases.edge(level.creases.end(star, i)).sharpness))
+            for (Index w = 0; w < star.number_of_wedges; ++w) faces[star.slot(w)] = 0;
     return faces;
   }
 
@@ -233,18 +248,22 @@ private:
   bool refine(Level& level)
   {
     const bool is_control = rounds_ == 0;
-    if (!is_control) {
-      if (!select(level, false)) return false;
-      if (rounds_ + 1 >= first_tuned_round(scheme_)) cut(level);
-    }
+    const bool has_unseen = mark_unseen(level);
+    if (!select(level, false) && !has_unseen) return false;
+    if (!is_control && rounds_ + 1 >= first_tuned_round(scheme_) &&
+        !is_anything_ending(level.creases))
+      cut(level);
     Level next = refined(level);
     ++rounds_;
     Results results;
-    if (is_control) {
-      results = limits(next, nullptr);
+    if (has_unseen) {
+      const std::vector<Index> vertices = new_vertices(level);
+      results = limits(next, is_control ? nullptr : &vertices);
       measure(level, [&](Index, Index v) { return all_.place(point_of(results[v].value)); });
-      if (!select(level, true)) {
-        rounds_ = 0;
+      select(level, true);
+      if (std::none_of(level.faces.begin(), level.faces.end(),
+                       [](const Adaptive_face& f) { return f.is_split; })) {
+        --rounds_;
         return false;
       }
     }
@@ -255,7 +274,7 @@ private:
     all_.reserve(vertices.size(), next.level.level.number_of_edges());
     const Index first_new = all_.number_of_slots();
     connect(level, next, of_planes);
-    if (is_control)
+    if (has_unseen)
       set_limits(next, results, first_new);
     else {
       set_limits_of(next, vertices, first_new);
@@ -270,53 +289,86 @@ private:
     return true;
   }
 
-  // Decides which faces are split, and stores the others; whether there are any to be split. Of the control level the
-  // limits after the round are known.
-  bool select(Level& level, bool is_control)
+  // marks the faces of which a round has to be made to see them; whether there are any
+  static bool mark_unseen(Level& level)
   {
+    bool has_unseen = false;
+    for (Index f = 0; f < level.faces.size(); ++f) {
+      Adaptive_face& face = level.faces[f];
+      face.is_split = face.is_wanted && face.seen == Adaptive_face::Seen::none && is_leaf(level, f);
+      has_unseen = has_unseen || face.is_split;
+    }
+    return has_unseen;
+  }
+
+  // Decides which faces are split, and stores the others; whether there are any to be split. First those that go by their
+  // parents, then those of which the limits after the round are known.
+  bool select(Level& level, bool is_second)
+  {
+    using Seen = Adaptive_face::Seen;
+    const auto is_candidate = [&](Index f) {
+      const Adaptive_face& face = level.faces[f];
+      return face.is_wanted && (is_second ? face.seen == Seen::of_itself
+                                          : face.seen == Seen::of_parent || !is_leaf(level, f));
+    };
+    std::vector<Index> faces;
+    for (Index f = 0; f < level.faces.size(); ++f)
+      if (is_candidate(f)) faces.push_back(f);
+    if (faces.empty()) return false;
     const Flatness flatness(level, all_);
-    std::vector<Face_error> errors(level.faces.size());
+    std::vector<Face_error> errors(faces.size());
     if constexpr (may_be_proven)
       if (demand_.is_proven)
         cells_.emplace(scheme_, Valued_level<Value>(level.level), Level_creases(level.creases));
-    for_chunks_(static_cast<Index>(level.faces.size()), [&](Index begin, Index end) {
-      for (Index f = begin; f < end; ++f)
-        if (level.faces[f].is_wanted) errors[f] = error(level, flatness, f, is_control);
+    for_chunks_(static_cast<Index>(faces.size()), [&](Index begin, Index end) {
+      for (Index i = begin; i < end; ++i) errors[i] = error(level, flatness, faces[i]);
     });
     constexpr std::uint64_t triangles = Host::refined_degree == 4 ? 8 : 4;
-    relax(level, errors, triangles / 4);
+    relax(errors, triangles / 4);
+    const unsigned rounds = rounds_ - (is_second ? 1 : 0); // that have been made of these faces
     std::uint64_t number = 0;
-    for (Index f = 0; f < level.faces.size(); ++f) {
-      level.faces[f].is_split = level.faces[f].is_wanted && !(errors[f].error <= tolerance_);
-      number += level.faces[f].is_split ? 1 : 0;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      Adaptive_face& face = level.faces[faces[i]];
+      add_node(face, rounds);
+      face.is_split = nodes_[face.node].has_to_be_split || !(errors[i].error <= tolerance_);
+      number += face.is_split ? 1 : 0;
     }
     const bool are_too_many = number_of_leaves_ * 2 + number * triangles > demand_.most_triangles;
     if (are_too_many) require_tolerance();
-    const bool is_last = rounds_ - (is_control ? 1 : 0) >= demand_.most_rounds || are_too_many;
-    for (Index f = 0; f < level.faces.size(); ++f) {
+    const bool is_last = rounds >= demand_.most_rounds || are_too_many;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const Index f = faces[i];
       Adaptive_face& face = level.faces[f];
       if (is_last && face.is_split && is_leaf(level, f)) {
-        is_reached_ = false;
         face.is_split = false;
         --number;
-        if (demand_.is_proven) errors[f].error = proven(flatness, f, infinity);
+        if (!(errors[i].error <= tolerance_))
+          meet(are_too_many ? Obstacle::triangles : Obstacle::rounds);
+        if (demand_.is_proven) errors[i].error = proven(flatness, f, infinity);
       }
-      if (face.is_wanted) add_node(level, flatness, f, errors[f]);
+      fill_node(level, flatness, f, errors[i]);
     }
     return number != 0;
   }
 
   // Where the number of triangles, which is inverse to the tolerance, is beyond what is allowed, the tolerance becomes one that
   // is in reach.
-  void relax(const Level& level, const std::vector<Face_error>& errors, unsigned triangles)
+  void relax(const std::vector<Face_error>& errors, unsigned triangles)
   {
     double expected = 0;
-    for (Index f = 0; f < level.faces.size(); ++f)
-      if (level.faces[f].is_wanted && errors[f].error > tolerance_ && errors[f].error < infinity)
-        expected += triangles * (errors[f].error / tolerance_);
+    for (const Face_error& e : errors)
+      if (e.error > tolerance_ && e.error < infinity)
+        expected += triangles * (e.error / tolerance_);
     if (!(expected > double(demand_.most_triangles))) return;
     require_tolerance();
     tolerance_ *= expected / triangles_out_of_reach;
+    meet(Obstacle::triangles);
+  }
+
+  // the first one counts
+  void meet(Obstacle obstacle)
+  {
+    if (obstacle_ == Obstacle::none) obstacle_ = obstacle;
   }
 
   // A piece cannot do with less: it would not fit the others.
@@ -339,13 +391,25 @@ private:
       return infinity;
   }
 
-  void add_node(Level& level, const Flatness& flatness, Index f, const Face_error& error)
+  // Children have the order that they had before.
+  void add_node(Adaptive_face& face, unsigned rounds)
   {
-    Adaptive_face& face = level.faces[f];
     const Index parent = face.node;
     face.node = static_cast<Index>(nodes_.size());
     nodes_.emplace_back();
-    Tessellation_node& node = nodes_.back();
+    nodes_.back().may_be_split = rounds < demand_.most_rounds;
+    if (parent != null) {
+      if (face.before != null)
+        face.before = before_[face.before].child(nodes_[parent].number_of_children);
+      nodes_[parent].add_child(face.node);
+    } else
+      face.before = before_.empty() ? null : face.node;
+    if (face.before != null) nodes_.back().has_to_be_split = before_[face.before].has_to_be_split;
+  }
+  void fill_node(Level& level, const Flatness& flatness, Index f, const Face_error& error)
+  {
+    const Adaptive_face& face = level.faces[f];
+    Tessellation_node& node = nodes_[face.node];
     node.is_leaf = !face.is_split;
     number_of_leaves_ += node.is_leaf ? 1 : 0;
     if (!is_leaf(level, f))
@@ -357,7 +421,6 @@ private:
       flatness.read(f, node.leaf);
     }
     if (!level.corners.empty()) corners_of_nodes_.push_back(level.corners[f]);
-    if (parent != null && nodes_[parent].leaf.degree != 0) nodes_[parent].add_child(face.node);
   }
 
   static bool is_leaf(const Level& level, Index f)
@@ -366,19 +429,20 @@ private:
     return level.level.level.has_degree(h, 3) || level.level.level.has_degree(h, 4);
   }
 
-  Face_error error(const Level& level, const Flatness& flatness, Index f, bool is_control) const
+  Face_error error(const Level& level, const Flatness& flatness, Index f) const
   {
     if (!is_leaf(level, f)) return {infinity, false};
     const auto estimate = flatness.estimate(f);
     const Adaptive_face& face = level.faces[f];
-    double e = (is_control ? 1 : rest_of_distance) * face.measured;
+    const bool is_seen = face.seen == Adaptive_face::Seen::of_itself;
+    double e = (is_seen ? 1 : rest_of_distance) * face.measured;
     if (estimate.knows_normals) {
       const double by_normals =
-        estimate.error + (is_control ? 1 : rest_of_discrepancy) * face.discrepancy;
-      e = is_control ? (std::max)(e, by_normals) : by_normals;
+        estimate.error + (is_seen ? 1 : rest_of_discrepancy) * face.discrepancy;
+      e = is_seen ? (std::max)(e, by_normals) : by_normals;
     } else if (!estimate.trusts_normals)
       e *= distrust;
-    else if (!is_control) // those of the control data may be off, but tell which way it goes
+    else if (!is_seen) // those of the control data may be off, but tell which way it goes
       e = (std::max)(least_rest * face.measured,
                      (std::min)(e, estimate.error + rest_of_discrepancy * face.discrepancy));
     e = (estimate.is_at_curve ? safety_at_curves : tessellation_safety) *
@@ -466,7 +530,7 @@ private:
     for_chunks_(old.number_of_faces(), [&](Index begin, Index end) {
       for (Index f = begin; f < end; ++f) {
         Adaptive_face& face = level.faces[f];
-        if (!face.is_wanted || !is_leaf(level, f) || (rounds_ > 1 && !face.is_split)) continue;
+        if (!face.is_split || !is_leaf(level, f)) continue;
         typename Flatness::Middles middles;
         flatness.for_each_edge(f, [&](std::size_t i, Index h) {
           middles.of_edges[i] = place(h, host.vertex_of_edge(Level_connectivity::edge(h)));
@@ -478,6 +542,7 @@ private:
         const auto measure = flatness.measure(f, middles);
         face.measured = measure.distance;
         face.discrepancy = measure.discrepancy;
+        if (face.seen == Adaptive_face::Seen::none) face.seen = Adaptive_face::Seen::of_itself;
       }
     });
   }
@@ -516,6 +581,9 @@ private:
       if (!parent.is_split) continue;
       next.faces[f] = parent;
       next.faces[f].is_split = false;
+      next.faces[f].seen = parent.seen == Adaptive_face::Seen::none
+                             ? Adaptive_face::Seen::none
+                             : Adaptive_face::Seen::of_parent;
       number_edges(next, f);
     }
     if (!level.corners.empty()) attributes_.split_corners(level, host, next);
@@ -563,6 +631,7 @@ private:
   const Scheme& scheme_;
   const Tessellation_demand demand_;
   double tolerance_;
+  Obstacle obstacle_;
   For_chunks for_chunks_;
   Limits_of_level<Scheme, FT, Level_creases> limits_;
   Attributes attributes_;
@@ -570,9 +639,9 @@ private:
   Split_edges<FT> all_;
   std::optional<Cells> cells_;          // of the level, for proofs
   std::deque<Tessellation_node> nodes_; // of which none is copied when there are more
+  std::deque<Tessellation_node> before_;
   std::uint64_t number_of_leaves_ = 0;
   unsigned rounds_ = 0;
-  bool is_reached_ = true;
 };
 
 } // namespace internal

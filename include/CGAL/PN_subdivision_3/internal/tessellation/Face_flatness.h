@@ -66,7 +66,8 @@ public:
     if (connectivity_.has_border())
       for (Index e = 0; e < is_curve_.size(); ++e) is_curve_[e] = connectivity_.is_border_edge(e);
     if constexpr (is_creased)
-      for (const auto& e : level.creases.edges) is_curve_[e.edge] = 1;
+      for (const auto& e : level.creases.edges)
+        if (std::isinf(e.sharpness)) is_curve_[e.edge] = 1;
   }
 
   void read(Index f, Tessellation_leaf& leaf) const

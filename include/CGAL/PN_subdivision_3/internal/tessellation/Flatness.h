@@ -80,14 +80,15 @@ inline double distance(const Corner& a, const Corner& b)
 class Section
 {
 public:
-  // If one of the normals is not known, it is an arc.
+  // If one of the normals is not known, it is an arc. Where they are opposite there is no plane of it, of which rounding
+  // would have the say.
   Section(const Corner& a, const Corner& b)
     : a_(a.point)
     , chord_(minus(b.point, a.point))
   {
     const Vector of_a = a.normal == Vector{} ? mirrored(b.normal) : a.normal;
     const Vector of_b = b.normal == Vector{} ? mirrored(a.normal) : b.normal;
-    normal_ = unit({of_a[0] + of_b[0], of_a[1] + of_b[1], of_a[2] + of_b[2]});
+    normal_ = between(of_a, of_b);
     start_ = -slope(of_a);
     end_ = slope(of_b);
   }
@@ -111,6 +112,12 @@ public:
   double excess_of(const Vector& p) const { return height_of(p) - height(along(p)); }
 
 private:
+  // zero if they are opposite
+  static Vector between(const Vector& m, const Vector& n)
+  {
+    const Vector sum = {m[0] + n[0], m[1] + n[1], m[2] + n[2]};
+    return product(sum, sum) > 0x1p-40 ? unit(sum) : Vector{};
+  }
   // by the plane between the ends
   Vector mirrored(Vector n) const
   {

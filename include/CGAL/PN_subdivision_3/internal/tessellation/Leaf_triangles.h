@@ -54,13 +54,16 @@ public:
 
   void reserve(std::size_t triangles) { triangles_.reserve(triangles); }
 
-  // corner_values: `dimension` numbers for each corner
-  void add(const Tessellation_leaf& leaf, const double* corner_values = nullptr)
+  // corner_values: `dimension` numbers for each corner. Returns the estimated distance of the leaf, and of its triangles by the
+  // normals at their corners.
+  double add(const Tessellation_leaf& leaf, const double* corner_values = nullptr)
   {
     take(leaf, corner_values);
     for (Place& p : polygon_) p.halfedge = result_halfedge(p.halfedge);
+    leaf_error_ = 0;
     note_error(leaf.origin, leaf.error + (is_proven_ ? way_back(leaf) : 0), 0, polygon_.size() / 2);
     add_triangles(leaf);
+    return leaf_error_;
   }
 
   // The triangles of this leaf alone, for a trial: how far the surface is from them by the normals, infinite if it is more
@@ -82,7 +85,7 @@ public:
   // `dimension` for each corner of each triangle
   const std::vector<double>& corner_values() const { return corner_values_; }
   Index number_of_edges() const { return edges_; }
-  // the largest estimated distance of the leaves, and of the triangles by the normals at their corners
+  // the largest of the leaves
   double bound() const { return worst_.error; }
   // the face of the control mesh where it is, and about where
   Index worst_face() const { return worst_.origin; }
@@ -202,6 +205,7 @@ private:
   // between the places i and k
   void note_error(Index origin, double error, std::size_t i, std::size_t k)
   {
+    leaf_error_ = (std::max)(leaf_error_, error);
     if (error > worst_.error)
       worst_ = {origin, error,
                 flatness::between(polygon_[i].corner.point, polygon_[k].corner.point, 0.5)};
@@ -395,6 +399,7 @@ private:
   std::size_t degree_ = 0;
   bool is_trial_ = false;
   double most_ = 0, trial_error_ = 0; // of a trial
+  double leaf_error_ = 0;
   std::vector<double> corner_values_;
   Table<Chord> chords_;
   Table<Part> parts_;

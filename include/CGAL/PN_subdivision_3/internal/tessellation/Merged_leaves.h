@@ -64,7 +64,9 @@ private:
 
   bool may_merge(const Tessellation_node& node) const
   {
-    if (node.is_leaf || node.number_of_children == 0) return false;
+    if (node.is_leaf || node.has_to_be_split || node.leaf.degree == 0 ||
+        node.number_of_children == 0)
+      return false;
     for (Index i = 0; i < node.number_of_children; ++i)
       if (!nodes_[node.child(i)].is_leaf) return false;
     return true;

@@ -194,13 +194,20 @@ struct Tessellation_node
   using Index = Level_connectivity::Index;
 
   // if it is split, its error is how far the middles were from where the normals had them
-  Tessellation_leaf leaf;
-  Index first_child = null, other_children = null; // none if there are more than four
-  unsigned char number_of_children = 0;
+  Tessellation_leaf leaf; // without corners, if it is no triangle or quadrilateral
+  Index first_child = null, other_children = null; // the others follow each other
+  Index number_of_children = 0;
   bool is_leaf = false;
+  bool has_to_be_split = false; // whatever its error
+  bool may_be_split = false;    // as far as rounds go
 
   double discrepancy() const { return leaf.error; }
-  Index child(Index i) const { return i == 0 ? first_child : other_children + i - 1; }
+  // null if it has fewer
+  Index child(Index i) const
+  {
+    if (i >= number_of_children) return null;
+    return i == 0 ? first_child : other_children + i - 1;
+  }
   void add_child(Index node)
   {
     if (number_of_children < 2) (number_of_children == 0 ? first_child : other_children) = node;

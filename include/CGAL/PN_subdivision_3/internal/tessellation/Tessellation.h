@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_TESSELLATION_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_TESSELLATION_H
 
+#include <CGAL/PN_subdivision_3/Tessellation_result.h>
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
@@ -30,7 +31,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -57,24 +60,94 @@ struct Tessellation_data
   }
 };
 
-// Those of the leaves for which is_taken(leaf) is true, once splits that did not have to be are taken back.
-template <class FT, class Refinement, class Is_taken>
-Leaf_triangles<FT> triangles_of_leaves(Refinement& refinement, std::size_t dimension_of_corners,
-                                       const Is_taken& is_taken)
+// The runs of a tessellation. Finer neighbors put vertices on the sides of a leaf, whose triangles may then miss the
+// tolerance: it is split in another run.
+template <class FT>
+class Tessellation_runs
 {
-  const bool is_proven = refinement.demand().is_proven;
-  const double tolerance = refinement.tolerance() / tessellation_safety;
-  if (!is_proven) Merged_leaves<FT>(refinement.all(), refinement.nodes(), tolerance)();
-  Leaf_triangles<FT> triangles(refinement.all(), tolerance, dimension_of_corners, is_proven);
-  triangles.reserve(2 * std::size_t(refinement.all().number_of_vertices()));
-  const auto& corners = refinement.corners_of_nodes();
-  for (std::size_t i = 0; i < refinement.nodes().size(); ++i) {
-    const Tessellation_node& node = refinement.nodes()[i];
-    if (node.is_leaf && is_taken(node.leaf))
-      triangles.add(node.leaf, corners.empty() ? nullptr : corners[i].data());
+public:
+  using Obstacle = Tessellation_result::Obstacle;
+
+  explicit Tessellation_runs(unsigned most)
+    : most_(most)
+  {}
+
+  // of the last run
+  std::deque<Tessellation_node> take_nodes() { return std::move(nodes_); }
+  unsigned number() const { return number_; }
+
+  // The triangles of the leaves for which is_taken(leaf) is true, once splits that did not have to be are taken back.
+  template <class Refinement, class Is_taken>
+  Leaf_triangles<FT> triangles(Refinement& refinement, std::size_t dimension_of_corners,
+                               const Is_taken& is_taken)
+  {
+    const bool is_proven = refinement.demand().is_proven;
+    const double tolerance = refinement.tolerance() / tessellation_safety;
+    if (!is_proven) Merged_leaves<FT>(refinement.all(), refinement.nodes(), tolerance)();
+    Leaf_triangles<FT> triangles(refinement.all(), tolerance, dimension_of_corners, is_proven),
+      others(refinement.all(), tolerance, 0, is_proven);
+    triangles.reserve(2 * std::size_t(refinement.all().number_of_vertices()));
+    const auto& corners = refinement.corners_of_nodes();
+    are_missed_ = false;
+    for (std::size_t i = 0; i < refinement.nodes().size(); ++i) {
+      Tessellation_node& node = refinement.nodes()[i];
+      if (!node.is_leaf) continue;
+      const double error =
+        is_taken(node.leaf)
+          ? triangles.add(node.leaf, corners.empty() ? nullptr : corners[i].data())
+          : others.add(node.leaf);
+      if (error > with_rounding * refinement.tolerance()) miss(node);
+    }
+    return triangles;
   }
-  return triangles;
-}
+
+  // Whether there has to be another run, with nodes of which some have to be split now.
+  template <class Refinement>
+  bool go_on(Refinement& refinement, const Leaf_triangles<FT>& triangles)
+  {
+    ++number_;
+    if (!are_missed_ || number_ >= most_) return false;
+    if (number_ > 1 && triangles.triangles().size() > triangles_out_of_reach) return false;
+    nodes_ = std::move(refinement.nodes());
+    return true;
+  }
+
+  // What has been reached, in the unit of the coordinates; faces have the numbers of what was refined.
+  template <class Refinement, class Report>
+  void report(const Refinement& refinement, const Leaf_triangles<FT>& triangles,
+              Report& report) const
+  {
+    const Tessellation_demand& demand = refinement.demand();
+    report.bound = std::ldexp(triangles.bound(), demand.exponent);
+    report.worst_face = triangles.worst_face();
+    report.worst_place = triangles.worst_place();
+    for (double& x : report.worst_place) x = std::ldexp(x, demand.exponent);
+    report.reached = triangles.bound() <= with_rounding * demand.tolerance;
+    report.depth = refinement.depth();
+    if (report.reached) return;
+    report.obstacle = refinement.obstacle();
+    if (report.obstacle == Obstacle::none)
+      report.obstacle = !are_missed_         ? Obstacle::rounds
+                        : demand.is_of_piece ? Obstacle::pieces
+                                             : Obstacle::triangles;
+  }
+
+private:
+  // a product and a quotient
+  static constexpr double with_rounding = 1 + 0x1p-50;
+
+  void miss(Tessellation_node& node)
+  {
+    if (node.has_to_be_split || (node.number_of_children == 0 && !node.may_be_split)) return;
+    node.has_to_be_split = true;
+    are_missed_ = true;
+  }
+
+  const unsigned most_;
+  unsigned number_ = 0;
+  bool are_missed_ = false; // leaves that can be split
+  std::deque<Tessellation_node> nodes_;
+};
 
 // by triangles
 template <class FT>
@@ -86,20 +159,6 @@ std::vector<bool> used_vertices(const Split_edges<FT>& all, const Leaf_triangles
   return used;
 }
 
-// What has been reached, in the unit of the coordinates; faces have the numbers of what was refined.
-template <class Refinement, class FT, class Report>
-void report_reached(const Refinement& refinement, const Leaf_triangles<FT>& triangles,
-                    Report& report)
-{
-  const Tessellation_demand& demand = refinement.demand();
-  report.bound = std::ldexp(triangles.bound(), demand.exponent);
-  report.worst_face = triangles.worst_face();
-  report.worst_place = triangles.worst_place();
-  for (double& x : report.worst_place) x = std::ldexp(x, demand.exponent);
-  report.reached = refinement.is_reached() && triangles.bound() <= demand.tolerance;
-  report.depth = refinement.depth();
-}
-
 // A call of tessellate(): reads the control mesh, refines it adaptively, and builds the mesh of the triangles.
 template <class Concurrency_tag, class FaceGraph, class NamedParameters>
 class Tessellation
@@ -109,10 +168,12 @@ class Tessellation
   using Index = Level_connectivity::Index;
 
 public:
-  Tessellation(double chord_error, const NamedParameters& np, Attribute_table* table)
+  Tessellation(double chord_error, const NamedParameters& np, Attribute_table* table,
+               bool is_in_pieces = false)
     : chord_error_(chord_error)
     , np_(np)
     , table_(table)
+    , is_in_pieces_(is_in_pieces)
     , for_chunks_(For_chunks::with(Concurrency_tag()))
   {}
 
@@ -123,13 +184,18 @@ public:
   {
     require_empty(out_access);
     Report report;
-    with_roundness_of_call<Parameters>(access, scheme, np_, [&](const auto& s) {
+    Tessellation_runs<FT> runs(most_runs);
+    const auto run = [&](const auto& s) {
+      bool goes_on = false;
       read(access, s, Parameters::const_point_map(control, np_), [&](auto&& data) {
         const auto& rules = rules_of(s);
         auto refinement = data.refinement(rules, for_chunks_);
-        refinement(std::move(data.control), std::move(data.creases), data.attributes);
-        const Leaf_triangles<FT> triangles = triangles_of_leaves<FT>(
+        refinement(std::move(data.control), std::move(data.creases), data.attributes, nullptr,
+                   runs.take_nodes());
+        const Leaf_triangles<FT> triangles = runs.triangles(
           refinement, table_.dimension_of_corners(), [](const Tessellation_leaf&) { return true; });
+        goes_on = runs.go_on(refinement, triangles);
+        if (goes_on) return;
         std::vector<bool> used = used_vertices(refinement.all(), triangles);
         std::fill_n(used.begin(), access.size().vertices, true);
         refinement.remove_unused(used);
@@ -142,10 +208,15 @@ public:
         build(refinement.all(), mesh, out_access, Out::point_map(out, np_out),
               Out::normal_map(np_out));
         table_.set(std::move(carried));
-        report_reached(refinement, triangles, report);
+        runs.report(refinement, triangles, report);
         report.number_of_vertices = mesh.level().number_of_vertices();
         report.number_of_triangles = mesh.level().number_of_faces();
       });
+      return goes_on;
+    };
+    with_roundness_of_call<Parameters>(access, scheme, np_, [&](const auto& s) {
+      while (run(s)) {
+      }
     });
     return report;
   }
@@ -172,7 +243,8 @@ public:
                                  typename Parameters::Vertex_constraint_map>
         of_mesh(scheme, access, control.level, edge_map, vertex_map);
       auto creases = of_mesh.creases(control.level);
-      require_sharp_for_ever<FT>(access, creases, 0);
+      require_sharp_for_ever<FT>(
+        access, creases, is_in_pieces_ ? 0 : rounds_of_all(control.level.number_of_faces()));
       of_mesh.read_tangents(creases);
       control.values = of_mesh.values(control.level, points, normals, creases);
       const Tessellation_demand demand = this->demand(box_size(control));
@@ -191,6 +263,17 @@ public:
   }
 
 private:
+  static constexpr unsigned most_runs = 64;
+
+  // how many rounds may be made of all faces, until nothing is sharp but forever
+  static unsigned rounds_of_all(std::size_t faces)
+  {
+    constexpr std::size_t most_faces = std::size_t(1) << 22;
+    unsigned rounds = 0;
+    for (std::size_t n = 4 * faces; 0 < n && n <= most_faces; n *= 4) ++rounds;
+    return rounds;
+  }
+
   // a linear scheme has no use for normals
   template <class Scheme>
   auto normal_map() const
@@ -274,6 +357,7 @@ private:
   double chord_error_;
   const NamedParameters& np_;
   const Tessellation_table table_;
+  const bool is_in_pieces_;
   For_chunks for_chunks_;
 };
 

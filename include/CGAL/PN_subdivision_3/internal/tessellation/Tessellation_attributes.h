@@ -163,11 +163,13 @@ public:
 private:
   using Refiner = Level_refiner<Scheme, Average_of_scheme<Scheme, FT>, Level_creases>;
 
-  // The curves of creases are those of the points alone.
+  // The curves of creases are those of the points alone, without normals.
   static Level_creases without_tangents(Level_creases creases)
   {
-    if constexpr (are_creases_v<Level_creases>)
+    if constexpr (are_creases_v<Level_creases>) {
       for (auto& e : creases.edges) e.tangent_from = {};
+      creases.without_fractions.reset();
+    }
     return creases;
   }
 

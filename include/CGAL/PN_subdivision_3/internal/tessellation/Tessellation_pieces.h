@@ -48,6 +48,7 @@ struct Tessellated_piece
   std::size_t worst_face = 0;
   std::array<double, 3> worst_place{};
   bool reached = true;
+  Tessellation_result::Obstacle obstacle = Tessellation_result::Obstacle::none;
   unsigned depth = 0;
 };
 
@@ -141,12 +142,44 @@ public:
 
   Piece piece(std::size_t i, const Normal_of_wedges& normal_of_wedges) override
   {
+    Tessellation_runs<FT> runs(most_runs);
+    std::optional<Piece> piece;
+    while (!piece) piece = run(i, normal_of_wedges, runs);
+    return std::move(*piece);
+  }
+
+  std::uint64_t number_of_vertices() const override { return numbers_.number_of_vertices(); }
+  std::uint64_t number_of_triangles() const override { return triangles_; }
+
+private:
+  using Refinement = typename Data::Refinement;
+  using Value = typename Refinement::Value;
+  static constexpr bool is_creased = are_creases_v<Level_creases>;
+  static constexpr Index null = Level_connectivity::null;
+
+  // What is split again has its neighbors split again in another run only.
+  static constexpr unsigned most_runs = 2;
+  // What is refined along with a piece, and how its own faces and their sides are divided is right: whether splits are taken
+  // back at a face depends on faces that touch it, and the order of the triangles at a vertex with several wedges on
+  // all faces there.
+  static constexpr unsigned wanted_rings = (is_creased ? 2 : 1) + most_runs - 1;
+  // One about the vertices that are wanted, whose limits tell on which side their normals are, and one that the
+  // rim is not that of a part about a single vertex; rules of creases read all wedges of a vertex.
+  static constexpr unsigned more_rings = is_creased ? 4 : 2;
+
+  // none if there has to be another one
+  std::optional<Piece> run(std::size_t i, const Normal_of_wedges& normal_of_wedges,
+                           Tessellation_runs<FT>& runs)
+  {
     Part part = this->part(*division_, i, wanted_rings);
     Refinement refinement(scheme_, data_.demand, for_chunks_);
-    refinement(std::move(part.control), std::move(part.creases), part.attributes, &part.is_wanted);
-    Leaf_triangles<FT> triangles = triangles_of_leaves<FT>(
-      refinement, table_.dimension_of_corners(),
-      [&](const Tessellation_leaf& leaf) { return part.is_owned[leaf.origin] != 0; });
+    refinement(std::move(part.control), std::move(part.creases), part.attributes, &part.is_wanted,
+               runs.take_nodes());
+    const Leaf_triangles<FT> triangles =
+      runs.triangles(refinement, table_.dimension_of_corners(), [&](const Tessellation_leaf& leaf) {
+        return part.is_owned[leaf.origin] != 0;
+      });
+    if (runs.go_on(refinement, triangles)) return std::nullopt;
     std::vector<bool> used = used_vertices(refinement.all(), triangles);
     for (const Index v : part.isolated) used[v] = true;
     const std::vector<flatness::Vector> normals = this->normals(refinement, used, normal_of_wedges);
@@ -168,27 +201,10 @@ public:
     piece.level = Tessellation_mesh<FT>(all, triangles).level();
     piece.faces = Numbered_elements(triangles.triangles().size());
     for (std::size_t t = 0; t < piece.faces.size(); ++t) piece.faces.set(t, triangles_++, true);
-    report_reached(refinement, triangles, piece);
+    runs.report(refinement, triangles, piece);
     if (!part.of.faces.empty()) piece.worst_face = part.of.faces[piece.worst_face];
     return piece;
   }
-
-  std::uint64_t number_of_vertices() const override { return numbers_.number_of_vertices(); }
-  std::uint64_t number_of_triangles() const override { return triangles_; }
-
-private:
-  using Refinement = typename Data::Refinement;
-  using Value = typename Refinement::Value;
-  static constexpr bool is_creased = are_creases_v<Level_creases>;
-  static constexpr Index null = Level_connectivity::null;
-
-  // What is refined along with a piece, and how its own faces and their sides are divided is right: whether splits are taken
-  // back at a face depends on faces that touch it, and the order of the triangles at a vertex with several wedges on
-  // all faces there.
-  static constexpr unsigned wanted_rings = is_creased ? 2 : 1;
-  // One about the vertices that are wanted, whose limits tell on which side their normals are, and one that the
-  // rim is not that of a part about a single vertex; rules of creases read all wedges of a vertex.
-  static constexpr unsigned more_rings = is_creased ? 4 : 2;
 
   // some faces with the rings around them
   struct Part

@@ -80,7 +80,7 @@ tessellate_in_pieces(const FaceGraph& control, const Scheme& scheme, double chor
     if constexpr (check_pieces_arguments<FaceGraph, Scheme, NamedParameters>())
       with_mesh_access(control, [&](const auto& access) {
         const Tessellation<Concurrency_tag, FaceGraph, NamedParameters> tessellation(
-          chord_error, np, attribute_table(np));
+          chord_error, np, attribute_table(np), true);
         with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
           tessellation.read(access, s, Parameters::const_point_map(control, np), [&](auto&& data) {
             result = kept_tessellation(rules_of(s), std::move(data), tessellation.table().shape(),

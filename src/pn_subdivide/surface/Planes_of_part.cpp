@@ -1,0 +1,193 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "surface/Planes_of_part.h"
+
+#include "surface/creases.h"
+#include "surface/refine_surface.h"
+
+#include <CGAL/PN_subdivision_3/attributes.h>
+#include <CGAL/PN_subdivision_3/triangulate_planes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace pn_subdivide {
+namespace {
+
+using Vertex = Surface::Vertex_index;
+constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+// How far some vertices of a mesh move if the others do: harmonically along its edges, which pull the more the shorter they are.
+class Harmonic_moves
+{
+public:
+  // is_free: whether a vertex is one of them; moves: of the others
+  Harmonic_moves(const Surface& mesh, const std::vector<bool>& is_free, std::vector<Vector_3> moves)
+    : moves_(std::move(moves))
+    , number_(mesh.number_of_vertices(), none)
+  {
+    for (const Vertex v : mesh.vertices())
+      if (is_free[v]) {
+        number_[v] = vertices_.size();
+        vertices_.push_back(v);
+      }
+    std::vector<Vector_3> pulls(vertices_.size(), CGAL::NULL_VECTOR);
+    weights_of_.assign(vertices_.size(), 0);
+    first_.push_back(0);
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      for (const auto h : CGAL::halfedges_around_target(mesh.halfedge(vertices_[i]), mesh)) {
+        const Vertex w = mesh.source(h);
+        const double squared = CGAL::squared_distance(mesh.point(vertices_[i]), mesh.point(w));
+        const double weight = squared > 0 ? 1 / std::sqrt(squared) : 1;
+        weights_of_[i] += weight;
+        if (number_[w] != none)
+          entries_.emplace_back(number_[w], weight);
+        else
+          pulls[i] += weight * moves_[w];
+      }
+      first_.push_back(entries_.size());
+    }
+    solve(pulls);
+  }
+
+  const std::vector<Vertex>& vertices() const { return vertices_; }
+  const Vector_3& operator()(Vertex v) const { return moves_[v]; }
+
+private:
+  using Vectors = std::vector<Vector_3>;
+
+  static double product(const Vectors& a, const Vectors& b)
+  {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+  }
+  Vectors applied(const Vectors& x) const
+  {
+    Vectors y;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      Vector_3 sum = weights_of_[i] * x[i];
+      for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
+        sum -= entries_[k].second * x[entries_[k].first];
+      y.push_back(sum);
+    }
+    return y;
+  }
+
+  // by conjugate gradients
+  void solve(Vectors rest)
+  {
+    constexpr double squared_tolerance = 1e-28;
+    Vectors x(rest.size(), CGAL::NULL_VECTOR), scaled(rest), direction;
+    const auto scale = [&] {
+      for (std::size_t i = 0; i < rest.size(); ++i) scaled[i] = rest[i] / weights_of_[i];
+    };
+    scale();
+    direction = scaled;
+    double square = product(rest, scaled);
+    const double end = squared_tolerance * square;
+    for (std::size_t step = 0; square > end && step < 4 * rest.size(); ++step) {
+      const Vectors image = applied(direction);
+      const double length = square / product(direction, image);
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        x[i] += length * direction[i];
+        rest[i] -= length * image[i];
+      }
+      scale();
+      const double next = product(rest, scaled);
+      for (std::size_t i = 0; i < x.size(); ++i)
+        direction[i] = scaled[i] + (next / square) * direction[i];
+      square = next;
+    }
+    for (std::size_t i = 0; i < x.size(); ++i) moves_[vertices_[i]] = x[i];
+  }
+
+  Vectors moves_;
+  std::vector<std::size_t> number_, first_;
+  std::vector<Vertex> vertices_;
+  std::vector<std::pair<std::size_t, double>> entries_;
+  std::vector<double> weights_of_;
+};
+
+} // namespace
+
+Planes_of_part::Planes_of_part(const Surface& control, const Recognized_part& part)
+  : control_(control)
+  , part_(part)
+{
+  remove_normals(control_);
+  if (std::optional<Roundness_map> roundness = roundness_of(control_))
+    control_.remove_property_map(*roundness);
+  was_crossed_ = crossed(control_, std::vector<double>(part.segments.begin(), part.segments.end()));
+}
+
+bool Planes_of_part::is_plane(std::size_t segment) const
+{
+  return part_.surfaces[segment].kind == Recognized_surface::Kind::plane;
+}
+
+void Planes_of_part::place_inside(Surface& refined, const std::vector<double>& parents,
+                                  const Scheme_choice& scheme, unsigned levels,
+                                  unsigned threads) const
+{
+  std::vector<bool> is_inside(refined.number_of_vertices(), false);
+  for (const Vertex v : refined.vertices()) {
+    if (refined.is_isolated(v) || refined.is_border(v)) continue;
+    const auto segment_at = [&](Surface::Halfedge_index h) {
+      return part_.segments[std::size_t(parents[refined.face(h)])];
+    };
+    const std::size_t segment = segment_at(refined.halfedge(v));
+    is_inside[v] = is_plane(segment);
+    for (const auto h : CGAL::halfedges_around_target(refined.halfedge(v), refined))
+      is_inside[v] = is_inside[v] && segment_at(h) == segment;
+  }
+  if (std::none_of(is_inside.begin(), is_inside.end(), [](bool is) { return is; })) return;
+  Surface even = control_;
+  Creases all; // sharp
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  all.edges.assign(even.number_of_edges(), infinity);
+  all.vertices.assign(even.number_of_vertices(), infinity);
+  all.number_of_edges = all.edges.size();
+  all.number_of_vertices = all.vertices.size();
+  CGAL::PN_subdivision_3::Attribute_table no_attributes;
+  Refinement rounds;
+  rounds.levels = levels;
+  rounds.threads = threads;
+  rounds.creases = add_creases(even, all);
+  rounds.attributes = &no_attributes;
+  refine_surface(even, scheme, rounds);
+  std::vector<Vector_3> moves;
+  for (const Vertex v : refined.vertices())
+    moves.push_back(is_inside[v] ? CGAL::NULL_VECTOR : refined.point(v) - even.point(v));
+  const Harmonic_moves move(even, is_inside, std::move(moves));
+  for (const Vertex v : move.vertices()) refined.point(v) = even.point(v) + move(v);
+}
+
+std::vector<bool> Planes_of_part::crossed(const Surface& surface,
+                                          const std::vector<double>& segments) const
+{
+  std::vector<bool> result(part_.surfaces.size(), false);
+  const std::vector<std::size_t> numbers(segments.begin(), segments.end());
+  for (const auto& plane :
+       CGAL::PN_subdivision_3::triangulate_planes(surface, Segment_map{&numbers}, part_.surfaces))
+    result[plane.surface] = !plane.is_triangulated;
+  return result;
+}
+
+std::size_t Planes_of_part::number_of_crossed(const Surface& refined,
+                                              const std::vector<double>& segments) const
+{
+  const std::vector<bool> now = crossed(refined, segments);
+  std::size_t number = 0;
+  for (std::size_t s = 0; s < now.size(); ++s) number += now[s] && !was_crossed_[s] ? 1 : 0;
+  return number;
+}
+
+} // namespace pn_subdivide
