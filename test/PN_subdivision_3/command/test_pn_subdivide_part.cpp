@@ -131,24 +131,26 @@ protected:
   }
 };
 
-// It is what --sharp surfaces makes.
 constexpr const char* taken = ": taken for a part, with ";
 
 } // namespace
 
 // --- without an option ---
 
+// It is what --sharp surfaces makes where faces stay as they are.
 TEST_F(Pn_subdivide_part, APartIsTakenForOne)
 {
   for (const std::string input : {"shaft.stl", "shaft.ply", "plate.ply"}) {
     SCOPED_TRACE(input);
     const Mesh_data mesh = refined(input, "o.ply", "--levels 2"),
-                    expected = refined(input, "p.ply", "--levels 2 --sharp surfaces"),
+                    expected = refined(input, "p.ply",
+                                       "--levels 2 --sharp surfaces --write-tags '" +
+                                         folder.file("t.selection.txt") + "'"),
                     smooth = refined(input, "q.ply", "--levels 2 --sharp none");
     EXPECT_EQ(mesh.points, expected.points);
     EXPECT_EQ(mesh.number_of_faces(), smooth.number_of_faces());
     EXPECT_EQ(find_column(mesh.attributes.of_faces, "surface"), nullptr);
-    EXPECT_TRUE(mesh.attributes.of_faces.empty());
+    EXPECT_EQ(mesh.attributes.of_faces.size(), smooth.attributes.of_faces.size());
     const std::string text = said(input, "--levels 2 --strict");
     EXPECT_TRUE(contains(text, taken)) << text;
     EXPECT_TRUE(contains(text, "--part")) << text;

@@ -23,7 +23,7 @@ namespace {
 using namespace interpolation_cases;
 
 const PN::CatmullClark_scheme scheme;
-const PN::Loop_scheme::Tuned triangles;
+const PN::Loop_scheme::Tuned scheme_of_triangles;
 using Runs = Interpolation_runs<PN::CatmullClark_scheme>;
 
 void expect_finite(const Surface_mesh& mesh)
@@ -217,7 +217,7 @@ TEST(Interpolation_input, RealMeshes)
       for (int k = 0; k < 3; ++k)
         box = (std::max)(box, std::abs(mesh.point(v)[k] - mesh.point(*mesh.vertices_begin())[k]));
     const Report report =
-      Interpolation_runs<PN::Loop_scheme::Tuned>::interpolate(mesh, triangles, Options());
+      Interpolation_runs<PN::Loop_scheme::Tuned>::interpolate(mesh, scheme_of_triangles, Options());
     EXPECT_LE(report.residual, 0.05 * box) << file;
     EXPECT_FALSE(report.is_within_tolerance()) << file;
   }
