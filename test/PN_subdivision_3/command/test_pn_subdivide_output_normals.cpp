@@ -187,10 +187,13 @@ constexpr double rounding = 1e-14;
 
 TEST_F(Pn_subdivide_output_normals, AutoIsThoseOfTheFacesForEveryScheme)
 {
+  std::size_t k = 0;
   for (const std::string& scheme : all_schemes)
     for (const bool is_open : {false, true})
       for (const char* const more : {" --levels 1", " --levels 2 --normals angle --threads 2"})
         for (const char* const output : {"o.ply", "o.obj", "o.off"}) {
+          if (!tests_are_full && ++k % 2 == 0)
+            continue; // three formats: the next choice has the others
           SCOPED_TRACE(scheme + more + output);
           const Mesh_data mesh = refined(input_of(scheme, is_open), output,
                                          "--drop-attributes --output-normals auto --scheme " +
@@ -331,7 +334,7 @@ TEST_F(Pn_subdivide_output_normals, BothIsAutoAndControl)
 {
   std::vector<std::pair<std::string, std::string>> modes;
   for (const std::string& scheme : all_schemes)
-    for (const std::string more : {"--levels 0", "--levels 2", "--levels 1 --limit"})
+    for (const std::string more : {"--levels 0", "--levels 1", "--levels 1 --limit"})
       // without a round all schemes are the same
       if (tests_are_full || scheme == all_schemes[0] || more != "--levels 0")
         if (scheme != "doo-sabin" || !contains(more, "--limit")) modes.emplace_back(scheme, more);
@@ -492,6 +495,7 @@ TEST_F(Pn_subdivide_output_normals, TwoCallsWithBothAreOne)
   for (const std::string& scheme : all_schemes)
     for (const bool is_open : {false, true})
       for (const std::string encoding : {"", " --ascii"}) {
+        if (!tests_are_full && is_open == encoding.empty()) continue;
         const std::string options =
           "--drop-attributes --output-normals both --scheme " + scheme + encoding;
         const std::string input = input_of(scheme, is_open);

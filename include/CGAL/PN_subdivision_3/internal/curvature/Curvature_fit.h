@@ -196,7 +196,7 @@ private:
   // alone, and of S across t, where E is another one, has a small weight: it is for rings that do not tell otherwise.
   void add_normal(const Curvature_sample& s)
   {
-    constexpr double small = 0.3; // less suits exact normals, more those that are estimated
+    constexpr double part = 0.3; // less suits exact normals, more those that are estimated
     const Eigen::Vector3d p = graph_.frame.transpose() * s.offset;
     const bool has_normal = !s.normal.isZero(0), is_cubic = matrix_.cols() > 3;
     Eigen::Vector3d m(0, 0, 1);
@@ -216,8 +216,8 @@ private:
     across << -x * y, (x * x - y * y) / root_2, x * y, -r / 2 * x * x * y,
       r / 2 * (x * x - 2 * y * y) * x / root_3, r / 2 * (2 * x * x - y * y) * y / root_3,
       r / 2 * x * y * y, 0, 0;
-    add_row(small * weight, across, n[1] * x - n[0] * y);
-    if (is_cubic) add_row(small * weight, r / 2 * third, 6 * of_third);
+    add_row(part * weight, across, n[1] * x - n[0] * y);
+    if (is_cubic) add_row(part * weight, r / 2 * third, 6 * of_third);
   }
 
   void add_row(double weight, const Row& row, double right_side)
