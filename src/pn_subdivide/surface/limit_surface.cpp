@@ -188,7 +188,7 @@ Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Li
                          unsigned levels, [[maybe_unused]] unsigned threads)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism, threads);
 #endif
   const auto options = make_options(choice, levels);
   const std::optional<Normal_map> control = normals_of(surface);
@@ -204,7 +204,7 @@ Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Li
                          [[maybe_unused]] unsigned threads)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism, threads);
 #endif
   const auto options = make_options(choice, levels).border(creases.border);
   const Limit_report report = move_to_limits_of(surface, scheme, creases, choice.normals, options);
@@ -224,7 +224,7 @@ bool move_to_surface(Surface& surface, const Scheme_choice& scheme,
     return true;
   }
 #ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism, threads);
 #endif
   const std::optional<Normal_map> control = normals_of(surface);
   Normal_map normals = control ? *control : add_normals(surface);
