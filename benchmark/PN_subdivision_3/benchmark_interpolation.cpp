@@ -39,7 +39,8 @@ void interpolate(benchmark::State& state, const Mesh& samples, const Scheme& sch
       mesh, scheme,
       PN::parameters::interpolation_mode(mode).tolerance(1e-6).vertex_normal_map(map));
   }
-  if (mode == Mode::strict && !report.is_within_tolerance()) state.SkipWithError("the tolerance is missed");
+  if (mode == Mode::strict && !report.is_within_tolerance())
+    state.SkipWithError("the tolerance is missed");
   state.counters["points"] = double(data.number_of_vertices());
   state.counters["steps"] = report.steps;
   state.counters["depth"] = report.depth;
