@@ -16,8 +16,6 @@
 
 #include <CGAL/number_type_basic.h>
 
-#include <boost/container/small_vector.hpp>
-
 #include <algorithm>
 #include <any>
 #include <cstddef>
@@ -68,7 +66,7 @@ public:
 private:
   using Share = std::pair<Index, float>;
 
-  boost::container::small_vector<Share, 4> shares_;
+  std::vector<Share> shares_;
 };
 
 // Values of vertices that are those of the nearest control vertices. A new vertex is in the middle of those that have the
