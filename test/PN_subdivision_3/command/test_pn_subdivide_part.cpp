@@ -161,6 +161,42 @@ TEST_F(Pn_subdivide_part, APartIsTakenForOne)
 }
 
 // By a tenth and less of what the file was.
+// A tenth of the vertices of this rod are at its ends, which is what the first look asks for, and it looks at some of them only.
+TEST_F(Pn_subdivide_part, NumbersOfVerticesHaveNoSay)
+{
+  constexpr std::size_t sides = 64, rows = 20, n = sides * rows;
+  for (const std::size_t factor : {1, 49, 163}) { // prime to n
+    const auto number = [&](std::size_t row, std::size_t side) {
+      return (row * sides + side % sides) * factor % n;
+    };
+    std::vector<std::string> points(n);
+    std::string faces, first, last;
+    for (std::size_t row = 0; row < rows; ++row)
+      for (std::size_t side = 0; side < sides; ++side) {
+        const double t = 2 * std::acos(-1.) * double(side) / double(sides);
+        points[number(row, side)] = std::to_string(std::cos(t)) + ' ' +
+                                    std::to_string(std::sin(t)) + ' ' +
+                                    std::to_string(0.2 * double(row)) + '\n';
+        if (row + 1 == rows) continue;
+        faces += '4';
+        for (const std::size_t v : {number(row, side), number(row, side + 1),
+                                    number(row + 1, side + 1), number(row + 1, side)})
+          faces += ' ' + std::to_string(v);
+        faces += '\n';
+      }
+    for (std::size_t side = 0; side < sides; ++side) {
+      first += ' ' + std::to_string(number(0, sides - side));
+      last += ' ' + std::to_string(number(rows - 1, side));
+    }
+    std::string off =
+      "OFF\n" + std::to_string(n) + ' ' + std::to_string(sides * (rows - 1) + 2) + " 0\n";
+    for (const std::string& p : points) off += p;
+    folder.write("rod.off", off + faces + "64" + first + "\n64" + last + '\n');
+    const std::string text = said("rod.off", "--levels 1");
+    EXPECT_TRUE(contains(text, taken)) << factor << ": " << text;
+  }
+}
+
 TEST_F(Pn_subdivide_part, RoundSurfacesAreNearerThanTheFile)
 {
   const Distances file = from_shaft(refined("shaft.stl", "o.ply", "--levels 0")),

@@ -124,6 +124,28 @@ TEST(LimitSurfaceQueries, PiecesOfPolygons)
   surface_checks::expect_closest_points(surface, queries, fine, 8);
 }
 
+// What is between a curved border and the chord of its ends belongs to the surface.
+TEST(LimitSurfaceQueries, RaysBesideCurvedBorders)
+{
+  const auto expect = [](Control_mesh shape, const auto& scheme) {
+    test_meshes::set_uneven_normals(shape, 5);
+    Surface_mesh mesh = to_surface_mesh(shape);
+    const PN::Limit_surface surface(
+      mesh, scheme, PN::parameters::tolerance(1e-9).vertex_normal_map(normal_map(mesh)));
+    const surface_checks::Fine_triangles fine(surface, 6);
+    surface_checks::expect_rays(surface, Queries(surface), fine, 40);
+  };
+  using test_meshes::Cells;
+  expect(test_meshes::grid(3, 3, false, false, Cells::quads),
+         PN::linear(PN::CatmullClark_scheme()));
+  expect(test_meshes::grid(3, 3, false, false, Cells::triangles), PN::linear(PN::Loop_scheme()));
+  // sides of pieces inside a plane, too
+  Control_mesh flat = test_meshes::grid(3, 3, false, false, Cells::quads);
+  for (auto& p : flat.points) p[2] = 0;
+  for (std::size_t k : {5u, 10u}) flat.points[k][0] += 0.4;
+  expect(flat, PN::linear(PN::CatmullClark_scheme()));
+}
+
 // \name Creases and borders: the surfaces are known
 
 void expect_point(const Queries::Hit& hit, const Point& expected, double distance)

@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,8 +38,8 @@ struct Query_triangle
   Face face;
   std::size_t piece;
   std::array<Query_corner, 3> corners;
-  double distance,
-    error; // of the surface from it, and of its corners from the surface, by estimate
+  // by estimate: of the surface from it, of sides of the piece from its sides, and of its corners from the surface
+  double distance, beside, error;
 
   Simple_cartesian<double>::Triangle_3 triangle() const
   {
@@ -141,9 +142,10 @@ public:
       for (unsigned i = 0; i <= (surface_.is_triangular() ? n - j : n); ++i)
         parameters.push_back({double(i) / n, double(j) / n});
     const Corners corners = this->corners(face, piece, parameters);
+    const std::size_t first = all.size();
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
       all.push_back(
-        triangle(face, piece, {corners.at[a], corners.at[b], corners.at[c]}, corners.error));
+        triangle(face, piece, {corners.at[a], corners.at[b], corners.at[c]}, 0, corners.error));
     };
     std::size_t row = 0;
     for (unsigned j = 0; j < n; ++j) {
@@ -154,6 +156,7 @@ public:
       }
       row = next;
     }
+    measure_sides(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
   }
 
   // four, between the middles of the sides in the parameters; where estimates fail, distances decrease all the same
@@ -168,7 +171,10 @@ public:
     const auto& c = t.corners;
     const auto& m = middles.at;
     const auto part = [&](const std::array<Query_corner, 3>& of) {
-      Triangle result = triangle(t.face, t.piece, of, middles.error);
+      double beside = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (are_on_side(of[k], of[(k + 1) % 3])) beside = t.beside / 4;
+      Triangle result = triangle(t.face, t.piece, of, beside, middles.error);
       result.distance = (std::max)(result.distance, t.distance / 8);
       return result;
     };
@@ -197,15 +203,55 @@ private:
     return result;
   }
 
+  bool are_on_side(const Query_corner& a, const Query_corner& b) const
+  {
+    constexpr double rounding = 1e-12;
+    const auto &p = a.parameters, &q = b.parameters;
+    const auto are = [&](std::size_t k, double x) { return p[k] == x && q[k] == x; };
+    if (are(0, 0) || are(1, 0)) return true;
+    if (!surface_.is_triangular()) return are(0, 1) || are(1, 1);
+    return p[0] + p[1] > 1 - rounding && q[0] + q[1] > 1 - rounding;
+  }
+
+  // Between a curved side of the piece and the sides of its triangles there are none, nor beyond where the surface ends or the
+  // piece beside it is no nearer to them. A curve of third degree is at most 2.1 times as far as there.
+  template <class Iterator>
+  void measure_sides(Iterator begin, Iterator end) const
+  {
+    constexpr double part = 0.4, safety = 2.5;
+    std::vector<std::array<double, 2>> parameters;
+    std::vector<std::pair<Triangle*, std::size_t>> sides;
+    for (Iterator t = begin; t != end; ++t)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Query_corner &a = t->corners[k], &b = t->corners[(k + 1) % 3];
+        if (!are_on_side(a, b)) continue;
+        sides.emplace_back(&*t, k);
+        parameters.push_back({a.parameters[0] + part * (b.parameters[0] - a.parameters[0]),
+                              a.parameters[1] + part * (b.parameters[1] - a.parameters[1])});
+      }
+    const Corners on_sides = corners(begin->face, begin->piece, parameters);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      const auto [t, k] = sides[i];
+      const auto at = [](const Query_corner& c) {
+        return flatness::Vector{c.point.x(), c.point.y(), c.point.z()};
+      };
+      t->beside = (std::max)(
+        t->beside, safety * flatness::distance_from_line(at(on_sides.at[i]), at(t->corners[k]),
+                                                         at(t->corners[(k + 1) % 3])));
+      t->distance = (std::max)(t->distance, t->beside);
+    }
+  }
+
   static Triangle triangle(Face face, std::size_t piece, const std::array<Query_corner, 3>& corners,
-                           double error)
+                           double beside, double error)
   {
     const auto corner = [&](std::size_t k) {
       const auto& [parameters, p, n] = corners[k];
       return flatness::Corner{{p.x(), p.y(), p.z()}, {n.x(), n.y(), n.z()}};
     };
     const double bulge = flatness::over_triangle(corner(0), corner(1), corner(2));
-    return {face, piece, corners, (std::max)(error, tessellation_safety * bulge), error};
+    return {face,   piece, corners, (std::max)({error, beside, tessellation_safety * bulge}),
+            beside, error};
   }
 
   void put_inside(double& u, double& v) const
