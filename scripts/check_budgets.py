@@ -10,7 +10,8 @@
 that it may have, and for the whole the most headers that only include another one, long headers that no wrong
 change in scripts/mutations.toml touches, public headers behind each umbrella header (without those behind PN_subdivision_3.h for
 the other two), and functions and classes of the manual's classified list, without named parameters and what is in sections of
-analysis and of concepts.
+analysis and of concepts. Further rows count the packages to come and the circles of folders, by scripts/check_layers.py. What is
+sought, where it is known, stands in the last columns.
 
     scripts/check_budgets.py              exit code 1 if something is larger
     scripts/check_budgets.py --totals     prints what there is
@@ -24,6 +25,8 @@ import sys
 import tomllib
 from pathlib import Path
 
+import check_layers
+
 ROOT = Path(__file__).resolve().parent.parent
 BUDGETS = ROOT / "scripts" / "budgets.tsv"
 HEADERS = ROOT / "include" / "CGAL"
@@ -35,8 +38,10 @@ INTRODUCTION = """\
 """
 PUBLIC = "(public names outside analysis and concepts)"
 DESCRIPTION = ROOT / "doc" / "PN_subdivision_3" / "PackageDescription.txt"
-COLUMNS = ["folder", "files", "lines"]
+COLUMNS = ["folder", "files", "lines", "goal: files", "lines"]
 FORWARDING = "(headers that only include another one)"
+PAIRS = "(pairs of folders that include each other)"
+CIRCLES = "(folders in circles)"
 UNTOUCHED = f"(headers of {LONG} lines and more without a wrong change)"
 
 
@@ -83,6 +88,15 @@ def umbrellas() -> dict[str, tuple[int, int]]:
     return {f"(public headers behind {name})": (len(part), sum(map(lines_of, part))) for name, part in parts.items()}
 
 
+def packages() -> dict[str, tuple[int, int]]:
+    table = check_layers.layers()
+    parts: dict[str, list[int]] = {"(headers)": []}
+    for header, layer in check_layers.layers_of_headers(ROOT)[0].items():
+        for part in ("(headers)", f"(package {table[layer].package})"):
+            parts.setdefault(part, []).append(lines_of(HEADERS / header))
+    return {name: (len(lines), sum(lines)) for name, lines in parts.items()}
+
+
 def counted() -> dict[str, tuple[int, int]]:
     """Files and lines of each folder and behind each umbrella header, and the counts of the whole, which have no lines."""
     headers = sorted(HEADERS.rglob("*.h"))
@@ -99,16 +113,25 @@ def counted() -> dict[str, tuple[int, int]]:
     counts[FORWARDING] = sum(map(only_forwards, headers)), 0
     counts[UNTOUCHED] = len(untouched), 0
     counts[PUBLIC] = public_names(), 0
-    return counts | umbrellas()
+    pairs, inside = check_layers.circles(ROOT)
+    counts[PAIRS] = len(pairs), 0
+    counts[CIRCLES] = len(inside), 0
+    return counts | umbrellas() | packages()
+
+
+def read_rows() -> list[list[str]]:
+    rows = [line.split("\t") for line in BUDGETS.read_text().splitlines() if not line.startswith("#")]
+    return rows[1:]
 
 
 def read_budgets() -> dict[str, tuple[int, int]]:
-    rows = [line.split("\t") for line in BUDGETS.read_text().splitlines() if not line.startswith("#")]
-    return {folder: (int(files), int(lines)) for folder, files, lines in rows[1:]}
+    return {folder: (int(files), int(lines)) for folder, files, lines, *_ in read_rows()}
 
 
 def write_budgets(budgets: dict[str, tuple[int, int]]) -> None:
-    rows = ["\t".join([folder, str(files), str(lines)]) for folder, (files, lines) in sorted(budgets.items())]
+    goals = {folder: goal for folder, _, _, *goal in read_rows()}
+    rows = ["\t".join([folder, str(files), str(lines), *goals.get(folder, [])])
+            for folder, (files, lines) in sorted(budgets.items())]
     BUDGETS.write_text(INTRODUCTION + "\n".join(["\t".join(COLUMNS), *rows]) + "\n")
 
 
@@ -118,7 +141,7 @@ def excesses(counts: dict[str, tuple[int, int]], budgets: dict[str, tuple[int, i
         if folder not in budgets:
             wrong.append(f"{folder}: has no row")
             continue
-        for what, number, most in zip(COLUMNS[1:], count, budgets[folder], strict=True):
+        for what, number, most in zip(COLUMNS[1:3], count, budgets[folder], strict=True):
             if number > most:
                 wrong.append(f"{folder}: {number} {what}, {most} allowed")
     return wrong
@@ -130,7 +153,7 @@ def totals(counts: dict[str, tuple[int, int]]) -> list[str]:
         part = [count for folder, count in counts.items() if folder.startswith(beginning)]
         result.append(f"{title}: {sum(c[0] for c in part)} files, {sum(c[1] for c in part)} lines")
     result += [f"{name.strip('()')}: {lines} lines" for name, (_, lines) in umbrellas().items()]
-    return result + [f"{name.strip('()')}: {counts[name][0]}" for name in (FORWARDING, UNTOUCHED, PUBLIC)]
+    return result + [f"{name.strip('()')}: {counts[name][0]}" for name in (FORWARDING, UNTOUCHED, PUBLIC, PAIRS, CIRCLES)]
 
 
 def main() -> int:

@@ -1,0 +1,173 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+"""Checks that the headers lie in layers. A row of the table is a layer: the folders NAME and internal/NAME of
+include/CGAL/PN_subdivision_3, with what belongs there and is elsewhere, and the layers above in the table, or packages, that it
+may include. !NAME:3 is an arrow that has to go, with the includes that are left: there may be no more, and fewer are written down.
+
+    scripts/check_layers.py [ROOT]              exit code 1 if a header includes what it may not
+    scripts/check_layers.py --circles [ROOT]    prints the pairs of folders that include each other, and the folders in circles
+"""
+
+import argparse
+import re
+import sys
+from collections import Counter, defaultdict
+from pathlib import Path
+from typing import NamedTuple
+
+# packages to come, with their layers
+TABLE = """
+PN_subdivision_3
+  base        version.h parameters.h internal/own_parameters.h Control_element.h Default_visitor.h Estimated_control_normals.h |
+  average     rational_normals.h sqrt_extension_normals.h boost_multiprecision_floats.h | !schemes:1
+  hosts       | base average !schemes:3 !refinement:1
+  rows        | average hosts
+  schemes     | base average hosts rows !creases:1 !meshes:1
+  rounds      | average hosts rows schemes
+  normals     | average hosts schemes rounds !interpolation:2 !refinement:2
+  creases     | average hosts rows schemes rounds normals !refinement:4 !meshes:4 !calls:1
+  refinement  | average hosts rows schemes rounds normals creases !meshes:2 !pieces:1 !curvature:1
+  meshes      Refinable_mesh_traits.h | base average hosts schemes rounds normals creases refinement !attributes:4
+  attributes  attributes.h | base average hosts rows schemes rounds creases refinement meshes
+  calls       subdivide.h subdivision_methods_3.h Surface_refiner.h detect_creases.h estimate_control_normals.h
+              | base average hosts schemes rounds normals creases refinement meshes attributes
+  pieces      Surface_piece.h refine_in_pieces.h
+              | base average hosts schemes rounds creases refinement meshes attributes calls !limit:9
+PN_cgal_masks_3
+  cgal_masks  PN_mask_3.h Subdivision_method_3.h | PN_subdivision_3
+PN_limit_surface_3
+  curvature   estimate_curvature.h | PN_subdivision_3
+  limit       limit_points.h subdivide_to_limit.h | PN_subdivision_3 curvature !interpolation:1
+  limit_surface  Face_patch.h Limit_surface.h Limit_surface_queries.h | PN_subdivision_3 limit !tessellation:2
+  tessellation   tessellate.h Tessellation_result.h | PN_subdivision_3 limit limit_surface
+PN_curves
+  curves      subdivide_curve.h curve_limit_points.h | PN_subdivision_3 limit !recognition:3 !analysis:1
+PN_recognition_3
+  recognition recognize_surfaces.h Recognized_surface.h triangulate_planes.h curves/recognize_arcs.h | PN_subdivision_3 curves
+PN_fitting_3
+  interpolation  interpolate_limit_points.h interpolate_curve.h prescribe_limit_data.h smooth_control_normals.h
+              | PN_subdivision_3 PN_limit_surface_3 curves !umbrellas:1
+PN_certificates_3
+  exact       enclose.h reproduction.h | PN_subdivision_3 curves
+  comparison  compare_with_linear.h | PN_subdivision_3
+test_support
+  analysis    | PN_subdivision_3 curvature limit curves !umbrellas:1
+umbrellas
+  umbrellas   PN_subdivision_3.h PN_subdivision_curve.h PN_subdivision_limit_3.h
+              | PN_subdivision_3 PN_limit_surface_3 PN_curves PN_recognition_3 PN_fitting_3
+"""
+INCLUDE = re.compile(r"^ *# *include [<\"]CGAL/(PN_[^>\"]+)", re.MULTILINE)
+
+
+class Layer(NamedTuple):
+    package: str
+    places: list[str]
+    allowed: set[str]
+    leaving: dict[str, int]
+
+
+def layers() -> dict[str, Layer]:
+    """By their names, in the order of the table: whatever a layer may include comes before it."""
+    result: dict[str, Layer] = {}
+    package = ""
+    for line in re.sub(r"\n {6,}", " ", TABLE.strip()).splitlines():
+        if not line.startswith(" "):
+            package = line
+            continue
+        (name, *places), entries = (part.split() for part in line.split("|"))
+        marks = dict(entry[1:].split(":") for entry in entries if entry.startswith("!"))
+        allowed: set[str] = set()
+        for entry in set(entries) - {"!" + ":".join(mark) for mark in marks.items()}:
+            of_entry = {other for other, layer in result.items() if entry in (other, layer.package)}
+            if not of_entry:
+                raise SystemExit(f"check_layers.py: {entry}, which {name} may include, is not above it in the table")
+            allowed |= of_entry
+        result[name] = Layer(package, [name, f"internal/{name}", *places], allowed,
+                             {other: int(number) for other, number in marks.items()})
+    return result
+
+
+def short(header: Path) -> str:
+    return str(header).removeprefix("PN_subdivision_3/")
+
+
+def headers(root: Path) -> dict[Path, list[Path]]:
+    """The package's headers, below include/CGAL, with those that they include."""
+    include = root / "include" / "CGAL"
+    return {path.relative_to(include): [Path(name) for name in INCLUDE.findall(path.read_text())]
+            for path in sorted(include.rglob("*.h"))}
+
+
+def layers_of_headers(root: Path) -> tuple[dict[Path, str], list[Path]]:
+    """The layer of each header, and the headers that have none."""
+    of_place = {place: name for name, layer in layers().items() for place in layer.places}
+    found: dict[Path, str] = {}
+    for header in headers(root):
+        name = of_place.get(short(header)) or of_place.get(str(Path(short(header)).parent))
+        if name:
+            found[header] = name
+    return found, [header for header in headers(root) if header not in found]
+
+
+def check(root: Path) -> list[str]:
+    table = layers()
+    of_header, others = layers_of_headers(root)
+    wrong = [f"{header}: belongs to no layer of the table in scripts/check_layers.py" for header in others]
+    leaving: Counter[tuple[str, str]] = Counter()
+    for header, included in headers(root).items():
+        for other in included:
+            if header not in of_header or other not in of_header:
+                continue
+            here, there = of_header[header], of_header[other]
+            if here == there or there in table[here].allowed:
+                continue
+            leaving[here, there] += 1
+            if leaving[here, there] > table[here].leaving.get(there, 0):
+                wrong.append(f"{header} includes {other}: {here} may not include {there}")
+    for here, layer in table.items():
+        for there, number in layer.leaving.items():
+            if leaving[here, there] < number:
+                wrong.append(f"scripts/check_layers.py: of !{there}:{number} of {here}, {leaving[here, there]} are left: write that")
+    return wrong
+
+
+def circles(root: Path) -> tuple[list[tuple[str, str]], list[str]]:
+    """The pairs of folders that include each other, and all folders from which includes lead back to them."""
+    arrows: dict[str, set[str]] = defaultdict(set)
+    for header, included in headers(root).items():
+        arrows[str(header.parent)] |= {str(other.parent) for other in included} - {str(header.parent)}
+    reached = {}
+    for folder in list(arrows):
+        waiting, seen = [folder], set()
+        while waiting:
+            new = arrows[waiting.pop()] - seen
+            seen |= new
+            waiting += new
+        reached[folder] = seen
+    pairs = [(a, b) for a in sorted(arrows) for b in sorted(arrows[a]) if a < b and a in arrows[b]]
+    return pairs, sorted(folder for folder in reached if folder in reached[folder])
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--circles", action="store_true")
+    parser.add_argument("root", nargs="?", type=Path, default=Path(__file__).resolve().parent.parent)
+    arguments = parser.parse_args()
+    if arguments.circles:
+        pairs, inside = circles(arguments.root)
+        print("\n".join([f"{len(pairs)} pairs", *map(" and ".join, pairs), f"{len(inside)} folders in circles", *inside]))
+        return 0
+    wrong = check(arguments.root)
+    for line in wrong:
+        print(line, file=sys.stderr)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

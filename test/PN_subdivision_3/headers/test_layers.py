@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+"""What scripts/check_layers.py finds when an include, or a header, is put into a copy of the headers.
+
+  test_layers.py
+"""
+
+import shutil
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent.parent
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(ROOT / "scripts"))
+
+import check_layers  # noqa: E402
+
+
+class Layers(unittest.TestCase):
+    def setUp(self) -> None:
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.root = Path(self.folder.name)
+        self.headers = self.root / "include" / "CGAL" / "PN_subdivision_3"
+        shutil.copytree(ROOT / "include", self.root / "include")
+
+    def put(self, header: str, included: str) -> None:
+        path = self.headers / header
+        text = path.read_text() if path.is_file() else ""
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(f"#include <CGAL/PN_subdivision_3/{included}>\n{text}")
+
+    def test_headers_are_in_order(self) -> None:
+        self.assertEqual(check_layers.check(self.root), [])
+
+    def test_arrow_upward(self) -> None:
+        self.put("average/PN_average.h", "subdivide.h")
+        self.assertEqual(check_layers.check(self.root),
+                         ["PN_subdivision_3/average/PN_average.h includes PN_subdivision_3/subdivide.h: "
+                          "average may not include calls"])
+
+    def test_arrow_to_another_package(self) -> None:
+        self.put("internal/curves/Curve_points.h", "internal/limit_surface/Jet.h")
+        self.assertEqual(len(check_layers.check(self.root)), 1)
+
+    def test_allowed_arrow(self) -> None:
+        self.put("internal/limit/Ring_class.h", "internal/attributes/Charts.h")
+        self.assertEqual(check_layers.check(self.root), [])
+
+    def test_folder_without_layer(self) -> None:
+        self.put("internal/helpers/Helper.h", "average/PN_average.h")
+        self.assertEqual(check_layers.check(self.root),
+                         ["PN_subdivision_3/internal/helpers/Helper.h: belongs to no layer of the table in "
+                          "scripts/check_layers.py"])
+
+    def test_arrow_that_has_gone_is_still_marked(self) -> None:
+        path = self.headers / "refine_in_pieces.h"
+        path.write_text(path.read_text().replace("#include <CGAL/PN_subdivision_3/limit/Limit_point.h>\n", ""))
+        (wrong,) = check_layers.check(self.root)
+        self.assertRegex(wrong, r"of !limit:\d+ of pieces, \d+ are left")
+
+    def test_circles(self) -> None:
+        before, inside = check_layers.circles(self.root)
+        self.put("average/PN_average.h", "schemes/Loop_scheme.h")
+        pairs, larger = check_layers.circles(self.root)
+        self.assertEqual(set(pairs) - set(before),
+                         {("PN_subdivision_3/average", "PN_subdivision_3/schemes")} - set(before))
+        self.assertLessEqual(set(inside) | {"PN_subdivision_3/average", "PN_subdivision_3/schemes"}, set(larger))
+
+
+if __name__ == "__main__":
+    unittest.main()
