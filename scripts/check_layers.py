@@ -26,12 +26,12 @@ TABLE = """
 PN_subdivision_3
   base        version.h parameters.h internal/own_parameters.h Control_element.h Default_visitor.h Estimated_control_normals.h |
   average     rational_normals.h sqrt_extension_normals.h boost_multiprecision_floats.h | !schemes:1
-  hosts       | base average !schemes:3 !refinement:1
+  hosts       | base average
   rows        | average hosts
-  schemes     | base average hosts rows !creases:1 !meshes:1
+  schemes     | base average hosts rows !creases:1
   rounds      | average hosts rows schemes
   normals     | average hosts schemes rounds !interpolation:2 !refinement:2
-  creases     | average hosts rows schemes rounds normals !refinement:4 !meshes:4 !calls:1
+  creases     | average hosts rows schemes rounds normals !refinement:2 !meshes:4 !calls:1
   refinement  | average hosts rows schemes rounds normals creases !meshes:2 !pieces:1 !curvature:1
   meshes      Refinable_mesh_traits.h | base average hosts schemes rounds normals creases refinement !attributes:4
   attributes  attributes.h | base average hosts rows schemes rounds creases refinement meshes

@@ -9,8 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SUBDIVISION_METHOD_3_H
 #define CGAL_PN_SUBDIVISION_3_SUBDIVISION_METHOD_3_H
 
+#include <CGAL/PN_subdivision_3/internal/cgal_masks/Cgal_ordered_host.h>
 #include <CGAL/PN_subdivision_3/internal/cgal_masks/Masked_round.h>
-#include <CGAL/PN_subdivision_3/internal/hosts/Cgal_ordered_host.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>

@@ -10,8 +10,8 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_COMPILED_CALL_H
 
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <cstddef>

@@ -10,8 +10,8 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_KEPT_REFINEMENT_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_values.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <cstddef>
 #include <vector>

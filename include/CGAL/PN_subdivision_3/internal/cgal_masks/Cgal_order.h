@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_CGAL_ORDER_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_CGAL_ORDER_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CGAL_MASKS_CGAL_ORDER_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CGAL_MASKS_CGAL_ORDER_H
 
 #include <CGAL/PN_subdivision_3/hosts/DQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
@@ -235,4 +235,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_CGAL_ORDER_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CGAL_MASKS_CGAL_ORDER_H

@@ -6,12 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_CGAL_ORDERED_HOST_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_CGAL_ORDERED_HOST_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CGAL_MASKS_CGAL_ORDERED_HOST_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CGAL_MASKS_CGAL_ORDERED_HOST_H
 
 #include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/hosts/Cgal_order.h>
+#include <CGAL/PN_subdivision_3/internal/cgal_masks/Cgal_order.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <boost/container/vector.hpp>
@@ -110,4 +110,4 @@ Cgal_ordered<Scheme, recycles> in_order_of_cgal(const Scheme& scheme)
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_CGAL_ORDERED_HOST_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CGAL_MASKS_CGAL_ORDERED_HOST_H

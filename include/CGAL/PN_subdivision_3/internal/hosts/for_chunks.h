@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_FOR_CHUNKS_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_FOR_CHUNKS_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_FOR_CHUNKS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_FOR_CHUNKS_H
 
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
@@ -187,4 +187,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_FOR_CHUNKS_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_FOR_CHUNKS_H
