@@ -25,10 +25,10 @@ from typing import NamedTuple
 TABLE = """
 PN_subdivision_3
   base        version.h parameters.h internal/own_parameters.h Control_element.h Default_visitor.h Estimated_control_normals.h |
-  average     rational_normals.h sqrt_extension_normals.h boost_multiprecision_floats.h | !schemes:1
+  average     rational_normals.h sqrt_extension_normals.h boost_multiprecision_floats.h |
   hosts       | base average
   rows        | average hosts
-  schemes     | base average hosts rows !creases:1
+  schemes     | base average hosts rows
   rounds      | average hosts rows schemes
   normals     | average hosts schemes rounds !interpolation:2 !refinement:2
   creases     | average hosts rows schemes rounds normals !refinement:2 !meshes:4 !calls:1

@@ -11,7 +11,7 @@
 #include "reference/PN_rule.h"
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
+#include <CGAL/PN_subdivision_3/rows/Stencil.h>
 
 #include <gtest/gtest.h>
 

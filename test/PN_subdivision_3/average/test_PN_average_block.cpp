@@ -11,8 +11,8 @@
 #include "reference/PN_rule.h"
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/average/PN_average_block.h>
-#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/internal/rows/PN_average_block.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 
 #include <gtest/gtest.h>
 

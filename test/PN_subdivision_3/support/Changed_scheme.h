@@ -11,7 +11,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_CHANGED_SCHEME_H
 #define CGAL_PN_SUBDIVISION_3_TEST_CHANGED_SCHEME_H
 
-#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 template <class Mask, class FT>

@@ -198,10 +198,10 @@ A row with a single entry is a copy.
 
 This is the rule itself, for any number type and any row. Where it takes most of the time or cannot
 be called it stands in other forms, which are tested against this one: for hardware floating point in
-three passes over a block of rows (`internal/average/PN_average_block.h`, which hides the latency of
+three passes over a block of rows (`internal/rows/PN_average_block.h`, which hides the latency of
 roots and divisions, adds the heights in another order, and leaves rows that fade or whose normal may
 vanish to this one); the same with four rows side by side for AVX2
-(`internal/average/Wide_PN_average.h`, with the bits of the former); and through masks that only
+(`internal/rows/Wide_PN_average.h`, with the bits of the former); and through masks that only
 average points (`PN_mask_3`), which never see a row.
 
 The old values are a pointer to them, or anything whose `operator[]` makes a `Value` of an index.

@@ -11,8 +11,8 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
+#include <CGAL/PN_subdivision_3/rows/Stencil.h>
 #include <CGAL/PN_subdivision_3/schemes/Midpoint_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

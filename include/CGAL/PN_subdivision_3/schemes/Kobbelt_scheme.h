@@ -14,8 +14,8 @@
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Merged_row.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
+#include <CGAL/PN_subdivision_3/rows/Stencil.h>
 #include <CGAL/PN_subdivision_3/schemes/Scheme_parameter.h>
-#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 #include <CGAL/Uncertain.h>
 
 #include <stdexcept>

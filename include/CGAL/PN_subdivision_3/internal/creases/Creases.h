@@ -350,35 +350,6 @@ void for_each_crease_vertex(
   }
 }
 
-// A single row that a mask writes, to be read and changed.
-template <class FT>
-class Entry_row
-{
-public:
-  using Index = Level_connectivity::Index;
-
-  struct Entry
-  {
-    Index vertex;
-    FT weight;
-  };
-
-  void add(Index vertex, const FT& weight) { entries_.push_back({vertex, weight}); }
-  void add_rest(Index vertex)
-  {
-    FT sum(0);
-    for (const Entry& e : entries_) sum += e.weight;
-    add(vertex, FT(1) - sum);
-  }
-  void clear() { entries_.clear(); }
-
-  const Entry* begin() const { return entries_.data(); }
-  const Entry* end() const { return entries_.data() + entries_.size(); }
-
-private:
-  std::vector<Entry> entries_;
-};
-
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL

@@ -10,11 +10,11 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_CURVE_SUBDIVISION_H
 
 #include <CGAL/PN_subdivision_3/curves/curve_masks.h>
-#include <CGAL/PN_subdivision_3/internal/average/PN_average_block.h>
-#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Univariate_rows.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/rows/PN_average_block.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/Uncertain.h>
 
 #include <boost/container/vector.hpp>

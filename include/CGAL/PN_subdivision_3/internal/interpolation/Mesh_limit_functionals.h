@@ -9,7 +9,6 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_MESH_LIMIT_FUNCTIONALS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_MESH_LIMIT_FUNCTIONALS_H
 
-#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Curvature_prescription.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Limit_distance.h>
@@ -20,6 +19,7 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 
 #include <algorithm>

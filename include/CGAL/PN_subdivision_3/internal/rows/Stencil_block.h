@@ -6,13 +6,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_STENCIL_BLOCK_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_STENCIL_BLOCK_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_STENCIL_BLOCK_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_STENCIL_BLOCK_H
 
-#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
+#include <CGAL/PN_subdivision_3/rows/Stencil.h>
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -64,8 +65,37 @@ private:
   std::array<std::size_t, maximum_number_of_rows> ends_;
 };
 
+// A single row that a mask writes, to be read and changed.
+template <class FT>
+class Entry_row
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  struct Entry
+  {
+    Index vertex;
+    FT weight;
+  };
+
+  void add(Index vertex, const FT& weight) { entries_.push_back({vertex, weight}); }
+  void add_rest(Index vertex)
+  {
+    FT sum(0);
+    for (const Entry& e : entries_) sum += e.weight;
+    add(vertex, FT(1) - sum);
+  }
+  void clear() { entries_.clear(); }
+
+  const Entry* begin() const { return entries_.data(); }
+  const Entry* end() const { return entries_.data() + entries_.size(); }
+
+private:
+  std::vector<Entry> entries_;
+};
+
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_STENCIL_BLOCK_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_STENCIL_BLOCK_H

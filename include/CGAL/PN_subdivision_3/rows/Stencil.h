@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_STENCIL_H
-#define CGAL_PN_SUBDIVISION_3_SCHEMES_STENCIL_H
+#ifndef CGAL_PN_SUBDIVISION_3_ROWS_STENCIL_H
+#define CGAL_PN_SUBDIVISION_3_ROWS_STENCIL_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 
@@ -132,4 +132,4 @@ struct Limit_neighborhood
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_SCHEMES_STENCIL_H
+#endif // CGAL_PN_SUBDIVISION_3_ROWS_STENCIL_H

@@ -6,13 +6,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_PN_AVERAGE_BLOCK_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_PN_AVERAGE_BLOCK_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_PN_AVERAGE_BLOCK_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_PN_AVERAGE_BLOCK_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/Lanes.h>
-#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
-#include <CGAL/PN_subdivision_3/internal/average/Wide_PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Wide_PN_average.h>
 
 #include <boost/config.hpp>
 
@@ -338,4 +338,4 @@ struct Block_of<PN_average<FT, dimension, Value>>
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_PN_AVERAGE_BLOCK_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_PN_AVERAGE_BLOCK_H

@@ -6,12 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_WIDE_PN_AVERAGE_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_WIDE_PN_AVERAGE_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_WIDE_PN_AVERAGE_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_WIDE_PN_AVERAGE_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/Avx2_lanes.h>
-#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -223,4 +223,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_WIDE_PN_AVERAGE_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_WIDE_PN_AVERAGE_H
