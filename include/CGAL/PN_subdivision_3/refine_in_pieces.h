@@ -20,7 +20,7 @@
 #include <CGAL/PN_subdivision_3/internal/pieces/Kept_level.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_limits.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_refiner.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>

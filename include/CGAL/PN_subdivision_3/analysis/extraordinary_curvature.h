@@ -11,9 +11,9 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/curvature/Extraordinary_net.h>
-#include <CGAL/PN_subdivision_3/internal/curvature/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Extraordinary_limit.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Regular_jet.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/number_type_basic.h>
 

@@ -20,7 +20,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -262,7 +262,7 @@ class Gone_round;
 // refined level that touch them get the roundness 0. Edges of which less than a round is left, 0 < s < 1, are sharp in this
 // round as a whole; another one has them gone, and what reads it is blended, see Gone_round.
 //
-// Where nothing can be sharp it is an ordinary round, see Round.h.
+// Where nothing can be sharp it is an ordinary round.
 template <class Scheme, class Average, class Level_creases>
 class Crease_round
 {
@@ -456,6 +456,38 @@ private:
   std::vector<Index> ended_;  // new slots that are not round, by their numbers
   std::vector<Index> others_; // new vertices, by their numbers
   std::unique_ptr<Gone_round<Scheme, Average>> gone_;
+};
+
+template <class Scheme, class Average>
+class Crease_round<Scheme, Average, No_creases> : public Round<Scheme, Average>
+{
+public:
+  using One_round = Round<Scheme, Average>;
+  using Index = Level_connectivity::Index;
+  using Stored_value = typename One_round::Stored_value;
+  using Slot_value = std::pair<Index, typename Average::Value>;
+
+  Crease_round(const Scheme& scheme, const Level_connectivity& level, No_creases,
+               const Stored_value*, unsigned number)
+    : Crease_round(scheme, level, No_creases(), number)
+  {}
+  Crease_round(const Scheme& scheme, const Level_connectivity& level, No_creases, unsigned number)
+    : One_round(scheme, level, number)
+    , refined_creases_(number_of_vertices())
+  {}
+  Crease_round(const Crease_round&) = delete;
+  Crease_round& operator=(const Crease_round&) = delete;
+
+  void read(const Stored_value*) {}
+  const One_round& round() const { return *this; }
+  Index number_of_vertices() const { return static_cast<Index>(this->refined_size().vertices); }
+  std::vector<Slot_value> crease_values(const For_chunks&) const { return {}; }
+  void close() {}
+  No_creases& refined_creases() { return refined_creases_; }
+  std::vector<Index> vertices_of_values() const { return {}; }
+
+private:
+  No_creases refined_creases_;
 };
 
 } // namespace internal

@@ -14,7 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_windows.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/Uncertain.h>
 
 #include <algorithm>

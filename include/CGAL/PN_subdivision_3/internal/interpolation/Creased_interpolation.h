@@ -18,7 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation.h>
 

@@ -13,8 +13,8 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_weights.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_masks.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/rows/PN_average_block.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>

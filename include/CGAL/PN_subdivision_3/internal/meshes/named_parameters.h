@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/Default_visitor.h>
 #include <CGAL/PN_subdivision_3/Estimated_control_normals.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/Uncertain.h>

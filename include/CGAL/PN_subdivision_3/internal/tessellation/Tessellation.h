@@ -20,7 +20,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Adaptive_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Leaf_triangles.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Merged_leaves.h>

@@ -5,8 +5,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_AVERAGE_OF_SCHEME_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_AVERAGE_OF_SCHEME_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_AVERAGE_OF_SCHEME_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_AVERAGE_OF_SCHEME_H
 
 #include <CGAL/PN_subdivision_3/average/Grid_average.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
@@ -69,4 +69,4 @@ Average average_of([[maybe_unused]] const Scheme& scheme)
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_AVERAGE_OF_SCHEME_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_AVERAGE_OF_SCHEME_H

@@ -6,15 +6,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_ROUND_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_ROUND_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_ROUND_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_ROUND_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Transferred_normals.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Transferred_normals.h>
 #include <CGAL/PN_subdivision_3/internal/rows/PN_average_block.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
@@ -305,43 +304,8 @@ void evaluate_rows(const One_round& round, const typename One_round::Index* vert
   });
 }
 
-// The round that a level with creases is asked for is an ordinary one where nothing can be sharp.
-template <class Scheme, class Average, class Level_creases>
-class Crease_round;
-template <class Scheme, class Average>
-class Crease_round<Scheme, Average, No_creases> : public Round<Scheme, Average>
-{
-public:
-  using One_round = Round<Scheme, Average>;
-  using Index = Level_connectivity::Index;
-  using Stored_value = typename One_round::Stored_value;
-  using Slot_value = std::pair<Index, typename Average::Value>;
-
-  Crease_round(const Scheme& scheme, const Level_connectivity& level, No_creases,
-               const Stored_value*, unsigned number)
-    : Crease_round(scheme, level, No_creases(), number)
-  {}
-  Crease_round(const Scheme& scheme, const Level_connectivity& level, No_creases, unsigned number)
-    : One_round(scheme, level, number)
-    , refined_creases_(number_of_vertices())
-  {}
-  Crease_round(const Crease_round&) = delete;
-  Crease_round& operator=(const Crease_round&) = delete;
-
-  void read(const Stored_value*) {}
-  const One_round& round() const { return *this; }
-  Index number_of_vertices() const { return static_cast<Index>(this->refined_size().vertices); }
-  std::vector<Slot_value> crease_values(const For_chunks&) const { return {}; }
-  void close() {}
-  No_creases& refined_creases() { return refined_creases_; }
-  std::vector<Index> vertices_of_values() const { return {}; }
-
-private:
-  No_creases refined_creases_;
-};
-
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_ROUND_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_ROUND_H

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_CURVATURE_TRANSFER_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_CURVATURE_TRANSFER_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_CURVATURE_TRANSFER_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_CURVATURE_TRANSFER_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
@@ -292,4 +292,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_CURVATURE_TRANSFER_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_CURVATURE_TRANSFER_H

@@ -6,14 +6,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_TRANSFERRED_NORMALS_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_TRANSFERRED_NORMALS_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_TRANSFERRED_NORMALS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_TRANSFERRED_NORMALS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
-#include <CGAL/PN_subdivision_3/internal/curvature/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -135,4 +135,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_TRANSFERRED_NORMALS_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_TRANSFERRED_NORMALS_H
