@@ -29,14 +29,15 @@ PN_subdivision_3
   hosts       | base average
   rows        | average hosts
   schemes     | base average hosts rows
-  rounds      | average hosts rows schemes !curvature:2
-  normals     | average hosts schemes rounds !interpolation:2 !refinement:1
-  creases     | average hosts rows schemes rounds normals !meshes:4 !calls:1
-  refinement  | average hosts rows schemes rounds normals creases !meshes:2 !pieces:1
+  rounds      | average hosts rows schemes
+  normals     | average hosts schemes rounds
+  creases     | average hosts rows schemes rounds normals
+  refinement  | average hosts rows schemes rounds normals creases
   meshes      Refinable_mesh_traits.h | base average hosts schemes rounds normals creases refinement !attributes:4
   attributes  attributes.h | base average hosts rows schemes rounds creases refinement meshes
-  calls       subdivide.h subdivision_methods_3.h Surface_refiner.h detect_creases.h estimate_control_normals.h
+  calls       subdivide.h subdivision_methods_3.h detect_creases.h estimate_control_normals.h
               | base average hosts schemes rounds normals creases refinement meshes attributes
+  refiner     Surface_refiner.h | average hosts rows schemes rounds normals creases refinement meshes attributes calls
   pieces      Surface_piece.h refine_in_pieces.h
               | base average hosts schemes rounds creases refinement meshes attributes calls !limit:9
 PN_cgal_masks_3

@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/Estimated_control_normals.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/creases/estimate_corner_normals.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/estimate_corner_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>

@@ -11,7 +11,6 @@
 
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_data.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_estimations.h>
-#include <CGAL/PN_subdivision_3/internal/curvature/Local_frame.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -11,10 +11,10 @@
 
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Normal_smoothing.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/interpolate_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
-#include <CGAL/PN_subdivision_3/internal/normals/Normal_smoothing.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/property_map/property_map.hpp>

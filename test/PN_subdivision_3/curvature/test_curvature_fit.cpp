@@ -11,10 +11,10 @@
 
 #include "Estimated_curvatures.h"
 
+#include <CGAL/PN_subdivision_3/internal/average/Local_frame.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Cubic_lanes.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_data.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_estimations.h>
-#include <CGAL/PN_subdivision_3/internal/curvature/Local_frame.h>
 #include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
 
 #include <Eigen/SVD>

@@ -10,8 +10,8 @@
 // of the program of test_pieces.cpp.
 
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Divided_level.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Divided_level.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>

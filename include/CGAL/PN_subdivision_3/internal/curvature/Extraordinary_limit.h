@@ -12,8 +12,8 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/curvature/Extraordinary_net.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/curvature/Local_frame.h>
-#include <CGAL/PN_subdivision_3/internal/curvature/Ring_functionals.h>
+#include <CGAL/PN_subdivision_3/internal/average/Local_frame.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Ring_functionals.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 

@@ -19,7 +19,7 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/limit/orient_normals.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Divided_level.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Divided_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>

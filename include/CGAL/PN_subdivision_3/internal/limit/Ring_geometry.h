@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/curvature/Local_frame.h>
+#include <CGAL/PN_subdivision_3/internal/average/Local_frame.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Regular_jet.h>
 #include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>

@@ -15,10 +15,10 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Whole_levels.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 
 #include <algorithm>

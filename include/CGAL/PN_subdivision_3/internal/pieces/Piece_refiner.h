@@ -15,13 +15,13 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Divided_level.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Kept_level.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Whole_levels.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Divided_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/number_type_basic.h>
 

@@ -11,10 +11,10 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Divided_level.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Whole_level.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Divided_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Whole_level.h>
 
 #include <cstddef>
 #include <type_traits>

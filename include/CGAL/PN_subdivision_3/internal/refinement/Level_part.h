@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
 
 #include <utility>
 #include <vector>

@@ -15,8 +15,8 @@
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
 
 #include <algorithm>
 #include <cstddef>

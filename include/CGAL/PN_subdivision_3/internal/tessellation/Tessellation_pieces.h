@@ -14,10 +14,10 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit_surface/In_double.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Divided_level.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Divided_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Piece_numbers.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Tessellation.h>
 

@@ -6,12 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_RING_FUNCTIONALS_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_RING_FUNCTIONALS_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_RING_FUNCTIONALS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_RING_FUNCTIONALS_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/Local_frame.h>
 #include <CGAL/PN_subdivision_3/internal/average/number_functions.h>
-#include <CGAL/PN_subdivision_3/internal/curvature/Local_frame.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
 
 #include <algorithm>
@@ -148,4 +148,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_RING_FUNCTIONALS_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_RING_FUNCTIONALS_H

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_CHANGE_OF_CURVATURE_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_CHANGE_OF_CURVATURE_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_CHANGE_OF_CURVATURE_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_CHANGE_OF_CURVATURE_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
@@ -125,4 +125,4 @@ inline double change_of_curvature(const Level_connectivity& level, const Vectors
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_CHANGE_OF_CURVATURE_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_CHANGE_OF_CURVATURE_H

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_DEPENDENTS_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_DEPENDENTS_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_DEPENDENTS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_DEPENDENTS_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
@@ -116,4 +116,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_DEPENDENTS_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_DEPENDENTS_H

@@ -6,12 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_NORMAL_SMOOTHING_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_NORMAL_SMOOTHING_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_NORMAL_SMOOTHING_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_NORMAL_SMOOTHING_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Functional_tower.h>
-#include <CGAL/PN_subdivision_3/internal/normals/change_of_curvature.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/change_of_curvature.h>
 
 #include <Eigen/Core>
 #include <Eigen/Dense>
@@ -297,4 +297,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_NORMAL_SMOOTHING_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_NORMAL_SMOOTHING_H

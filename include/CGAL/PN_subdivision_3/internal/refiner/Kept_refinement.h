@@ -6,12 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_KEPT_REFINEMENT_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_KEPT_REFINEMENT_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_REFINEMENT_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_REFINEMENT_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Control_values.h>
+#include <CGAL/PN_subdivision_3/internal/refiner/Control_values.h>
 
 #include <cstddef>
 #include <vector>
@@ -76,4 +76,4 @@ protected:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_KEPT_REFINEMENT_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_REFINEMENT_H

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_WHOLE_LEVEL_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_WHOLE_LEVEL_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_WHOLE_LEVEL_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_WHOLE_LEVEL_H
 
 #include <CGAL/PN_subdivision_3/hosts/DQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
@@ -229,4 +229,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_WHOLE_LEVEL_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_WHOLE_LEVEL_H

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONTROL_VALUES_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONTROL_VALUES_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_CONTROL_VALUES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_CONTROL_VALUES_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
@@ -240,4 +240,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONTROL_VALUES_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_CONTROL_VALUES_H

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_ESTIMATE_CORNER_NORMALS_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_ESTIMATE_CORNER_NORMALS_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_ESTIMATE_CORNER_NORMALS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_ESTIMATE_CORNER_NORMALS_H
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
@@ -17,7 +17,6 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
-#include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -100,4 +99,4 @@ void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_ESTIMATE_CORNER_NORMALS_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_ESTIMATE_CORNER_NORMALS_H

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_KEPT_ROUNDS_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_KEPT_ROUNDS_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_ROUNDS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_ROUNDS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
@@ -17,10 +17,10 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Control_values.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Dependents.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Kept_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/refiner/Control_values.h>
+#include <CGAL/PN_subdivision_3/internal/refiner/Dependents.h>
+#include <CGAL/PN_subdivision_3/internal/refiner/Kept_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 
 #include <boost/container/vector.hpp>
@@ -406,4 +406,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_KEPT_ROUNDS_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_ROUNDS_H

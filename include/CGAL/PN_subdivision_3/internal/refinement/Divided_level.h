@@ -6,13 +6,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_DIVIDED_LEVEL_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_DIVIDED_LEVEL_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_DIVIDED_LEVEL_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_DIVIDED_LEVEL_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Whole_level.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Whole_level.h>
 
 #include <algorithm>
 #include <array>
@@ -367,4 +367,4 @@ close_rim(Level_connectivity& level, Piece_elements& elements, const Whole_level
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_DIVIDED_LEVEL_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_DIVIDED_LEVEL_H

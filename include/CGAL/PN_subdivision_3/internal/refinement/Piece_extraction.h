@@ -6,11 +6,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_EXTRACTION_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_EXTRACTION_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_PIECE_EXTRACTION_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_PIECE_EXTRACTION_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>
 
 #include <boost/container/vector.hpp>
 
@@ -284,4 +284,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_EXTRACTION_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_PIECE_EXTRACTION_H
