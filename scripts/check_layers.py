@@ -33,7 +33,7 @@ PN_subdivision_3
   normals     | average hosts schemes rounds
   creases     | average hosts rows schemes rounds normals
   refinement  | average hosts rows schemes rounds normals creases
-  meshes      Refinable_mesh_traits.h | base average hosts schemes rounds normals creases refinement !attributes:4
+  meshes      Refinable_mesh_traits.h | base average hosts schemes rounds normals creases refinement
   attributes  attributes.h | base average hosts rows schemes rounds creases refinement meshes
   calls       subdivide.h subdivision_methods_3.h detect_creases.h estimate_control_normals.h
               | base average hosts schemes rounds normals creases refinement meshes attributes

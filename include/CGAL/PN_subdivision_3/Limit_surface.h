@@ -10,11 +10,11 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_subdivision_3/internal/limit_surface/In_double.h>
 #include <CGAL/PN_subdivision_3/internal/limit_surface/Surface_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>

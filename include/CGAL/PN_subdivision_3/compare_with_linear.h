@@ -10,9 +10,9 @@
 #define CGAL_PN_SUBDIVISION_3_COMPARE_WITH_LINEAR_H
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
+#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/comparison/Level_shape.h>
 #include <CGAL/PN_subdivision_3/internal/comparison/refined_aside.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>

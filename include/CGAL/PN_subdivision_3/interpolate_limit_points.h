@@ -9,11 +9,11 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERPOLATE_LIMIT_POINTS_H
 #define CGAL_PN_SUBDIVISION_3_INTERPOLATE_LIMIT_POINTS_H
 
+#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Creased_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_data.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Strict_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/interpolate_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>

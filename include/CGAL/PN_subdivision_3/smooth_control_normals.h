@@ -9,11 +9,11 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SMOOTH_CONTROL_NORMALS_H
 #define CGAL_PN_SUBDIVISION_3_SMOOTH_CONTROL_NORMALS_H
 
+#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Normal_smoothing.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/interpolate_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 

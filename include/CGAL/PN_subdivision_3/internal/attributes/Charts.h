@@ -233,13 +233,6 @@ private:
   std::vector<Span> spans_;
 };
 
-// What is sharp on a control level, beside seams; empty if nothing is.
-struct Control_sharpness
-{
-  std::vector<double> edges, vertices;
-  Border border = Border::surface;
-};
-
 // The charts of the values of corners: the level cut open at their seams and at its creases. An edge is a seam if
 // the values of its two faces differ at one of its ends.
 template <class FT>

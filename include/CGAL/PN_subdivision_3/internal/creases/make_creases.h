@@ -24,6 +24,13 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+// What is sharp on a control level, beside seams; empty if nothing is.
+struct Control_sharpness
+{
+  std::vector<double> edges, vertices;
+  Border border = Border::surface;
+};
+
 // Makes the creases of a control level from the sharpness of its edges and vertices.
 template <class FT>
 class Make_creases

@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/Surface_piece.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Kept_attributes.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
+#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Tessellation_pieces.h>
 #include <CGAL/PN_subdivision_3/tessellate.h>
