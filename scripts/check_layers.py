@@ -45,7 +45,7 @@ PN_cgal_masks_3
 PN_limit_surface_3
   curvature   estimate_curvature.h | PN_subdivision_3
   limit       limit_points.h subdivide_to_limit.h | PN_subdivision_3 curvature !interpolation:1
-  limit_surface  Face_patch.h Limit_surface.h Limit_surface_queries.h | PN_subdivision_3 limit !tessellation:2
+  limit_surface  Face_patch.h Limit_surface.h Limit_surface_queries.h | PN_subdivision_3 limit
   tessellation   tessellate.h Tessellation_result.h | PN_subdivision_3 limit limit_surface
 PN_curves
   curves      subdivide_curve.h curve_limit_points.h | PN_subdivision_3 limit !recognition:3 !analysis:1

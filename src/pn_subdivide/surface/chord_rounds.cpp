@@ -13,7 +13,7 @@
 #include "surface/refine_surface.h"
 #include "surface/surface_command.h"
 
-#include <CGAL/PN_subdivision_3/internal/tessellation/Flatness.h>
+#include <CGAL/PN_subdivision_3/internal/limit_surface/Flatness.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/squared_distance_3.h>
 

@@ -15,12 +15,12 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
+#include <CGAL/PN_subdivision_3/internal/limit_surface/Adaptive_level.h>
 #include <CGAL/PN_subdivision_3/internal/limit_surface/Spline_piece.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
-#include <CGAL/PN_subdivision_3/internal/tessellation/Adaptive_level.h>
 
 #include <algorithm>
 #include <cstddef>

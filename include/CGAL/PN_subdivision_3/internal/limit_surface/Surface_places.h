@@ -8,7 +8,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_SURFACE_SURFACE_PLACES_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_SURFACE_SURFACE_PLACES_H
 
-#include <CGAL/PN_subdivision_3/internal/tessellation/Flatness.h>
+#include <CGAL/PN_subdivision_3/internal/limit_surface/Flatness.h>
 
 #include <CGAL/Simple_cartesian.h>
 

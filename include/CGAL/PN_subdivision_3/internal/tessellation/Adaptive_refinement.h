@@ -19,10 +19,10 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Creased_limits.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
+#include <CGAL/PN_subdivision_3/internal/limit_surface/Adaptive_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
-#include <CGAL/PN_subdivision_3/internal/tessellation/Adaptive_level.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Face_flatness.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Proven_distance.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Split_edges.h>

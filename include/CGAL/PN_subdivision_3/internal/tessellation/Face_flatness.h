@@ -11,9 +11,9 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/limit_surface/Adaptive_level.h>
+#include <CGAL/PN_subdivision_3/internal/limit_surface/Flatness.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/tessellation/Adaptive_level.h>
-#include <CGAL/PN_subdivision_3/internal/tessellation/Flatness.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Split_edges.h>
 
 #include <algorithm>

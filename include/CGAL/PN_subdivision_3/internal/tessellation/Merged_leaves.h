@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_MERGED_LEAVES_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/tessellation/Flatness.h>
+#include <CGAL/PN_subdivision_3/internal/limit_surface/Flatness.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Leaf_triangles.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Split_edges.h>
 

@@ -11,9 +11,9 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/limit_surface/Cell_enclosure.h>
+#include <CGAL/PN_subdivision_3/internal/limit_surface/Flatness.h>
 #include <CGAL/PN_subdivision_3/internal/limit_surface/Limit_cells.h>
 #include <CGAL/PN_subdivision_3/internal/limit_surface/Spline_piece.h>
-#include <CGAL/PN_subdivision_3/internal/tessellation/Flatness.h>
 
 #include <algorithm>
 #include <array>

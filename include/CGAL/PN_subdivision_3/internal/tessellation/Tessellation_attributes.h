@@ -16,9 +16,9 @@
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Creased_limits.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_subdivision_3/internal/limit_surface/Adaptive_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
-#include <CGAL/PN_subdivision_3/internal/tessellation/Adaptive_level.h>
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
-#include <CGAL/PN_subdivision_3/internal/tessellation/Flatness.h>
+#include <CGAL/PN_subdivision_3/internal/limit_surface/Flatness.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Leaf_triangles.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Split_edges.h>
 

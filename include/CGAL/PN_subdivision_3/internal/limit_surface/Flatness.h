@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_FLATNESS_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_FLATNESS_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_SURFACE_FLATNESS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_SURFACE_FLATNESS_H
 
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 
@@ -199,4 +199,4 @@ inline bool is_turned_or_thin(const Corner& a, const Corner& b, const Corner& c,
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_FLATNESS_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_SURFACE_FLATNESS_H

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_ADAPTIVE_LEVEL_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_ADAPTIVE_LEVEL_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_SURFACE_ADAPTIVE_LEVEL_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_SURFACE_ADAPTIVE_LEVEL_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
@@ -162,4 +162,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_ADAPTIVE_LEVEL_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_SURFACE_ADAPTIVE_LEVEL_H
