@@ -44,7 +44,7 @@ PN_cgal_masks_3
   cgal_masks  PN_mask_3.h Subdivision_method_3.h | PN_subdivision_3
 PN_limit_surface_3
   curvature   estimate_curvature.h | PN_subdivision_3
-  limit       limit_points.h subdivide_to_limit.h | PN_subdivision_3 curvature !interpolation:1
+  limit       limit_points.h subdivide_to_limit.h | PN_subdivision_3 curvature
   limit_surface  Face_patch.h Limit_surface.h Limit_surface_queries.h | PN_subdivision_3 limit
   tessellation   tessellate.h Tessellation_result.h | PN_subdivision_3 limit limit_surface
 PN_curves

@@ -12,6 +12,7 @@
 #define CGAL_PN_SUBDIVISION_3_TEST_OPTIONS_H
 
 #include <CGAL/PN_subdivision_3/attributes.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_options.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 
