@@ -48,17 +48,17 @@ PN_limit_surface_3
   limit_surface  Face_patch.h Limit_surface.h Limit_surface_queries.h | PN_subdivision_3 limit
   tessellation   tessellate.h Tessellation_result.h | PN_subdivision_3 limit limit_surface
 PN_curves
-  curves      subdivide_curve.h curve_limit_points.h | PN_subdivision_3 limit !recognition:3 !analysis:1
+  curves      subdivide_curve.h curve_limit_points.h | PN_subdivision_3 limit
 PN_recognition_3
   recognition recognize_surfaces.h Recognized_surface.h triangulate_planes.h curves/recognize_arcs.h | PN_subdivision_3 curves
 PN_fitting_3
   interpolation  interpolate_limit_points.h interpolate_curve.h prescribe_limit_data.h smooth_control_normals.h
-              | PN_subdivision_3 PN_limit_surface_3 curves !umbrellas:1
+              | PN_subdivision_3 PN_limit_surface_3 curves
 PN_certificates_3
   exact       enclose.h reproduction.h | PN_subdivision_3 curves
   comparison  compare_with_linear.h | PN_subdivision_3
 test_support
-  analysis    | PN_subdivision_3 curvature limit curves !umbrellas:1
+  analysis    | PN_subdivision_3 curvature limit curves
 umbrellas
   umbrellas   PN_subdivision_3.h PN_subdivision_curve.h PN_subdivision_limit_3.h
               | PN_subdivision_3 PN_limit_surface_3 PN_curves PN_recognition_3 PN_fitting_3

@@ -15,7 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/interpolation/Strict_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/interpolate_mesh.h>
 #include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation.h>
-#include <CGAL/PN_subdivision_curve.h>
+#include <CGAL/PN_subdivision_3/subdivide_curve.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,8 +10,8 @@
 
 #include <CGAL/PN_subdivision_3/curves/curve_control_normals.h>
 #include <CGAL/PN_subdivision_3/curves/curve_corners.h>
-#include <CGAL/PN_subdivision_3/internal/curves/Arc_finder.h>
-#include <CGAL/PN_subdivision_3/internal/curves/Plane_of_polygon.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Arc_finder.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Plane_of_polygon.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/recognize_part.h>
 
 #include <array>

@@ -5,10 +5,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_ARC_FINDER_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_ARC_FINDER_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_ARC_FINDER_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_ARC_FINDER_H
 
-#include <CGAL/PN_subdivision_3/internal/curves/Arc_growth.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Arc_growth.h>
 
 #include <algorithm>
 #include <cmath>
@@ -191,4 +191,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_ARC_FINDER_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_ARC_FINDER_H

@@ -5,8 +5,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_PLANE_OF_POLYGON_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_PLANE_OF_POLYGON_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_PLANE_OF_POLYGON_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_PLANE_OF_POLYGON_H
 
 #include <CGAL/PN_subdivision_3/internal/recognition/file_rounding.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/linear_algebra.h>
@@ -125,4 +125,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_PLANE_OF_POLYGON_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_PLANE_OF_POLYGON_H

@@ -5,8 +5,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_ARC_GROWTH_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_ARC_GROWTH_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_ARC_GROWTH_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_ARC_GROWTH_H
 
 #include <CGAL/PN_subdivision_3/internal/recognition/linear_algebra.h>
 
@@ -265,4 +265,4 @@ protected:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_ARC_GROWTH_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_ARC_GROWTH_H
