@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_H
 
 #include <CGAL/PN_subdivision_3/analysis/Curve_svg_panel.h>
-#include <CGAL/PN_subdivision_3/internal/analysis/Curve_svg_writer.h>
+#include <CGAL/PN_subdivision_3/analysis/Curve_svg_writer.h>
 
 #include <algorithm>
 #include <fstream>

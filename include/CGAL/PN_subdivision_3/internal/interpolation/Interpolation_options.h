@@ -9,8 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_INTERPOLATION_OPTIONS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_INTERPOLATION_OPTIONS_H
 
+#include <CGAL/PN_subdivision_3/internal/own_parameters.h>
 #include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

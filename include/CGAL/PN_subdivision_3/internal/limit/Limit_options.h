@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_OPTIONS_H
 
 #include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/internal/own_parameters.h>
 
 #include <stdexcept>
 
