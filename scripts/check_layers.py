@@ -11,13 +11,14 @@ include/CGAL/PN_subdivision_3, with what belongs there and is elsewhere, and the
 may include. !NAME:3 is an arrow that has to go, with the includes that are left: there may be no more, and fewer are written down.
 
     scripts/check_layers.py [ROOT]              exit code 1 if a header includes what it may not
-    scripts/check_layers.py --circles [ROOT]    prints the pairs of folders that include each other, and the folders in circles
+    scripts/check_layers.py --circles [ROOT]    prints the pairs of folders, and of layers, that include each other
 """
 
 import argparse
 import re
 import sys
 from collections import Counter, defaultdict
+from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -64,6 +65,9 @@ umbrellas
               | PN_subdivision_3 PN_limit_surface_3 PN_curves PN_recognition_3 PN_fitting_3
 """
 INCLUDE = re.compile(r"^ *# *include [<\"]CGAL/(PN_[^>\"]+)", re.MULTILINE)
+
+
+Circles = tuple[list[tuple[str, str]], list[str]]
 
 
 class Layer(NamedTuple):
@@ -138,11 +142,11 @@ def check(root: Path) -> list[str]:
     return wrong
 
 
-def circles(root: Path) -> tuple[list[tuple[str, str]], list[str]]:
+def circles(root: Path, place: Callable[[Path], str] = lambda header: str(header.parent)) -> Circles:
     """The pairs of folders that include each other, and all folders from which includes lead back to them."""
     arrows: dict[str, set[str]] = defaultdict(set)
     for header, included in headers(root).items():
-        arrows[str(header.parent)] |= {str(other.parent) for other in included} - {str(header.parent)}
+        arrows[place(header)] |= {place(other) for other in included} - {place(header)}
     reached = {}
     for folder in list(arrows):
         waiting, seen = [folder], set()
@@ -161,8 +165,11 @@ def main() -> int:
     parser.add_argument("root", nargs="?", type=Path, default=Path(__file__).resolve().parent.parent)
     arguments = parser.parse_args()
     if arguments.circles:
-        pairs, inside = circles(arguments.root)
-        print("\n".join([f"{len(pairs)} pairs", *map(" and ".join, pairs), f"{len(inside)} folders in circles", *inside]))
+        of_header = layers_of_headers(arguments.root)[0]
+        for what, (pairs, inside) in (("folders", circles(arguments.root)),
+                                      ("layers", circles(arguments.root, lambda header: of_header[header]))):
+            print(f"{len(pairs)} pairs of {what} include each other, {len(inside)} {what} lie in circles")
+            print("".join(f"  {a} and {b}\n" for a, b in pairs), end="")
         return 0
     wrong = check(arguments.root)
     for line in wrong:
