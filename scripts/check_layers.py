@@ -27,11 +27,11 @@ TABLE = """
 PN_subdivision_3
   base        version.h parameters.h internal/own_parameters.h Control_element.h Default_visitor.h Estimated_control_normals.h |
   average     rational_normals.h sqrt_extension_normals.h boost_multiprecision_floats.h |
-  hosts       | base average
+  hosts       | average
   rows        | average hosts
   schemes     | base average hosts rows
   rounds      | average hosts rows schemes
-  normals     | average hosts schemes rounds
+  normals     | average hosts schemes
   creases     | average hosts rows schemes rounds normals
   refinement  | average hosts rows schemes rounds normals creases
   meshes      Refinable_mesh_traits.h | base average hosts schemes rounds normals creases refinement
@@ -51,7 +51,8 @@ PN_limit_surface_3
 PN_curves
   curves      subdivide_curve.h curve_limit_points.h | PN_subdivision_3 limit
 PN_recognition_3
-  recognition recognize_surfaces.h Recognized_surface.h triangulate_planes.h curves/recognize_arcs.h | PN_subdivision_3 curves
+  recognition recognize_surfaces.h Recognized_surface.h triangulate_planes.h curves/recognize_arcs.h
+              | base average hosts normals creases meshes calls curves
 PN_fitting_3
   interpolation  interpolate_limit_points.h interpolate_curve.h prescribe_limit_data.h smooth_control_normals.h
               | PN_subdivision_3 PN_limit_surface_3 curves
