@@ -9,6 +9,7 @@
 // Interpolation by curves.
 
 #include "support/Options.h"
+#include <CGAL/PN_subdivision_3/curves/curve_corners.h>
 #include <CGAL/PN_subdivision_3/interpolate_curve.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
