@@ -25,7 +25,7 @@ from typing import NamedTuple
 # packages to come, with their layers
 TABLE = """
 PN_subdivision_3
-  base        version.h parameters.h internal/own_parameters.h Control_element.h Default_visitor.h Estimated_control_normals.h |
+  base        version.h internal/needs_eigen.h parameters.h internal/own_parameters.h Control_element.h Default_visitor.h Estimated_control_normals.h |
   average     rational_normals.h sqrt_extension_normals.h boost_multiprecision_floats.h |
   hosts       | average
   rows        | average hosts
@@ -36,7 +36,7 @@ PN_subdivision_3
   refinement  | average hosts rows schemes rounds normals creases
   meshes      Refinable_mesh_traits.h | base average hosts schemes rounds normals creases refinement
   attributes  attributes.h | base average hosts rows schemes rounds creases refinement meshes
-  calls       subdivide.h subdivision_methods_3.h detect_creases.h estimate_control_normals.h
+  calls       subdivide.h control_mesh_io.h subdivision_methods_3.h detect_creases.h estimate_control_normals.h
               | base average hosts schemes rounds normals creases refinement meshes attributes
   refiner     Surface_refiner.h | average hosts rows schemes rounds normals creases refinement meshes attributes calls
   pieces      Surface_piece.h refine_in_pieces.h

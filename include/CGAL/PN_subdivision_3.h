@@ -11,8 +11,8 @@
 
 /*!
 \file PN_subdivision_3.h
-Schemes and the functions that subdivide meshes. Not included are curves (`PN_subdivision_curve.h`), the limit surface, interpolation and
-`Surface_refiner` (`PN_subdivision_limit_3.h`), pieces (`refine_in_pieces.h`), recognition (`recognize_surfaces.h`, `triangulate_planes.h`),
+Schemes and the functions that subdivide meshes. Not included are curves (`PN_subdivision_curve.h`), the limit surface and
+`Surface_refiner` (`PN_subdivision_limit_3.h`), interpolation (`interpolate_limit_points.h`), files (`control_mesh_io.h`), pieces (`refine_in_pieces.h`), recognition (`recognize_surfaces.h`, `triangulate_planes.h`),
 `smooth_control_normals.h`, `compare_with_linear.h`, `estimate_curvature.h`, schemes by name (`schemes/scheme_by_name.h`), headers for \cgal's
 subdivision methods (`PN_mask_3.h`, `Subdivision_method_3.h`), and measurements (`reproduction.h`, `enclose.h`, the folder `analysis`).
 */

@@ -11,8 +11,8 @@
 
 /*!
 \file PN_subdivision_limit_3.h
-Limit surfaces: their points and normals, points between these, tessellation, surfaces that follow their control data and, where there is
-\ref thirdpartyEigen "Eigen", interpolation and prescribed data.
+Limit surfaces: their points and normals, points between these, tessellation, and surfaces that follow their control data. Not included is what
+needs \ref thirdpartyEigen "Eigen": `interpolate_limit_points.h` and `prescribe_limit_data.h`.
 */
 
 #include <CGAL/PN_subdivision_3.h>
@@ -22,9 +22,5 @@ Limit surfaces: their points and normals, points between these, tessellation, su
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3/tessellate.h>
-#ifdef CGAL_EIGEN3_ENABLED
-#  include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
-#  include <CGAL/PN_subdivision_3/prescribe_limit_data.h>
-#endif
 
 #endif // CGAL_PN_SUBDIVISION_LIMIT_3_H

@@ -9,6 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ESTIMATE_CURVATURE_H
 #define CGAL_PN_SUBDIVISION_3_ESTIMATE_CURVATURE_H
 
+#include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
+
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_data.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_estimations.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>

@@ -9,6 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERPOLATE_CURVE_H
 #define CGAL_PN_SUBDIVISION_3_INTERPOLATE_CURVE_H
 
+#include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
+
 #include <CGAL/PN_subdivision_3/internal/interpolation/Control_normal_solution.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Limit_functionals.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Slide_interpolation.h>

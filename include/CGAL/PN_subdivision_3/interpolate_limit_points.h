@@ -9,6 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERPOLATE_LIMIT_POINTS_H
 #define CGAL_PN_SUBDIVISION_3_INTERPOLATE_LIMIT_POINTS_H
 
+#include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
+
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Creased_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_data.h>

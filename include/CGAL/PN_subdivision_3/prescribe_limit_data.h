@@ -9,6 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_PRESCRIBE_LIMIT_DATA_H
 #define CGAL_PN_SUBDIVISION_3_PRESCRIBE_LIMIT_DATA_H
 
+#include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
+
 #include <CGAL/PN_subdivision_3/internal/interpolation/Curvature_prescription.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Prescription.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>

@@ -9,6 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SMOOTH_CONTROL_NORMALS_H
 #define CGAL_PN_SUBDIVISION_3_SMOOTH_CONTROL_NORMALS_H
 
+#include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
+
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>

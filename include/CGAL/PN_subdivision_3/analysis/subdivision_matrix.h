@@ -9,6 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_SUBDIVISION_MATRIX_H
 #define CGAL_PN_SUBDIVISION_3_ANALYSIS_SUBDIVISION_MATRIX_H
 
+#include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
+
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
