@@ -340,6 +340,13 @@ TEST_F(Pn_subdivide_joins, UnweldedFilesAreWelded)
   expect_part(surface(along, "--quiet").err, "border edges lie on others: --repair joins them");
   EXPECT_EQ(joined(along, "--repair").points.size(), 16u);
   expect_part(surface(along, "--merge-points").err, "more than two faces");
+
+  // a face with two equal points
+  two = box(1, {0, 0, 0}, 1, none);
+  two.push_back({{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}}});
+  const std::string narrow = folder.write("narrow.off", split_off(two));
+  EXPECT_EQ(joined(narrow).points.size(), 39u);
+  EXPECT_EQ(joined(narrow, "--repair").points.size(), vertices_of_box(1));
 }
 
 TEST_F(Pn_subdivide_joins, VerticesWhereFansMeetAreDoubled)
