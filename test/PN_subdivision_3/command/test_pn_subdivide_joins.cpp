@@ -343,10 +343,10 @@ TEST_F(Pn_subdivide_joins, UnweldedFilesAreWelded)
 
   // a face with two equal points
   two = box(1, {0, 0, 0}, 1, none);
-  two.push_back({{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}}});
+  two.push_back({{{5, 5, 5}, {5, 5, 5}, {6, 5, 5}}});
   const std::string narrow = folder.write("narrow.off", split_off(two));
   EXPECT_EQ(joined(narrow).points.size(), 39u);
-  EXPECT_EQ(joined(narrow, "--repair").points.size(), vertices_of_box(1));
+  EXPECT_EQ(joined(narrow, "--repair").points.size(), vertices_of_box(1) + 2);
 }
 
 TEST_F(Pn_subdivide_joins, VerticesWhereFansMeetAreDoubled)
