@@ -36,7 +36,8 @@ const std::vector<Option_group>& option_groups()
     {"Surfaces of CAD parts",
      {"--min-facets", "--surface-tolerance", "--sharp-angle", "--planes", "--surface-labels"}},
     {"What is read",
-     {"--triangulate", "--repair", "--merge-points", "--merge-distance", "--drop-attributes"}},
+     {"--triangulate", "--repair", "--merge-points", "--merge-distance", "--no-mend",
+      "--drop-attributes"}},
     {"What is written",
      {"--output-normals", "--surface-normals", "--curve-normals", "--curvature", "--texture-rule",
       "--nearest", "--directions", "--split-seams", "--ascii", "--format", "--comb"}},
@@ -139,7 +140,7 @@ std::string top_level_footer()
          "  color by curvature       pn_subdivide part.obj color.ply --levels 3 --curvature mean\n"
          "  pass through its points  pn_subdivide part.obj smooth.ply --levels 3 --interpolate "
          "slide\n"
-         "  mend what is broken      pn_subdivide part.stl smooth.ply --repair --merge-points\n"
+         "  mend what is broken      pn_subdivide part.stl smooth.ply --repair\n"
          "  faces by the million     pn_subdivide part.obj huge.ply --levels 10 --memory 2G\n"
          "  a curve                  pn_subdivide curve polygon.txt curve.txt --levels 6\n"
          "\n" +
@@ -159,7 +160,7 @@ std::string surface_footer()
          "  pn_subdivide head.obj smooth.ply --levels 3\n"
          "  pn_subdivide part.stl fine.stl --part\n"
          "  pn_subdivide house.obj smooth.ply --levels 3 --sharp angle:40 --limit\n"
-         "  pn_subdivide part.stl smooth.ply --repair --merge-points --report smooth.json\n";
+         "  pn_subdivide part.stl smooth.ply --repair --report smooth.json\n";
 }
 
 std::string curve_footer()

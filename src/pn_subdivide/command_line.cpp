@@ -103,7 +103,8 @@ void add_report_options(CLI::App& command, Report_options& options)
   command.add_flag("--quiet", options.quiet,
                    "No progress and no closing line; warnings are still printed");
   command.add_flag("--strict", options.strict,
-                   "Any warning makes the exit code 4; OUTPUT is still written");
+                   "Any warning makes the exit code 4; OUTPUT is still written. Meshes are read "
+                   "as with --no-mend");
   command.add_option(
     "--report", options.file,
     "Write what was read, done, repaired, dropped and warned of into this JSON file");
@@ -228,6 +229,10 @@ void add_repair_options(CLI::App& command, Surface_options& options)
                      "a length, or P% of the box's diagonal. Default: 0, of STL files 4 units in "
                      "the last place of the largest coordinate as a float. Includes "
                      "--merge-points");
+  command.add_flag(
+    "--no-mend", options.no_mend,
+    "Read the file as it stands. Else points are merged where most border edges lie on others, and "
+    "vertices doubled where fans of faces meet; a note says so, and with --strict it is not done");
   command.add_flag(
     "--repair", options.repair,
     "Orient the faces, what is closed outwards and cavities the other way; split or remove faces "

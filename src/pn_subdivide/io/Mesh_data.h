@@ -192,6 +192,21 @@ public:
   // into (empty: their own), and for the last vertices those of which these are copies.
   std::vector<Index> merged_into, copied_from;
 
+  // of which a vertex is a copy, or itself
+  Index original(Index v) const
+  {
+    const std::size_t copies_begin = points.size() - copied_from.size();
+    while (v >= copies_begin) v = copied_from[v - copies_begin];
+    return v;
+  }
+  // for messages; of vertices that were merged that of the first
+  Index number_in_file(Index v) const
+  {
+    v = original(v);
+    if (merged_into.empty()) return v;
+    return Index(std::find(merged_into.begin(), merged_into.end(), v) - merged_into.begin());
+  }
+
   bool has_normals() const { return !normals.empty(); }
   bool has_corner_normals() const { return !corner_normals.empty() || !several_normals.empty(); }
   bool has_control_normals() const { return !control_normals.empty(); }

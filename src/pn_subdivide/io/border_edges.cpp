@@ -33,15 +33,10 @@ struct Segment
 
 std::vector<Segment> segments_of(const Mesh_data& mesh, const std::vector<Border_edge>& edges)
 {
-  const std::size_t copies_begin = mesh.points.size() - mesh.copied_from.size();
-  const auto original = [&](Index v) {
-    while (v >= copies_begin) v = mesh.copied_from[v - copies_begin];
-    return v;
-  };
   std::vector<Segment> segments;
   segments.reserve(edges.size());
   for (const Border_edge& e : edges) {
-    Segment s{{mesh.points[e[0]], mesh.points[e[1]]}, {original(e[0]), original(e[1])}};
+    Segment s{{mesh.points[e[0]], mesh.points[e[1]]}, {mesh.original(e[0]), mesh.original(e[1])}};
     if (s.ends[1] < s.ends[0]) std::swap(s.ends[0], s.ends[1]);
     if (s.originals[1] < s.originals[0]) std::swap(s.originals[0], s.originals[1]);
     segments.push_back(s);
@@ -128,7 +123,20 @@ void mark_near(std::vector<Segment*>& segments, double distance)
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), mark);
 }
 
+std::size_t number_of(Contact contact, const std::vector<Segment>& segments)
+{
+  return std::size_t(std::count_if(segments.begin(), segments.end(),
+                                   [&](const Segment& s) { return s.contact == contact; }));
+}
+
 } // namespace
+
+std::size_t number_of_equal(const Mesh_data& mesh, const std::vector<Border_edge>& edges)
+{
+  std::vector<Segment> segments = segments_of(mesh, edges);
+  mark_equal(segments);
+  return number_of(Contact::equal, segments);
+}
 
 Border_contacts find_border_contacts(const Mesh_data& mesh, const std::vector<Border_edge>& edges,
                                      double distance)
@@ -141,15 +149,14 @@ Border_contacts find_border_contacts(const Mesh_data& mesh, const std::vector<Bo
   mark_near(others, distance);
   Border_contacts result;
   result.border_edges = edges.size();
-  for (const Segment& s : segments) {
-    result.equal += s.contact == Contact::equal;
-    result.near += s.contact == Contact::near;
-    result.along += s.contact == Contact::along;
-  }
+  result.equal = number_of(Contact::equal, segments);
+  result.near = number_of(Contact::near, segments);
+  result.along = number_of(Contact::along, segments);
   return result;
 }
 
-std::string Border_contacts::description(double distance_of_diagonal) const
+std::string Border_contacts::description(double distance_of_diagonal,
+                                         const std::string& joins_equal) const
 {
   std::string text;
   const auto add = [&](std::size_t number, const std::string& what) {
@@ -161,7 +168,7 @@ std::string Border_contacts::description(double distance_of_diagonal) const
   };
   char percent[30];
   std::snprintf(percent, sizeof percent, "%.3g%%", 100 * distance_of_diagonal);
-  add(equal, " on others: --merge-points joins them");
+  add(equal, " on others: " + joins_equal + " joins them");
   add(near, std::string(" on others up to rounding: --merge-distance ") + percent + " joins them");
   add(along, " along others with other ends (T-junctions), where the surface stays open");
   return text;

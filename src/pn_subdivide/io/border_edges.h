@@ -29,8 +29,12 @@ struct Border_contacts
   std::size_t along = 0; // a part of one edge lies on another (T-junctions)
 
   bool any() const { return equal + near + along > 0; }
-  std::string description(double distance_of_diagonal) const; // one line
+  // one line; joins_equal: the option to name
+  std::string description(double distance_of_diagonal, const std::string& joins_equal) const;
 };
+
+// Only those with both ends at the same points.
+std::size_t number_of_equal(const Mesh_data& mesh, const std::vector<Border_edge>& edges);
 
 // Copies that repair_soup() made of the same vertices are apart because they have to be, and do not
 // count.

@@ -175,7 +175,7 @@ Opposing_normals find_opposing_normals(const Mesh_data& mesh)
   }
   for (std::size_t slot = 0; slot < slots.size(); ++slot) {
     result.of += along[slot] != 0;
-    if (along[slot] < right_angle) result.add(slots.vertex(slot));
+    if (along[slot] < right_angle) result.add(mesh.number_in_file(slots.vertex(slot)));
   }
   if (result.number > 0) {
     const std::vector<bool> all = oppose_all(mesh, slots);
@@ -191,7 +191,7 @@ Opposing_normals turn_opposing_normals(Mesh_data& mesh)
   const Normal_slots slots(mesh);
   const std::vector<bool> is_turned = oppose_all(mesh, slots);
   for (std::size_t slot = 0; slot < slots.size(); ++slot)
-    if (is_turned[slot]) turned.add(slots.vertex(slot));
+    if (is_turned[slot]) turned.add(mesh.number_in_file(slots.vertex(slot)));
   turned.of_all_faces = turned.number;
   if (turned.number == 0) return turned;
   if (!mesh.corner_normals.empty()) {

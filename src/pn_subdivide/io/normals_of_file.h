@@ -29,8 +29,8 @@ Flat_shading find_flat_shading(const Mesh_data& mesh);
 struct Opposing_normals
 {
   std::size_t number = 0, of = 0;
-  std::size_t of_all_faces = 0; // that point against each one of these
-  Mesh_data::Index first_vertex = 0;
+  std::size_t of_all_faces = 0;      // that point against each one of these
+  Mesh_data::Index first_vertex = 0; // by its number in the file
 
   void add(Mesh_data::Index vertex)
   {

@@ -99,9 +99,10 @@ Soup_defects::Vertices find_pinched(const Mesh_data& mesh, const std::vector<Sid
   return result;
 }
 
-std::string first_of(const Soup_defects::Edges& edges)
+std::string first_of(const Soup_defects::Edges& edges, const Mesh_data& mesh)
 {
-  return " (first: " + std::to_string(edges.first[0]) + "-" + std::to_string(edges.first[1]) + ")";
+  return " (first: " + std::to_string(mesh.number_in_file(edges.first[0])) + "-" +
+         std::to_string(mesh.number_in_file(edges.first[1])) + ")";
 }
 
 } // namespace
@@ -140,19 +141,20 @@ std::vector<Index> vertices_at_open_edges(const Mesh_data& mesh)
   return result;
 }
 
-std::string Soup_defects::description() const
+std::string Soup_defects::description(const Mesh_data& mesh) const
 {
   std::string s;
   const auto add = [&s](const std::string& part) { s += (s.empty() ? "" : "; ") + part; };
   if (crowded.number > 0)
     add(plural(crowded.number, "edge has", "edges have") + " more than two faces" +
-        first_of(crowded));
+        first_of(crowded, mesh));
   if (unoriented.number > 0)
     add(plural(unoriented.number, "edge has", "edges have") + " two faces of opposite orientation" +
-        first_of(unoriented));
+        first_of(unoriented, mesh));
   if (pinched.number > 0)
     add(plural(pinched.number, "vertex joins", "vertices join") +
-        " fans of faces that share no edge (first: " + std::to_string(pinched.first) + ")");
+        " fans of faces that share no edge (first: " +
+        std::to_string(mesh.number_in_file(pinched.first)) + ")");
   return s;
 }
 

@@ -38,8 +38,10 @@ struct Soup_defects
 
   std::vector<Border_edge> border; // edges with one face, which are no defect
 
-  bool none() const { return crowded.number + unoriented.number + pinched.number == 0; }
-  std::string description() const; // one line
+  bool none() const { return pinched.number == 0 && has_edges_in_order(); }
+  bool has_edges_in_order() const { return crowded.number + unoriented.number == 0; }
+  // one line, by the numbers of the file
+  std::string description(const Mesh_data& mesh) const;
 };
 
 Soup_defects find_defects(const Mesh_data& mesh);

@@ -205,6 +205,16 @@ void orient(Mesh_data& mesh, Soup_repair& repair, std::vector<bool>& is_reversed
 
 } // namespace
 
+std::size_t split_fans(Mesh_data& mesh)
+{
+  Soup_repair repair;
+  const Old_faces old_faces(mesh);
+  std::vector<bool> is_reversed(mesh.number_of_faces(), false);
+  orient(mesh, repair, is_reversed);
+  old_faces.put_values(mesh);
+  return repair.added_vertices;
+}
+
 Soup_repair repair_soup(Mesh_data& mesh)
 {
   Soup_repair repair;

@@ -47,6 +47,10 @@ struct Soup_repair
 // say by themselves which way they point.
 Soup_repair repair_soup(Mesh_data& mesh);
 
+// Gives each of several fans of faces a vertex of its own where they meet, and returns how many vertices that adds. All edges
+// must be in order.
+std::size_t split_fans(Mesh_data& mesh);
+
 struct Point_merge
 {
   std::size_t merged_vertices = 0;               // that are gone: equal ones

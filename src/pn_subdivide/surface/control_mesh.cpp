@@ -11,6 +11,7 @@
 #include "io/Error.h"
 #include "io/Mesh_data.h"
 #include "io/Text_reader.h"
+#include "io/border_edges.h"
 #include "io/near_points.h"
 #include "io/normals_of_file.h"
 #include "io/parse_numbers.h"
@@ -45,9 +46,20 @@ void report_what_is_dropped(const Mesh_data& mesh, const std::string& name, Repo
                            mesh.dropped);
 }
 
+bool may_mend(const Surface_options& options)
+{
+  return !options.no_mend && !options.report.strict;
+}
+
+// Most border edges lie on others.
+bool is_unwelded(std::size_t equal_edges, const Soup_defects& defects)
+{
+  return 2 * equal_edges > defects.border.size();
+}
+
 // Where the surface is open although border edges lie on each other.
 void report_contacts(const Mesh_data& mesh, const Soup_defects& defects, double joined_within,
-                     const std::string& name, Report& report)
+                     const std::string& name, const Surface_options& options, Report& report)
 {
   if (defects.border.empty()) return;
   constexpr double crack = 1e-6; // of the diagonal; nobody has meant it
@@ -55,7 +67,12 @@ void report_contacts(const Mesh_data& mesh, const Soup_defects& defects, double 
   const double distance =
     (std::max)({crack * diagonal, joined_within, rounding_of_floats(mesh.points)});
   const Border_contacts contacts = find_border_contacts(mesh, defects.border, distance);
-  if (contacts.any()) report.warn(name + ": " + contacts.description(distance / diagonal));
+  // what has not been mended although it might have been is left with more to repair
+  const bool is_worse_joined = may_mend(options) && is_unwelded(contacts.equal, defects);
+  if (contacts.any())
+    report.warn(
+      name + ": " +
+      contacts.description(distance / diagonal, is_worse_joined ? "--repair" : "--merge-points"));
 }
 
 bool may_choose_normals(const Surface_options& options)
@@ -111,11 +128,11 @@ void make_manifold(Mesh_data& mesh, const std::string& name, const Surface_optio
     report.add_repair("turned_normals", repair.turned_normals);
   }
   require_sound_elements(mesh);
-  if (defects.none()) return report_contacts(mesh, defects, joined_within, name, report);
+  if (defects.none()) return report_contacts(mesh, defects, joined_within, name, options, report);
   throw Error(options.repair
-                ? "--repair did not mend everything: " + defects.description()
-                : defects.description() + "; --repair orients the faces and duplicates "
-                                          "such edges and vertices");
+                ? "--repair did not mend everything: " + defects.description(mesh)
+                : defects.description(mesh) + "; --repair orients the faces and duplicates "
+                                              "such edges and vertices");
 }
 
 void split_into_triangles(Mesh_data& mesh, const std::string& name, Report& report)
@@ -139,11 +156,22 @@ void split_into_triangles(Mesh_data& mesh, const std::string& name, Report& repo
               " split into triangles");
 }
 
-void report_merge(const Point_merge& merge, double distance, const std::string& name,
-                  Report& report)
+void report_merged_attributes(const Point_merge& merge, const std::string& name, Report& report)
 {
   report.add_repair("merged_vertices", merge.merged_vertices);
   report.add_repair("joined_vertices", merge.joined_vertices);
+  std::vector<std::string> names;
+  for (const std::string& attribute : merge.differing_attributes)
+    names.push_back("'" + Text_reader::printable(attribute) + "'");
+  if (!names.empty())
+    report.warn(name + ": merged vertices had different values of " + enumeration(names) +
+                "; those of the first are kept");
+}
+
+void report_merge(const Point_merge& merge, double distance, const std::string& name,
+                  Report& report)
+{
+  report_merged_attributes(merge, name, report);
   if (merge.merged_vertices > 0)
     report.note(name + ": " + plural(merge.merged_vertices, "vertex", "vertices") +
                 " merged with an equal one");
@@ -152,12 +180,52 @@ void report_merge(const Point_merge& merge, double distance, const std::string& 
     std::snprintf(text, sizeof text, " joined with one within %.3g", distance);
     report.note(name + ": " + plural(merge.joined_vertices, "vertex", "vertices") + text);
   }
-  std::vector<std::string> names;
-  for (const std::string& attribute : merge.differing_attributes)
-    names.push_back("'" + Text_reader::printable(attribute) + "'");
-  if (!names.empty())
-    report.warn(name + ": merged vertices had different values of " + enumeration(names) +
-                "; those of the first are kept");
+}
+
+bool visits_vertices_twice(const Mesh_data& mesh)
+{
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    std::vector<Mesh_data::Index> face(mesh.face(f).begin(), mesh.face(f).end());
+    std::sort(face.begin(), face.end());
+    if (std::adjacent_find(face.begin(), face.end()) != face.end()) return true;
+  }
+  return false;
+}
+
+// Merges equal points of a file that is nothing but loose faces without, unless that breaks more than it mends; returns how
+// many vertices it takes.
+std::size_t weld(Mesh_data& mesh, Soup_defects& defects, const std::string& name,
+                 const Surface_options& options, Report& report)
+{
+  if (defects.border.empty() || !is_unwelded(number_of_equal(mesh, defects.border), defects))
+    return 0;
+  Mesh_data welded = mesh;
+  const Point_merge merge = merge_equal_points(welded);
+  Soup_defects rest = find_defects(welded);
+  if (!options.repair && (visits_vertices_twice(welded) || !rest.has_edges_in_order())) return 0;
+  report_merged_attributes(merge, name, report);
+  mesh = std::move(welded);
+  defects = std::move(rest);
+  return merge.merged_vertices;
+}
+
+// Nobody means a file that falls apart, or two fans of faces that only touch, to be refused or refined as they are.
+void mend(Mesh_data& mesh, Soup_defects& defects, const std::string& name,
+          const Surface_options& options, Report& report)
+{
+  std::string done;
+  const auto add = [&done](std::size_t number, const char* what) {
+    if (number > 0)
+      done += (done.empty() ? "" : ", ") + plural(number, "vertex", "vertices") + what;
+  };
+  add(weld(mesh, defects, name, options, report), " merged with an equal one");
+  if (!options.repair && defects.pinched.number > 0) {
+    const std::size_t copies = split_fans(mesh);
+    report.add_repair("added_vertices", copies);
+    add(copies, " added where fans of faces meet");
+    defects = find_defects(mesh);
+  }
+  if (!done.empty()) report.note(name + ": " + done + "; --no-mend reads the file as it stands");
 }
 
 // Within which distance points are joined: that of the options, and in STL files, which have no other way to say which
@@ -225,6 +293,7 @@ Mesh_data read_control_mesh(const Mesh_file& file, const Surface_options& option
   require_finite_elements(mesh);
   const double distance = distance_to_join(mesh, file, options);
   Soup_defects defects = merge_points(mesh, file, options, distance, report);
+  if (may_mend(options)) mend(mesh, defects, name, options, report);
   note_shading(mesh, options);
   make_manifold(mesh, name, options, distance, std::move(defects), report);
   if (options.triangulate) split_into_triangles(mesh, name, report);

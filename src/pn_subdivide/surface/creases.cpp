@@ -111,12 +111,7 @@ public:
     return result;
   }
 
-  Index original(Vertex vertex) const
-  {
-    std::size_t v = vertex;
-    while (v >= copies_begin_) v = mesh_.copied_from[v - copies_begin_];
-    return static_cast<Index>(v);
-  }
+  Index original(Vertex v) const { return mesh_.original(Index(v)); }
 
   Index number_now(std::int64_t v) const
   {
@@ -208,16 +203,6 @@ void set_edges(Creases& creases, const std::vector<bool>& edges, double sharpnes
     if (edges[e]) creases.edges[e] = sharpness;
 }
 
-void count(Creases& creases)
-{
-  const auto number_of_sharp = [](const std::vector<double>& sharpness) {
-    return std::size_t(
-      std::count_if(sharpness.begin(), sharpness.end(), [](double s) { return s > 0; }));
-  };
-  creases.number_of_edges = number_of_sharp(creases.edges);
-  creases.number_of_vertices = number_of_sharp(creases.vertices);
-}
-
 bool has_border(const Surface& surface)
 {
   const auto edges = surface.edges();
@@ -234,6 +219,16 @@ std::string short_number(double x)
 }
 
 } // namespace
+
+void Creases::count()
+{
+  const auto number_of_sharp = [](const std::vector<double>& sharpness) {
+    return std::size_t(
+      std::count_if(sharpness.begin(), sharpness.end(), [](double s) { return s > 0; }));
+  };
+  number_of_edges = number_of_sharp(edges);
+  number_of_vertices = number_of_sharp(vertices);
+}
 
 std::string Creases::description() const
 {
@@ -265,7 +260,7 @@ void put_surface_creases(Creases& creases, const Mesh_data& mesh, const Recogniz
   creases.vertices.assign(mesh.points.size(), 0.);
   set_edges(creases, part.creases, forever);
   for (const std::size_t v : part.corners) creases.vertices[v] = forever;
-  count(creases);
+  creases.count();
 }
 
 Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::string& scheme,
@@ -307,7 +302,7 @@ Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::
     if (plan.source == Source::normals || !says_nothing)
       set_edges(creases, edges_where_normals_differ(surface), plan.sharpness);
   }
-  count(creases);
+  creases.count();
   creases.are_by_normals = by_normals && creases.any();
   const bool wants_some = plan.source != Source::automatic && plan.source != Source::none &&
                           plan.source != Source::surfaces; // a sphere has no edges

@@ -43,6 +43,7 @@ struct Creases
   double degrees = 0; // that angle
   std::shared_ptr<Normals_without_fractions> without_fractions; // if there are any
 
+  void count(); // what is sharp
   bool any() const { return number_of_edges + number_of_vertices > 0; }
   bool is_sharp(Surface::Edge_index e) const { return !edges.empty() && edges[e] > 0; }
   std::string description() const; // empty, or for the closing line: ", 14 sharp edges"

@@ -159,8 +159,7 @@ void put_part_borders(Creases& creases, const Mesh_data& mesh, const Recognized_
   creases.border = Border::curve;
   creases.tangents.assign(surface.number_of_halfedges(), CGAL::NULL_VECTOR);
   Part_borders(surface, part, creases)();
-  creases.number_of_vertices = std::size_t(std::count_if(
-    creases.vertices.begin(), creases.vertices.end(), [](double s) { return s > 0; }));
+  creases.count();
 }
 
 } // namespace pn_subdivide

@@ -31,7 +31,8 @@ void require_range(const Mesh_data& mesh)
     throw Error(name() + " has the roundness " + number + ": it must be from 0 to 1");
   };
   for (std::size_t v = 0; v < mesh.roundness.size(); ++v)
-    require(mesh.roundness[v], [&] { return "vertex " + std::to_string(v); });
+    require(mesh.roundness[v],
+            [&] { return "vertex " + std::to_string(mesh.number_in_file(Mesh_data::Index(v))); });
   if (mesh.corner_roundness.empty()) return;
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     for (std::size_t i = 0; i < mesh.face(f).size(); ++i)

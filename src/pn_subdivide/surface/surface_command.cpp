@@ -25,6 +25,7 @@
 #include "surface/Surface_table.h"
 #include "surface/attributes.h"
 #include "surface/chord_rounds.h"
+#include "surface/common_curves.h"
 #include "surface/control_mesh.h"
 #include "surface/control_normals.h"
 #include "surface/interpolate_surface.h"
@@ -891,11 +892,14 @@ void run_surface_command(const Surface_options& given_options)
       take_part(mesh, *part, plan, options.creases.border.has_value(), creases, report);
     require_limit_of_creases(creases, plan, options.levels, in_pieces);
     require_interpolation_of_creases(creases, plan);
+    const bool keeps_curves = can_be_sharp && plan.interpolation != Interpolation_mode::slide;
+    if (keeps_curves) put_common_curves(creases, mesh);
     if (in_pieces) require_mesh_for_pieces(mesh, creases, plan.output_normals, plan.output);
     const bool has_file_normals = mesh.has_normals();
     normals = takes_surface_normals(plan, part)
                 ? set_surface_normals(mesh, plan, *part, creases, report)
                 : set_normals(mesh, plan, creases, report);
+    if (keeps_curves) share_roundness(mesh);
     has_normals = mesh.has_normals();
     plan.output_normals.suit(mesh);
     if (!part) turning = turning_edges(mesh, seen);

@@ -35,7 +35,7 @@ struct Surface_options
   Limit_choice limit;
   Verify_options verify;
   Pieces_options pieces;
-  bool merge_points = false, repair = false, triangulate = false;
+  bool merge_points = false, no_mend = false, repair = false, triangulate = false;
   bool drop_attributes = false;
   bool check = false;
   bool part = false; // --part, see with_part()

@@ -367,8 +367,8 @@ TEST_F(Pn_subdivide, SoupsThatAreNoManifoldAreRefusedOrRepaired)
     {bow_tie, "1 vertex joins fans of faces that share no edge (first: 0)", "1 vertex added", 6}};
   for (const auto& c : cases) {
     const std::string input = folder.write("soup.off", c.content);
-    expect_failure(input, "--scheme loop", 1, c.error);
-    expect_failure(input, "--scheme loop", 1, "--repair");
+    expect_failure(input, "--scheme loop --no-mend", 1, c.error);
+    expect_failure(input, "--scheme loop --strict", 1, "--repair");
     const Outcome outcome =
       surface(input, folder.file("o.ply"), "--scheme loop --levels 0 --repair");
     EXPECT_EQ(outcome.code, 0);

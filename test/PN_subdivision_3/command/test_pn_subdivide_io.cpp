@@ -927,7 +927,7 @@ TEST(Soup, DefectsAreCountedAndMended)
   const Faces moebius{{0, 1, 3, 2}, {2, 3, 5, 4}, {4, 5, 0, 1}};
 
   EXPECT_EQ(find_defects(soup(5, book)).crowded.number, 1u);
-  EXPECT_EQ(find_defects(soup(5, book)).description(),
+  EXPECT_EQ(find_defects(soup(5, book)).description(soup(5, book)),
             "1 edge has more than two faces (first: 0-1)");
   EXPECT_EQ(find_defects(soup(4, twisted)).unoriented.number, 1u);
   EXPECT_EQ(find_defects(soup(5, bow_tie)).pinched.number, 1u);

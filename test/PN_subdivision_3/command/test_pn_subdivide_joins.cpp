@@ -287,14 +287,18 @@ TEST_F(Pn_subdivide_joins, SplitVerticesAreSaid)
 {
   const std::vector<Triangle> triangles = box(2, {0, 0, 0}, 1, none);
   const std::string off = folder.write("a.off", split_off(triangles));
-  ASSERT_EQ(
-    run("surface '" + off + "' '" + folder.file("a.ply") + "' --levels 0 --normals none").code, 0);
-  ASSERT_EQ(
-    run("surface '" + off + "' '" + folder.file("a.obj") + "' --levels 0 --normals none").code, 0);
+  for (const char* name : {"a.ply", "a.obj"})
+    ASSERT_EQ(
+      run("surface '" + off + "' '" + folder.file(name) + "' --levels 0 --normals none --no-mend")
+        .code,
+      0);
   for (const std::string& input : {off, folder.file("a.ply"), folder.file("a.obj")}) {
-    expect_part(surface(input, "--quiet").err,
-                "warning: " + input +
-                  ": 144 of 144 border edges lie on others: --merge-points joins them\n");
+    const std::string said =
+      "warning: " + input + ": 144 of 144 border edges lie on others: --merge-points joins them\n";
+    expect_part(surface(input, "--quiet --no-mend").err, said);
+    const Outcome strict = surface(input, "--quiet --strict");
+    expect_part(strict.err, said);
+    EXPECT_EQ(strict.code, 4);
     EXPECT_EQ(surface(input, "--quiet --merge-points").err, "");
     EXPECT_EQ(joined(input, "--merge-points").points.size(), vertices_of_box(2));
   }
@@ -306,6 +310,87 @@ TEST_F(Pn_subdivide_joins, SplitVerticesAreSaid)
   // borders that lie on nothing are what they are, and closed meshes have none
   EXPECT_EQ(surface(PN_DATA_DIR "/sphere_cap.ply", "--quiet").err, "");
   EXPECT_EQ(surface(PN_DATA_DIR "/cube.off", "--quiet").err, "");
+}
+
+// Loose faces are joined without being asked for, unless that breaks what can be read.
+TEST_F(Pn_subdivide_joins, UnweldedFilesAreWelded)
+{
+  const std::string loose = folder.write("a.off", split_off(box(2, {0, 0, 0}, 1, none)));
+  const Outcome outcome = surface(loose);
+  EXPECT_EQ(outcome.code, 0);
+  expect_part(outcome.err, loose + ": 118 vertices merged with an equal one; --no-mend reads the "
+                                   "file as it stands\n");
+  expect_no_part(outcome.err, "warning");
+  EXPECT_EQ(joined(loose).points.size(), vertices_of_box(2));
+  EXPECT_EQ(joined(loose, "--no-mend").points.size(), 144u);
+
+  // two boxes that touch in a point: this one stays two vertices
+  std::vector<Triangle> two = box(1, {0, 0, 0}, 1, none);
+  for (const Triangle& t : box(1, {1, 1, 1}, 1, none)) two.push_back(t);
+  const std::string touching = folder.write("two.off", split_off(two));
+  expect_part(surface(touching).err, "57 vertices merged with an equal one, 1 vertex added where "
+                                     "fans of faces meet; --no-mend");
+  EXPECT_EQ(joined(touching).points.size(), 16u);
+
+  // along an edge, which would have four faces
+  two = box(1, {0, 0, 0}, 1, none);
+  for (const Triangle& t : box(1, {1, 1, 0}, 1, none)) two.push_back(t);
+  const std::string along = folder.write("along.off", split_off(two));
+  EXPECT_EQ(joined(along).points.size(), 72u);
+  expect_part(surface(along, "--quiet").err, "border edges lie on others: --repair joins them");
+  EXPECT_EQ(joined(along, "--repair").points.size(), 16u);
+  expect_part(surface(along, "--merge-points").err, "more than two faces");
+
+  // a face with two equal points
+  two = box(1, {0, 0, 0}, 1, none);
+  two.push_back({{{5, 5, 5}, {5, 5, 5}, {6, 5, 5}}});
+  const std::string narrow = folder.write("narrow.off", split_off(two));
+  EXPECT_EQ(joined(narrow).points.size(), 39u);
+  EXPECT_EQ(joined(narrow, "--repair").points.size(), vertices_of_box(1) + 2);
+}
+
+TEST_F(Pn_subdivide_joins, VerticesWhereFansMeetAreDoubled)
+{
+  const std::string input = folder.write(
+    "tie.ply",
+    "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\n"
+    "property double z\nproperty double nx\nproperty double ny\nproperty double nz\n"
+    "property double heat\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+    "1 0 0 0 0 1 3\n0 0 0 0 0 1 4\n0 1 0 0 0 1 5\n-1 0 0 0 0 1 6\n0 -1 0 0 0 1 7\n"
+    "3 1 0 2\n3 1 3 4\n");
+  const Outcome outcome = surface(input);
+  EXPECT_EQ(outcome.code, 0);
+  expect_part(outcome.err, "1 vertex added where fans of faces meet; --no-mend");
+  expect_no_part(outcome.err, "warning");
+  const Mesh_data mesh = joined(input, "--normals file");
+  ASSERT_EQ(mesh.points.size(), 6u);
+  EXPECT_EQ(mesh.points[5], mesh.points[1]);
+  EXPECT_EQ(mesh.normals[5], (Triple{0, 0, 1}));
+  EXPECT_EQ(mesh.attributes.of_vertices[0].values[5], 4);
+  // a selection means both
+  const std::string selection = folder.write("s.selection.txt", "1\n\n\n");
+  EXPECT_EQ(run("surface '" + input + "' '" + folder.file("sharp.off") +
+                "' --quiet --levels 1 --sharp '" + selection + "'")
+              .code,
+            0);
+  const std::vector<Triple> points = read_mesh(folder.file("sharp.off")).points;
+  EXPECT_EQ(std::count(points.begin(), points.end(), Triple{0, 0, 0}), 2);
+}
+
+// of vertices that were merged as the first of them
+TEST_F(Pn_subdivide_joins, MessagesNameVerticesAsTheFileDoes)
+{
+  std::string s = "ply\nformat ascii 1.0\nelement vertex 9\nproperty double x\n"
+                  "property double y\nproperty double z\nproperty double nx\n"
+                  "property double ny\nproperty double nz\nelement face 3\n"
+                  "property list uchar int vertex_indices\nend_header\n";
+  for (const char* v : {"0 0 0 0 0 1", "1 0 0 0 0 1", "0 1 0 0 0 1", "1 0 0 0 0 1", "1 1 0 0 0 1",
+                        "0 1 0 0 0 1", "1 1 0 0 0 1", "0 2 0 0 0 -1", "0 1 0 0 0 1"})
+    s += std::string(v) + "\n";
+  const std::string input = folder.write("a.ply", s + "3 0 1 2\n3 3 4 5\n3 6 7 8\n");
+  for (const char* options : {"--no-mend", "--merge-points"})
+    expect_part(surface(input, std::string("--normals file ") + options).err,
+                "(first: at vertex 7)");
 }
 
 TEST_F(Pn_subdivide_joins, TJunctionsAreSaid)
@@ -336,6 +421,47 @@ TEST_F(Pn_subdivide_joins, CopiesOfRepairAreNotSaid)
   const Outcome outcome = surface(input, "--quiet --repair");
   EXPECT_EQ(outcome.code, 0);
   expect_no_part(outcome.err, "border edge");
+}
+
+// Three sheets that are bound along three points of a circle, the middle one of which is off the plane of the sheets.
+TEST_F(Pn_subdivide_joins, CopiesOfRepairKeepOneCurve)
+{
+  const std::string input = folder.write(
+    "a.off", "OFF\n12 6 0\n0 0 0\n.25 1 .15\n0 2 0\n1 0 0\n1 1 0\n1 2 0\n-.5 0 .9\n-.5 1 .9\n"
+             "-.5 2 .9\n-.5 0 -.9\n-.5 1 -.9\n-.5 2 -.9\n4 0 3 4 1\n4 1 4 5 2\n4 0 1 7 6\n"
+             "4 1 2 8 7\n4 0 9 10 1\n4 1 10 11 2\n");
+  const auto distance = [](const Triple& p, const Triple& q) {
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  };
+  // of the circle; it is in the plane of (.25, 0, .15) and the y-axis
+  const double sagitta = std::hypot(.25, .15), radius = (1 + sagitta * sagitta) / (2 * sagitta);
+  const double x = (sagitta - radius) / sagitta;
+  const Triple center{.25 * x, 1, .15 * x};
+  for (const std::string options :
+       {"", "--linear", "--sharp angle:20", "--normals reciprocal", "--border curve",
+        "--border corners", "--roundness 1", "--triangulate --scheme loop", "--limit"}) {
+    SCOPED_TRACE(options);
+    const Outcome outcome = run("surface '" + input + "' '" + folder.file("o.off") +
+                                "' --repair --quiet --levels 3 " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const std::vector<Triple> points = read_mesh(folder.file("o.off")).points;
+    std::size_t common = 0;
+    for (const Triple& p : points) {
+      const auto is_near = [&](const Triple& q) { return distance(p, q) < 1e-12; };
+      const auto copies = std::count_if(points.begin(), points.end(), is_near);
+      EXPECT_TRUE(copies == 1 || copies == 3) << copies;
+      if (copies < 3) continue;
+      ++common;
+      if (options == "--roundness 1" || options == "--normals reciprocal")
+        EXPECT_NEAR(distance(p, center), radius, 1e-12);
+    }
+    EXPECT_EQ(common, 3u * (2 * 8 + 1));
+  }
+  // what has no rules for creases is refined as it was
+  EXPECT_EQ(run("surface '" + input + "' '" + folder.file("o.off") +
+                "' --repair --quiet --scheme doo-sabin")
+              .code,
+            0);
 }
 
 // --- normals of what is merged ---

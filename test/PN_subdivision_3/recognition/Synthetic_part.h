@@ -121,7 +121,7 @@ inline double signed_distance(const True_surface& s, const Vec& p)
   return 0;
 }
 
-enum class File { exact, single, six_digits };
+enum class File { exact, single, six_digits, seven_digits, six_decimals };
 
 struct Part
 {
@@ -163,7 +163,10 @@ inline double rounding(const Part& part)
 {
   const double m = largest_coordinate(part);
   if (part.file == File::single) return std::ldexp(m, -24);
-  if (part.file == File::six_digits) return 0.5 * std::pow(10., std::floor(std::log10(m)) - 5);
+  if (part.file == File::six_decimals) return 0.5e-6;
+  const double digit = std::pow(10., std::floor(std::log10(m)));
+  if (part.file == File::six_digits) return 0.5e-5 * digit;
+  if (part.file == File::seven_digits) return 0.5e-6 * digit;
   return std::ldexp(m, -50);
 }
 
@@ -276,8 +279,9 @@ inline double as_in_file(double x, File file)
 {
   if (file == File::single) return static_cast<double>(static_cast<float>(x));
   if (file == File::exact) return x;
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", x);
+  char text[400];
+  std::snprintf(text, sizeof text, file == File::six_decimals ? "%.*f" : "%.*g",
+                file == File::seven_digits ? 7 : 6, x);
   return std::strtod(text, nullptr);
 }
 

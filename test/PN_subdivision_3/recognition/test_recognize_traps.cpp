@@ -206,6 +206,23 @@ TEST(Recognize_traps, oblique_end_of_a_cylinder)
   for (const double slope : {0.5, 1., 1.7}) expect_right(oblique_cylinder(24, slope));
 }
 
+// The facets around a square face are on a sphere with it, if all steps are equal: by symmetry.
+TEST(Recognize_traps, square_faces_between_equal_fillets)
+{
+  Random random(24);
+  for (const Vec& size : {Vec{2, 2, 2}, Vec{3, 2, 2}})
+    for (double r : {0.1, 0.3}) expect_right(rounded_box(size, r, steps(3), steps(3), random));
+}
+
+// At the poles of the corners the faces are so narrow that they are in the planes of the fillets beside them, up to rounding.
+TEST(Recognize_traps, narrow_faces_at_poles)
+{
+  Random random(25);
+  Part part = rounded_box({3, 2, 1.5}, 0.05, steps(8), steps(8), random);
+  write_as(part, File::six_digits);
+  expect_right(part);
+}
+
 // Few facets, unevenly wide, of a cone and of the cylinder beside it are on a torus.
 TEST(Recognize_traps, uneven_facets_on_a_torus)
 {

@@ -276,7 +276,6 @@ private:
   // double them.
   bool take_flats_out(Region& r)
   {
-    if (r.shape.kind == Kind::sphere) return true;
     for (int k = 0; k < 4; ++k) {
       std::vector<Index> flats, rest;
       double next = 0;

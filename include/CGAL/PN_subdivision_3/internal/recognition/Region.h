@@ -28,7 +28,7 @@ namespace recognition {
 struct Turn
 {
   std::vector<double> positions; // distinct angles of vertices, from where the region begins on
-  std::vector<double> spans;     // of the facets
+  std::vector<double> spans;     // of the facets; on a sphere their widths
   bool is_full = false;
   double widest = 0, least = 0; // of the spans
   double start = 0, end = 0;
@@ -213,8 +213,12 @@ public:
 private:
   void measure_angles(Region& r) const
   {
-    for (const Index p : r.patches)
-      for (const Index f : c_.patches[p].faces) {
+    for (const Index p : r.patches) {
+      const Patches::Patch& patch = c_.patches[p];
+      const double width = (patch.vertices.size() == 3 ? 2 : 1) * patch.width;
+      r.turn.spans.push_back(width / r.shape.radius);
+      r.turn.widest = (std::max)(r.turn.widest, r.turn.spans.back());
+      for (const Index f : patch.faces) {
         const Lists::Range corners = c_.part.corners[f];
         for (std::size_t i = 0; i < corners.size(); ++i)
           for (std::size_t j = 0; j < i; ++j)
@@ -222,6 +226,7 @@ private:
               (std::max)(r.widest_angle, angle_between(c_.point(corners[i]) - r.shape.center,
                                                        c_.point(corners[j]) - r.shape.center));
       }
+    }
   }
 
   void measure_turns(Region& r) const

@@ -60,6 +60,7 @@ public:
     }
     for (Index p = 0; p < c_.patches.size(); ++p)
       if (borders_.owners()[p] != null) set_label(p, borders_.owners()[p]);
+    relabel();
     split();
     find_planes();
     join_unknown();
@@ -80,18 +81,47 @@ private:
     return Index(labels_.size()) - 1;
   }
 
+  // Narrow faces at the pole of a corner are, up to rounding, in the plane of a facet of the fillet beside them.
+  void relabel()
+  {
+    for (Index p = 0; p < c_.patches.size(); ++p) {
+      const Index own = borders_.owners()[p];
+      if (own == null || distance(own, c_.patches[p].vertices) <= c_.tolerance() / 2) continue;
+      std::vector<Index> others = owners_beside(p);
+      others.erase(std::remove(others.begin(), others.end(), own), others.end());
+      for (const Index f : c_.patches[p].faces) {
+        const double d = distance(own, c_.part.corners[f]);
+        const Index other = d > c_.tolerance() / 2 ? region_of_face(f, others) : null;
+        if (other != null && distance(other, c_.part.corners[f]) < d / 2) label_[f] = other;
+      }
+    }
+  }
+  template <class Vertices>
+  double distance(Index region, const Vertices& vertices) const
+  {
+    double result = 0;
+    for (const Index v : vertices)
+      result = (std::max)(result, std::abs(regions_[region].shape.distance(c_.point(v))));
+    return result;
+  }
+  std::vector<Index> owners_beside(Index p) const
+  {
+    std::vector<Index> owners;
+    for (const Index number : c_.patches[p].joints) {
+      const Index owner = borders_.owners()[c_.patches.joints[number].other(p)];
+      if (owner != null) owners.push_back(owner);
+    }
+    std::sort(owners.begin(), owners.end());
+    owners.erase(std::unique(owners.begin(), owners.end()), owners.end());
+    return owners;
+  }
+
   // The middle facets of a pipe and of its bend are coplanar.
   void split()
   {
     for (Index p = 0; p < c_.patches.size(); ++p) {
       if (!is_free(p) || c_.patches[p].faces.size() < 2) continue;
-      std::vector<Index> owners;
-      for (const Index number : c_.patches[p].joints) {
-        const Index owner = borders_.owners()[c_.patches.joints[number].other(p)];
-        if (owner != null) owners.push_back(owner);
-      }
-      std::sort(owners.begin(), owners.end());
-      owners.erase(std::unique(owners.begin(), owners.end()), owners.end());
+      const std::vector<Index> owners = owners_beside(p);
       std::vector<Index> chosen;
       for (const Index f : c_.patches[p].faces) {
         chosen.push_back(region_of_face(f, owners));
