@@ -12,9 +12,9 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
-#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
 
@@ -93,7 +93,6 @@ class Cut_adaptive_level
 {
 public:
   using Index = Level_connectivity::Index;
-  using Value = typename Level::Slot_value;
 
   Cut_adaptive_level(Level& level, Face_marks kept, unsigned rings)
     : level_(level)
@@ -104,55 +103,36 @@ public:
     if (10 * number > 9 * kept.size()) return; // it would save little
     const All_candidates candidates(whole, kept);
     Piece_extraction<All_candidates> extraction(whole, candidates, false);
-    Level part{
-      {std::move(extraction.piece()), {}},
-      std::decay_t<decltype(level.creases)>(static_cast<Index>(extraction.old_vertices().size())),
-      {},
-      {},
-      {},
-      std::vector<std::vector<Value>>(level.planes.size()),
-      {}};
-    const auto old_edges = extraction.old_edges();
-    for (const Index e : old_edges) part.edges.push_back(level.edges[e]);
-    for (Index f = 0; f < kept.size(); ++f)
-      if (kept[f] != 0) {
-        part.faces.push_back(level.faces[f]);
-        if (!level.corners.empty()) part.corners.push_back(std::move(level.corners[f]));
-      }
-    take_slots(part, extraction.old_vertices(), old_edges);
-    level = std::move(part);
+    Level_part part(extraction, true);
+    Level left{{},
+               std::decay_t<decltype(level.creases)>(static_cast<Index>(part.vertices.size())),
+               {},
+               values_of_part(level.edges, part.edges),
+               values_of_part(level.faces, part.faces),
+               {},
+               {}};
+    const Level_part::Origins slots = take_creases(part, left.creases);
+    left.level.values = values_of_part(level.level.values, slots);
+    left.slot_ids = values_of_part(level.slot_ids, slots);
+    for (const auto& plane : level.planes) left.planes.push_back(values_of_part(plane, slots));
+    if (!level.corners.empty())
+      for (const Index f : part.faces) left.corners.push_back(std::move(level.corners[f]));
+    left.level.level = std::move(part.level);
+    level = std::move(left);
   }
 
 private:
-  template <class Vertices, class Edges>
-  void take_slots(Level& part, const Vertices& old_vertices,
-                  [[maybe_unused]] const Edges& old_edges)
+  // tells the slots of the level for those that are left
+  template <class Level_creases>
+  Level_part::Origins take_creases(const Level_part& part,
+                                   [[maybe_unused]] Level_creases& creases) const
   {
-    const auto& values = level_.level.values;
-    if constexpr (are_creases_v<std::decay_t<decltype(level_.creases)>>)
+    if constexpr (are_creases_v<Level_creases>)
       if (!level_.creases.empty()) {
-        part.creases = creases_of_part(
-          level_.creases, part.level.level, [&](Index e) { return old_edges[e]; },
-          [&](Index v) { return old_vertices[v]; });
-        part.slot_ids.assign(part.creases.number_of_slots, Level_connectivity::null);
-        const Corner_slots<FT> slot_of(level_.level.level, level_.creases);
-        const auto halfedge = [&](Index h) { return 2 * old_edges[h / 2] + (h & 1u); };
-        const auto take = [&](const auto& from, auto& to) {
-          to.resize(part.creases.number_of_slots);
-          take_slot_values(part.level.level, part.creases, halfedge, slot_of, from, to);
-        };
-        take(values, part.level.values);
-        for (std::size_t p = 0; p < part.planes.size(); ++p) take(level_.planes[p], part.planes[p]);
-        take_slot_values(part.level.level, part.creases, halfedge, slot_of, level_.slot_ids,
-                         part.slot_ids);
-        return;
+        creases = part.creases(level_.creases);
+        return part.slot_origins(creases, Corner_slots<FT>(level_.level.level, level_.creases));
       }
-    for (const Index v : old_vertices) {
-      part.level.values.push_back(values[v]);
-      part.slot_ids.push_back(level_.slot_ids[v]);
-      for (std::size_t p = 0; p < part.planes.size(); ++p)
-        part.planes[p].push_back(level_.planes[p][v]);
-    }
+    return part.vertices;
   }
 
   Level& level_;
