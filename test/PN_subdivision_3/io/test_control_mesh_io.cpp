@@ -254,10 +254,10 @@ TEST(Control_mesh_io, Formats)
     const auto read = PN::read_control_mesh(file, again);
     ASSERT_EQ(again.number_of_vertices(), 5u) << ending;
     EXPECT_EQ(again.number_of_faces(), 4u) << ending;
-    if (ending != "stl") // which has other numbers
-      EXPECT_EQ(numbers(again), numbers(mesh)) << ending;
-    if (ending == "ply" || ending == "off")
-      for (const auto v : again.vertices()) EXPECT_EQ(read[v], normals[v]) << ending;
+    if (ending == "stl") continue; // which has other numbers
+    EXPECT_EQ(numbers(again), numbers(mesh)) << ending;
+    if (ending == "obj") continue; // which has no normals
+    for (const auto v : again.vertices()) EXPECT_EQ(read[v], normals[v]) << ending;
   }
   Mesh empty, empty_again;
   PN::write_refined_mesh(folder.file("c.ply"), empty);
