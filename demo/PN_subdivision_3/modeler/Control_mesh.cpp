@@ -117,7 +117,7 @@ Control_mesh Control_mesh::read(const std::string& content, const std::string& f
   drop_normals_that_say_nothing(mesh);
   Control_mesh result;
   result.fill(mesh);
-  if (mesh.has_corner_normals()) result.mark_edges_where_normals_differ();
+  result.mark_creases(mesh);
   result.wedges_ =
     std::make_unique<Wedges>(result.surface_, [&](Edge e) { return result.is_sharp(e); });
   if (!mesh.has_normals()) result.estimate_normals();
@@ -182,6 +182,16 @@ void Control_mesh::put_uv(const Mesh_data& mesh, const std::vector<double>& of_c
       for (std::size_t k = 0; k < 2; ++k) uv_[2 * h + k] = of_corners.at(2 * c + k);
     }
     first += surface_.degree(f);
+  }
+}
+
+void Control_mesh::mark_creases(const Mesh_data& mesh)
+{
+  if (mesh.tags.edges.empty() && mesh.has_corner_normals()) mark_edges_where_normals_differ();
+  for (const auto& tag : mesh.tags.edges) {
+    const Halfedge h =
+      surface_.halfedge(Surface::Vertex_index(tag.ends[0]), Surface::Vertex_index(tag.ends[1]));
+    if (h != Surface::null_halfedge()) sharpness_[surface_.edge(h)] = sharp_for_ever;
   }
 }
 

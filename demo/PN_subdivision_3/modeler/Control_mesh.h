@@ -93,6 +93,7 @@ private:
   Control_mesh() = default;
   void fill(const Mesh_data& mesh);
   void put_uv(const Mesh_data& mesh, const std::vector<double>& of_corners);
+  void mark_creases(const Mesh_data& mesh);
   void mark_edges_where_normals_differ();
   void replace_wedges();
   struct Estimate

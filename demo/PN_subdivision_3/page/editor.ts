@@ -78,6 +78,8 @@ export class Editor {
   /** The most rounds for this mesh and scheme. */
   greatestRounds = 7;
   status = "";
+  /** The mesh as there is a file of it; none: not at all. */
+  ofFile: MeshState | undefined;
   /** Another one after each change of the mesh. */
   meshNumber = 0;
   readonly history = new History<Version>(({ mesh }) => mesh.points.length + 4 * mesh.corners.length);
@@ -165,6 +167,7 @@ export class Editor {
       return false;
     }
     this.name = name;
+    this.ofFile = this.mesh.state();
     this.selection = {};
     this.frameAll();
     this.changed();
@@ -250,6 +253,11 @@ export class Editor {
     this.onChange?.(isFinal);
   }
 
+  takeAsSaved(mesh: MeshState): void {
+    this.ofFile = mesh;
+    this.changed();
+  }
+
   /** From the usual direction, or from another one. */
   frameAll(direction?: Triple): void {
     this.viewer.frameAll([this.shownHandles.points, this.positions], direction);
@@ -310,6 +318,14 @@ export class Editor {
     this.handles.normals.set([x, y, z], 3 * wedge);
     this.dragged.wedges.add(wedge);
     this.drag();
+  }
+
+  /** Shows what a normal would do, which is no change: the last call has the normal as it was. */
+  showTurned(wedge: number, x: number, y: number, z: number, isLast: boolean): void {
+    this.mesh.setNormal(wedge, x, y, z);
+    this.handles.normals.set([x, y, z], 3 * wedge);
+    this.dragged.wedges.add(wedge);
+    this.follow(isLast);
   }
 
   private drag(): void {

@@ -10,6 +10,8 @@
 #include "surface/Surface.h"
 #include "surface/split_polygon.h"
 
+#include <CGAL/boost/graph/iterator.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
