@@ -10,8 +10,6 @@
 #include "surface/Surface.h"
 #include "surface/split_polygon.h"
 
-#include <CGAL/boost/graph/iterator.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
