@@ -41,4 +41,4 @@ if [[ -z $command ]]; then
   command=build/release/src/pn_subdivide/pn_subdivide
 fi
 export PN_PAGE=$page PN_LIBRARY=build/page/library PN_MODELER=build/page/modeler PN_SUBDIVIDE=$command
-node --test $tests/test_editing.mjs $tests/test_page.mjs $tests/test_pictures.mjs $tests/test_outputs.mjs $tests/test_worker.mjs $tests/test_library.mjs $tests/test_readers.mjs $tests/test_firefox.mjs
+node --test $tests/test_editing.mjs $tests/test_page.mjs $tests/test_pictures.mjs $tests/test_outputs.mjs $tests/test_visits.mjs $tests/test_worker.mjs $tests/test_library.mjs $tests/test_readers.mjs $tests/test_firefox.mjs

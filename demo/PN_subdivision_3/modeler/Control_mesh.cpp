@@ -133,7 +133,7 @@ Control_mesh Control_mesh::read(const std::string& content, const std::string& f
   require_manifold(mesh);
   result.normals_from_ = drop_normals_that_say_nothing(mesh);
   result.fill(mesh);
-  if (mesh.has_corner_normals()) result.mark_edges_where_normals_differ();
+  result.mark_creases(mesh);
   result.wedges_ =
     std::make_unique<Wedges>(result.surface_, [&](Edge e) { return result.is_sharp(e); });
   if (!mesh.has_normals()) result.estimate_normals();
@@ -190,6 +190,16 @@ void Control_mesh::fill(const Mesh_data& mesh)
   if (!pn_subdivide::normals_of(surface_)) pn_subdivide::add_normals(surface_);
   const auto of_corners = pn_subdivide::corner_normals_of(surface_);
   normals_ = of_corners ? *of_corners : pn_subdivide::add_corner_normals(surface_);
+}
+
+void Control_mesh::mark_creases(const Mesh_data& mesh)
+{
+  if (mesh.tags.edges.empty() && mesh.has_corner_normals()) mark_edges_where_normals_differ();
+  for (const auto& tag : mesh.tags.edges) {
+    const Halfedge h =
+      surface_.halfedge(Surface::Vertex_index(tag.ends[0]), Surface::Vertex_index(tag.ends[1]));
+    if (h != Surface::null_halfedge()) sharpness_[surface_.edge(h)] = sharp_for_ever;
+  }
 }
 
 // As the command does without --sharp.

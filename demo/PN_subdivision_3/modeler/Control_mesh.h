@@ -99,6 +99,7 @@ public:
 private:
   Control_mesh() = default;
   void fill(const Mesh_data& mesh);
+  void mark_creases(const Mesh_data& mesh);
   void mark_edges_where_normals_differ();
   void replace_wedges();
   std::vector<Corner_value> estimate() const; // by half-edge

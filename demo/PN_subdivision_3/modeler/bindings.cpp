@@ -274,6 +274,29 @@ val faces_of(const Refined_surface& surface)
   return to_page(surface.faces());
 }
 
+// Three corners of each triangle, as the command has them in files of triangles.
+val split_faces(const val& points, const val& faces)
+{
+  return guarded([&] {
+    Mesh_data mesh;
+    const auto coordinates = vector_of<double>(points);
+    for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3)
+      mesh.points.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
+    const auto corners = vector_of<std::uint32_t>(faces["corners"]);
+    auto corner = corners.begin();
+    for (const std::uint32_t degree : vector_of<std::uint32_t>(faces["degrees"])) {
+      mesh.add_face(std::vector<std::uint32_t>(corner, corner + degree));
+      corner += degree;
+    }
+    Surface surface = pn_subdivide::make_surface(mesh);
+    pn_subdivide::triangulate(surface);
+    std::vector<std::uint32_t> result;
+    for (const auto h : pn_subdivide::corners_of(surface))
+      result.push_back(std::uint32_t(surface.target(h)));
+    return copy_of(result);
+  });
+}
+
 // --- curves ---
 
 val refine_curve(const val& points, const val& normals, const std::string& mask, bool is_linear,
@@ -340,6 +363,7 @@ EMSCRIPTEN_BINDINGS(pn_subdivision_3)
   function("restoreMesh", restore_mesh);
   function("refine", refine, allow_raw_pointers());
   function("schemes", scheme_list);
+  function("splitFaces", split_faces);
   function("refineCurve", refine_curve);
   function("estimateCurveNormals", estimate_curve_normals);
 }

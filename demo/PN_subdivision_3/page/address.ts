@@ -20,6 +20,8 @@ export interface Edits {
   mesh?: { points: number[]; degrees: number[]; corners: number[]; normals: number[]; sharp: number[]; roundness?: number[] };
 }
 
+const damaged = "it is damaged, or its end is missing";
+
 const sameArray = (a: ArrayLike<number>, b: ArrayLike<number>): boolean =>
   a.length === b.length && Array.prototype.every.call(a, (x: number, i: number) => x === b[i]);
 
@@ -40,7 +42,7 @@ export function shortRoundness({ roundness }: MeshState): number[] {
 
 function longRoundness(short: number[] | undefined, vertices: number, corners: number): Float64Array | undefined {
   if (short === undefined) return undefined;
-  if (![1, vertices, corners].includes(short.length)) throw new Error("the link is damaged");
+  if (![1, vertices, corners].includes(short.length)) throw new Error(damaged);
   return short.length === 1 ? new Float64Array(vertices).fill(short[0]) : Float64Array.from(short);
 }
 
@@ -68,7 +70,16 @@ export function editsOf(mesh: MeshState, example: MeshState | undefined): Edits 
   return Object.keys(edits).length > 0 ? edits : undefined;
 }
 
+/** Anybody may have written the edits. */
 export function applyEdits(edits: Edits, example: MeshState | undefined): MeshState {
+  try {
+    return edited(edits, example);
+  } catch {
+    throw new Error(damaged);
+  }
+}
+
+function edited(edits: Edits, example: MeshState | undefined): MeshState {
   if (edits.mesh)
     return {
       points: Float64Array.from(edits.mesh.points),
@@ -78,11 +89,11 @@ export function applyEdits(edits: Edits, example: MeshState | undefined): MeshSt
       sharpEdges: Uint32Array.from(edits.mesh.sharp),
       roundness: longRoundness(edits.mesh.roundness, edits.mesh.points.length / 3, edits.mesh.corners.length),
     };
-  if (!example) throw new Error("the example of this link is not known");
+  if (!example) throw new Error(damaged);
   const state = { ...example, points: example.points.slice(), cornerNormals: example.cornerNormals!.slice() };
   const put = (array: Float64Array, changes: number[][] | undefined): void => {
     for (const [i, ...values] of changes ?? []) {
-      if (!(3 * i + 3 <= array.length) || values.length !== 3) throw new Error("the link is damaged");
+      if (!(3 * i + 3 <= array.length) || values.length !== 3) throw new Error(damaged);
       array.set(values, 3 * i);
     }
   };
@@ -102,8 +113,23 @@ export async function pack(value: unknown): Promise<string> {
   return btoa(text).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 }
 
-export async function unpack(text: string): Promise<unknown> {
-  const binary = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
-  const bytes = await inflate(Uint8Array.from(binary, (c) => c.charCodeAt(0)), "deflate-raw");
-  return JSON.parse(new TextDecoder().decode(bytes));
+/** An object. */
+export async function unpack(text: string): Promise<object> {
+  try {
+    const binary = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
+    const bytes = await inflate(Uint8Array.from(binary, (c) => c.charCodeAt(0)), "deflate-raw");
+    return Object(JSON.parse(new TextDecoder().decode(bytes)));
+  } catch {
+    throw new Error(damaged);
+  }
+}
+
+/** The name before "=" and what is packed behind it. */
+export function partsOf(hash: string): [name: string, packed: string | undefined] {
+  const [name, packed] = hash.slice(1).split("=");
+  try {
+    return [decodeURIComponent(name), packed];
+  } catch {
+    throw new Error(damaged);
+  }
 }

@@ -20,8 +20,10 @@ declare module "modeler-code" {
   export default create;
 }
 declare module "modeler-wasm" {
-  const bytes: Uint8Array;
-  export default bytes;
+  /** A letter for each byte; the alphabet has them in the order of the bytes. */
+  export const alphabet: string;
+  const text: string;
+  export default text;
 }
 declare module "surface-worker-code" {
   const address: () => string;

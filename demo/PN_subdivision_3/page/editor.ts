@@ -91,6 +91,8 @@ export class Editor {
   status = "";
   /** Of the file that the mesh is of. */
   about: AboutFile | undefined;
+  /** The mesh as there is a file of it; none: not at all. */
+  ofFile: MeshState | undefined;
   /** Another one after each change of the mesh. */
   meshNumber = 0;
   readonly history = new History<Version>(({ mesh }) => mesh.points.length + 4 * mesh.corners.length);
@@ -189,6 +191,7 @@ export class Editor {
     }
     this.name = name;
     this.about = about;
+    this.ofFile = this.mesh.state();
     this.selection = {};
     this.frameAll();
     this.changed();
@@ -253,6 +256,11 @@ export class Editor {
     this.settings.split = split;
     this.viewer.setLayout(this.settings.layout, split);
     this.onChange?.(isFinal);
+  }
+
+  takeAsSaved(mesh: MeshState): void {
+    this.ofFile = mesh;
+    this.changed();
   }
 
   /** From the usual direction, or from another one. */
@@ -325,6 +333,14 @@ export class Editor {
     this.handles.normals.set([x, y, z], 3 * wedge);
     this.dragged.wedges.add(wedge);
     this.drag();
+  }
+
+  /** Shows what a normal would do, which is no change: the last call has the normal as it was. */
+  showTurned(wedge: number, x: number, y: number, z: number, isLast: boolean): void {
+    this.mesh.setNormal(wedge, x, y, z);
+    this.handles.normals.set([x, y, z], 3 * wedge);
+    this.dragged.wedges.add(wedge);
+    this.follow(isLast);
   }
 
   private drag(): void {

@@ -21,9 +21,12 @@ export function fill(list: HTMLSelectElement, options: Iterable<[value: string, 
   list.replaceChildren(...Array.from(options, ([value, title]) => new Option(title, value)));
 }
 
+/** The sentence about what is chosen is under it, since fingers see no titles. */
 export function choose(name: string, value: string): void {
-  for (const radio of document.querySelectorAll<HTMLInputElement>(`input[name="${name}"]`))
+  for (const radio of document.querySelectorAll<HTMLInputElement>(`input[name="${name}"]`)) {
     radio.checked = radio.value === value;
+    if (radio.checked) element(`${name}-hint`).textContent = radio.labels![0].title;
+  }
 }
 
 export function onChoice(name: string, act: (value: string) => void): void {

@@ -145,6 +145,8 @@ export const examples: Record<string, Example> = {
   spoon: { title: "Spoon", about: "The normals are estimated.", text: spoon, format: "obj", ...quads },
 };
 
+Object.setPrototypeOf(examples, null); // names come from addresses
+
 const degrees = Math.PI / 180;
 
 export interface CurveExample {

@@ -6,87 +6,159 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// What is taken away: meshes as PLY, pictures, text.
+// What is taken away: meshes, as the command pn_subdivide writes them to the byte, pictures, text.
 
 import type { Faces } from "./modeler";
 
-export interface PlyVertices {
-  points: Float64Array;
-  /** Left out where there are none. */
+/** Control normals and roundness of corners, which differ on the sides of creases. */
+export interface Corners {
   normals: Float64Array;
   /** Left out where it is 1. */
   roundness?: Float64Array;
 }
 
-/** A binary PLY file with all digits. The kind of the normals is said as the command says it. */
-export function plyFile(of: PlyVertices, faces: Faces, kind: "control normals" | "normals of the surface"): Uint8Array {
-  const { points, normals, roundness } = of;
-  const vertices = points.length / 3;
-  const hasNormals = normals.length === points.length;
-  const hasShortFaces = faces.degrees.every((degree) => degree < 256);
-  const hasRoundness = hasNormals && roundness?.length === vertices;
-  const names = ["x", "y", "z", ...(hasNormals ? ["nx", "ny", "nz"] : []), ...(hasRoundness ? ["roundness"] : [])];
-  const header = [
+export interface PlyMesh {
+  points: Float64Array;
+  /** Of vertices; left out where there are none. */
+  normals: Float64Array;
+  /** Of vertices; left out where it is 1. */
+  roundness?: Float64Array;
+  faces: Faces;
+  /** For further rounds: the creases, as pairs of vertices, and what differs there. */
+  sharpEdges?: Uint32Array;
+  corners?: Corners;
+}
+
+/** What vertices have of their corners: the normalized sum of the different normals, and the least roundness. */
+export function valuesOfVertices(vertices: number, { normals, roundness }: Corners, { corners }: Faces): {
+  normals: Float64Array; roundness?: Float64Array; differ: boolean } {
+  const values = Array.from({ length: vertices }, (): number[][] => []);
+  const least = new Float64Array(vertices).fill(1);
+  let differ = false;
+  corners.forEach((v, c) => {
+    const n = [...normals.subarray(3 * c, 3 * c + 3)];
+    if (!values[v].some((other) => other.every((x, k) => x === n[k]))) values[v].push(n);
+    if (roundness) least[v] = Math.min(least[v], roundness[c]);
+  });
+  const sums = values.flatMap((all) => {
+    differ ||= all.length > 1;
+    if (all.length < 2) return all[0] ?? [0, 0, 0];
+    return unit(all.reduce((sum, n) => sum.map((x, k) => x + n[k])));
+  });
+  differ ||= roundness?.some((w, c) => w !== least[corners[c]]) ?? false;
+  return { normals: Float64Array.from(sums), roundness: roundness && least, differ };
+}
+
+class Bytes {
+  private bytes = new Uint8Array(1 << 16);
+  private view = new DataView(this.bytes.buffer);
+  private size = 0;
+
+  get content(): Uint8Array {
+    return this.bytes.subarray(0, this.size);
+  }
+  text(text: string): void {
+    const bytes = new TextEncoder().encode(text);
+    const at = this.room(bytes.length);
+    this.bytes.set(bytes, at);
+  }
+  uint8(x: number): void {
+    const at = this.room(1);
+    this.view.setUint8(at, x);
+  }
+  uint32(x: number): void {
+    const at = this.room(4);
+    this.view.setUint32(at, x, true);
+  }
+  float64(x: number): void {
+    const at = this.room(8);
+    this.view.setFloat64(at, x, true);
+  }
+  /** Returns where it begins; the arrays may be others then. */
+  private room(n: number): number {
+    this.size += n;
+    if (this.size > this.bytes.length) {
+      const old = this.bytes;
+      this.bytes = new Uint8Array(2 * this.size);
+      this.bytes.set(old);
+      this.view = new DataView(this.bytes.buffer);
+    }
+    return this.size - n;
+  }
+}
+
+/** A binary PLY file with all digits. */
+export function plyFile(mesh: PlyMesh, kind: "control normals" | "normals of the surface"): Uint8Array {
+  const { points, normals, roundness, faces, corners } = mesh;
+  const hasNormals = normals.length > 0;
+  const ofVertices = [points, ...(hasNormals ? [normals] : [])];
+  const list = `property list ${faces.degrees.every((degree) => degree * (corners ? 3 : 1) < 256) ? "uchar" : "uint"}`;
+  const out = new Bytes();
+  const count = (n: number): void => (list.endsWith("uchar") ? out.uint8(n) : out.uint32(n));
+  out.text([
     "ply",
     "format binary_little_endian 1.0",
+    "comment written by pn_subdivide",
     ...(hasNormals ? [`comment ${kind}`] : []),
-    `element vertex ${vertices}`,
-    ...names.map((name) => `property double ${name}`),
+    `element vertex ${points.length / 3}`,
+    ...["x", "y", "z", ...(hasNormals ? ["nx", "ny", "nz"] : []), ...(roundness ? ["roundness"] : [])].map((name) => `property double ${name}`),
     `element face ${faces.degrees.length}`,
-    `property list ${hasShortFaces ? "uchar" : "uint"} uint vertex_indices`,
+    `${list} int vertex_indices`,
+    ...(corners ? [`${list} double corner_control_normals`] : []),
+    ...(corners?.roundness ? [`${list} double corner_roundness`] : []),
+    ...(mesh.sharpEdges ? [`element edge ${mesh.sharpEdges.length / 2}`, "property int vertex1", "property int vertex2", "property double sharpness"] : []),
     "end_header\n",
-  ].join("\n");
-  const head = new TextEncoder().encode(header);
-  const sizeOfDegree = hasShortFaces ? 1 : 4;
-  const size =
-    head.length + vertices * 8 * names.length + faces.degrees.length * sizeOfDegree + 4 * faces.corners.length;
-  const bytes = new Uint8Array(size);
-  bytes.set(head);
-  const view = new DataView(bytes.buffer);
-  let at = head.length;
-  const put = (x: number): void => {
-    view.setFloat64(at, x, true);
-    at += 8;
-  };
-  for (let v = 0; v < vertices; ++v) {
-    for (let k = 0; k < 3; ++k) put(points[3 * v + k]);
-    if (hasNormals) for (let k = 0; k < 3; ++k) put(normals[3 * v + k]);
-    if (hasRoundness) put(roundness[v]);
+  ].join("\n"));
+  for (let v = 0; v < points.length / 3; ++v) {
+    for (const values of ofVertices) for (let k = 0; k < 3; ++k) out.float64(values[3 * v + k]);
+    if (roundness) out.float64(roundness[v]);
   }
-  let corner = 0;
+  let first = 0;
   for (const degree of faces.degrees) {
-    if (hasShortFaces) view.setUint8(at, degree);
-    else view.setUint32(at, degree, true);
-    at += sizeOfDegree;
-    for (let i = 0; i < degree; ++i, at += 4) view.setUint32(at, faces.corners[corner++], true);
+    const end = first + degree;
+    count(degree);
+    for (let c = first; c < end; ++c) out.uint32(faces.corners[c]);
+    for (const [values, n] of [[corners?.normals, 3], [corners?.roundness, 1]] as const) {
+      if (!values) continue;
+      count(n * degree);
+      for (let i = n * first; i < n * end; ++i) out.float64(values[i]);
+    }
+    first = end;
   }
-  return bytes;
+  for (let i = 0; i < (mesh.sharpEdges?.length ?? 0); ++i) {
+    out.uint32(mesh.sharpEdges![i]);
+    if (i % 2 === 1) out.float64(Infinity);
+  }
+  return out.content;
 }
 
-/** Normals of corners, so that creases are there again when the file is read. */
-export function objFile(points: Float64Array, cornerNormals: Float64Array, faces: Faces): string {
+/** The 17 digits that tell every number from its neighbors, as C's "%.17g" has them. */
+export function seventeenDigits(x: number): string {
+  if (x === 0) return Object.is(x, -0) ? "-0" : "0";
+  let [digits, power] = x.toExponential(16).split("e");
+  // a number in the middle of two is rounded away from zero here, and to an even digit there
+  const middle = /^(-?\d\.\d{15}[02468])50*e/.exec(x.toExponential(60));
+  if (middle) digits = middle[1];
+  const exponent = Number(power);
+  if (exponent < -4 || exponent >= 17)
+    return `${digits.replace(/\.?0*$/, "")}e${exponent < 0 ? "-" : "+"}${String(Math.abs(exponent)).padStart(2, "0")}`;
+  const sign = x < 0 ? "-" : "";
+  const all = digits.replace(/[-.]/g, "");
+  const text = exponent < 0 ? `0.${"0".repeat(-exponent - 1)}${all}` : `${all.slice(0, exponent + 1)}.${all.slice(exponent + 1)}`;
+  return sign + text.replace(/\.?0*$/, "");
+}
+
+/** With normals of vertices, if there are any. */
+export function objFile(points: Float64Array, normals: Float64Array, faces: Faces): string {
   const lines: string[] = [];
-  const addTriples = (word: string, values: Float64Array): void => {
-    for (let i = 0; i < values.length; i += 3) lines.push(`${word} ${values[i]} ${values[i + 1]} ${values[i + 2]}`);
-  };
-  addTriples("v", points);
-  addTriples("vn", cornerNormals);
-  let corner = 0;
+  for (const [word, values] of [["v", points], ["vn", normals]] as const)
+    for (let i = 0; i < values.length; i += 3) lines.push(`${word} ${[...values.subarray(i, i + 3)].map(seventeenDigits).join(" ")}`);
+  let first = 0;
   for (const degree of faces.degrees) {
-    const places = Array.from({ length: degree }, () => {
-      const vertex = faces.corners[corner++] + 1;
-      return cornerNormals.length > 0 ? `${vertex}//${corner}` : String(vertex);
-    });
-    lines.push(`f ${places.join(" ")}`);
+    const corners = [...faces.corners.subarray(first, (first += degree))];
+    lines.push(`f ${corners.map((v) => (normals.length > 0 ? `${v + 1}//${v + 1}` : String(v + 1))).join(" ")}`);
   }
   return `${lines.join("\n")}\n`;
-}
-
-/** The same with normals of vertices, if there are any. */
-export function objOfVertices(points: Float64Array, normals: Float64Array, faces: Faces): string {
-  const ofCorners = new Float64Array(normals.length === 0 ? 0 : 3 * faces.corners.length);
-  if (normals.length > 0) faces.corners.forEach((v, c) => ofCorners.set(normals.subarray(3 * v, 3 * v + 3), 3 * c));
-  return objFile(points, ofCorners, faces);
 }
 
 /** Triangles with normals of vertices, as they are drawn. */
@@ -97,20 +169,33 @@ export interface Drawn {
 }
 
 /** Binary STL, which holds no more than the corners of each triangle and its normal. */
-export function stlFile({ positions, triangles }: Drawn): Uint8Array {
+export function stlFile(points: Float64Array, triangles: Uint32Array): Uint8Array {
   const n = triangles.length / 3;
   const bytes = new Uint8Array(84 + 50 * n);
+  bytes.set(new TextEncoder().encode("binary STL written by pn_subdivide"));
   const view = new DataView(bytes.buffer);
   view.setUint32(80, n, true);
-  const corner = (i: number): number[] => [...positions.subarray(3 * i, 3 * i + 3)];
   for (let t = 0; t < n; ++t) {
-    const [a, b, c] = [0, 1, 2].map((k) => corner(triangles[3 * t + k]));
-    const [u, v] = [b, c].map((p) => p.map((x, k) => x - a[k]));
-    const normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    const length = Math.hypot(...normal) || 1;
-    [...normal.map((x) => x / length), ...a, ...b, ...c].forEach((x, k) => view.setFloat32(84 + 50 * t + 4 * k, x, true));
+    const corners = [0, 1, 2].map((k) => [...points.subarray(3 * triangles[3 * t + k], 3 * triangles[3 * t + k] + 3)]);
+    [...unitNormal(corners), ...corners.flat()].forEach((x, k) => view.setFloat32(84 + 50 * t + 4 * k, x, true));
   }
   return bytes;
+}
+
+/** Of a triangle; zero if it has no area. */
+function unitNormal([a, b, c]: number[][]): number[] {
+  const sides = [b, c].map((p) => p.map((x, k) => x - a[k]));
+  const largest = Math.max(...sides.flat().map(Math.abs));
+  if (!(largest > 0)) return [0, 0, 0];
+  const [u, v] = sides.map((side) => side.map((x) => x / largest));
+  return unit([u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]);
+}
+
+/** As std::hypot has the length, to the bit. */
+function unit(n: number[]): number[] {
+  const most = Math.max(...n.map(Math.abs));
+  const length = most * Math.sqrt(n.map((x) => (x / most) * (x / most)).reduce((sum, x) => sum + x));
+  return length > 0 ? n.map((x) => x / length) : [0, 0, 0];
 }
 
 /** Binary glTF 2.0, one mesh. glTF has y upwards. */

@@ -8,7 +8,7 @@
 
 // The page: two tabs, what they share, and the address.
 
-import { applyEdits, editsOf, pack, unpack, type Edits } from "./address";
+import { applyEdits, editsOf, pack, partsOf, unpack, type Edits } from "./address";
 import { CurvePanel } from "./curve_panel";
 import { checkedCurve, CurveEditor, type CurveState } from "./curves";
 import { checkedSettings, Editor, messageOf, type Settings } from "./editor";
@@ -23,6 +23,7 @@ import type { Theme } from "./shading";
 import { SurfacePanel } from "./surface_panel";
 import { Tour } from "./tour";
 import { TurnMe } from "./turn_me";
+import { forget, isSameMesh, keep, kept, type Unsaved } from "./unsaved";
 import { Viewer } from "./viewer";
 
 const tabs = ["surface", "curve", "formula"] as const;
@@ -54,6 +55,8 @@ class Page {
   private picture: string | undefined;
   private timer = 0;
   private ownAddress = "";
+  private isAddressFull = false;
+  private keptName = ""; // of the edits that the browser keeps
   private place = ""; // what is looked at: the browser goes back to the one before
   private edits: { meshNumber: number; value: Edits | undefined } | undefined;
   private readonly exampleStates = new Map<string, MeshState | undefined>();
@@ -72,7 +75,7 @@ class Page {
     this.formula = new FormulaView(element<SVGSVGElement>("formula-drawing"), announce);
     this.turnMe = new TurnMe(this.viewer, this.editor);
     fillGallery((name) => this.showPicture(name));
-    new Tour((name) => this.showStep(name));
+    new Tour((name, settings) => this.showStep(name, settings));
     this.editor.onChange = (isFinal) => {
       this.panel.refresh();
       if (isFinal && this.picture && !this.isPicture(this.picture)) this.takePicture(undefined);
@@ -96,12 +99,16 @@ class Page {
     this.place = this.placeOfNow();
     this.changed();
     if (!this.viewer.canDraw) {
-      say("This browser shows no pictures in three dimensions (WebGL is missing or off). Curves work without.", "error");
+      element("no-webgl").hidden = false;
+      say(element("no-webgl").textContent!, "error");
       this.show("curve");
     }
     await this.editor.settled();
     element("loading").remove();
     this.viewer.draw();
+    this.turnMe.turnOnce();
+    const edits = await kept();
+    if (edits) this.offer(edits);
     document.documentElement.dataset.ready = String(Math.round(performance.now()));
   }
 
@@ -127,6 +134,7 @@ class Page {
       if (location.hash !== this.ownAddress) void this.goTo();
     });
     window.addEventListener("resize", () => this.panel.refresh());
+    window.addEventListener("beforeunload", (event) => this.isUnsaved() && event.preventDefault());
     window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.takeTheme());
   }
 
@@ -186,10 +194,11 @@ class Page {
       settings.scheme === examples[editor.name].scheme && this.editsOfNow() === undefined;
   }
 
-  private showStep(name: string): void {
+  private showStep(name: string, settings?: Partial<Settings>): void {
     if (name === "formula") return this.show("formula");
     if (this.tab !== "surface") this.show("surface");
     this.showPicture(name);
+    if (settings) this.editor.set(settings);
   }
 
   private takePicture(name: string | undefined): void {
@@ -244,10 +253,7 @@ class Page {
     if (this.tab === "formula") return "#formula";
     if (this.tab === "curve") return `#curve=${await pack({ version: linkVersion, ...this.curve.state })}`;
     const { editor } = this;
-    const { handles } = editor;
-    if (editor.mesh instanceof FrozenMesh) return undefined;
-    if (!examples[editor.name] && handles.points.length + 3 * handles.vertices.length + handles.edges.length > mostNumbers)
-      return undefined;
+    if (!this.fitsInAddress()) return undefined;
     const { origin } = editor;
     const isNear = origin.every((x) => x === 0);
     const inWorld = (p: number[]): number[] => p.map((x, k) => (isNear ? Number(x.toPrecision(6)) : x + origin[k]));
@@ -260,6 +266,36 @@ class Page {
     if (edits) shared.edits = edits;
     else if (this.picture) shared.picture = this.picture;
     return `#${encodeURIComponent(editor.name)}=${await pack(shared)}`;
+  }
+
+  private fitsInAddress(): boolean {
+    const { handles, mesh, name } = this.editor;
+    if (mesh instanceof FrozenMesh) return false;
+    return examples[name] !== undefined || handles.points.length + 3 * handles.vertices.length + handles.edges.length <= mostNumbers;
+  }
+
+  /** Whether the mesh is neither in a file nor in the address. */
+  private isUnsaved(): boolean {
+    const { mesh, ofFile } = this.editor;
+    return this.isReady && (!this.fitsInAddress() || this.isAddressFull) && !isSameMesh(mesh.state(), ofFile);
+  }
+
+  /** What was not saved the last time. */
+  private offer({ name, mesh, settings }: Unsaved): void {
+    const line = element("unsaved");
+    line.querySelector("span")!.textContent = `Edits of ${name} were not saved.`;
+    line.hidden = false;
+    button("unsaved-open").onclick = () => {
+      line.hidden = true;
+      if (!this.editor.load(() => this.modeler.restoreMesh(mesh), name, checkedSettings(Object(settings)))) return;
+      this.editor.ofFile = undefined;
+      this.keptName = name;
+      this.show("surface");
+    };
+    button("unsaved-drop").onclick = () => {
+      line.hidden = true;
+      void forget();
+    };
   }
 
   private editsOfNow(): Edits | undefined {
@@ -282,6 +318,10 @@ class Page {
   private async writeAddress(): Promise<void> {
     const address = await this.address();
     const hash = address !== undefined && address.length <= 200_000 ? address : "";
+    this.isAddressFull = hash === "";
+    const { name, settings, mesh } = this.editor;
+    if (this.isUnsaved()) void keep({ name: (this.keptName = name), settings, mesh: mesh.state() });
+    else if (this.keptName === name) void forget();
     const place = this.placeOfNow();
     const write = place === this.place ? history.replaceState : history.pushState;
     this.place = place;
@@ -311,35 +351,45 @@ class Page {
     }
   }
 
-  /** Shows what the address says; false if it says nothing. */
+  /** Shows what the address says; false if it says nothing, or what cannot be read. */
   private async readAddress(): Promise<boolean> {
-    const [name, packed] = location.hash.slice(1).split("=");
-    if (name === "formula") {
-      this.show("formula");
-      return this.editor.mesh !== undefined || this.showPicture("cube", true);
-    }
-    if (name.startsWith("picture-")) return this.showPictureOf(name.slice("picture-".length));
-    if (!packed) return name !== "" && this.panel.showExample(decodeURIComponent(name), {}, this.editor.mesh === undefined);
+    if (location.hash.length < 2) return false;
     try {
-      const value = await unpack(packed);
-      if (name === "curve") {
-        requireVersion(value as Shared);
-        this.curve.restore(checkedCurve(value as Partial<CurveState>, this.curve.state));
-        this.show("curve");
-        return this.editor.mesh !== undefined || this.panel.showExample("cube", {}, true);
-      }
-      if (this.tab !== "surface") this.show("surface");
-      requireVersion(value as Shared);
-      return this.takeShared(decodeURIComponent(name), value as Shared);
+      const [name, packed] = partsOf(location.hash);
+      return packed ? await this.unpack(name, packed) : this.showNamed(name);
     } catch (error) {
-      say(`The link cannot be read: ${messageOf(error)}`, "error");
+      say(`The link cannot be read: ${messageOf(error)}.`, "error");
       return false;
     }
   }
 
+  private showNamed(name: string): boolean {
+    const isFirst = this.editor.mesh === undefined;
+    if (name === "formula") {
+      this.show("formula");
+      return !isFirst || this.showPicture("cube", true);
+    }
+    if (name.startsWith("picture-")) return this.showPictureOf(name.slice("picture-".length));
+    if (!examples[name]) throw new Error(`there is no example “${name}”`);
+    return this.panel.showExample(name, {}, isFirst);
+  }
+
+  private async unpack(name: string, packed: string): Promise<boolean> {
+    const value = await unpack(packed);
+    requireVersion(value as Shared);
+    if (name === "curve") {
+      this.curve.restore(checkedCurve(value as Partial<CurveState>, this.curve.state));
+      this.show("curve");
+      return this.editor.mesh !== undefined || this.panel.showExample("cube", {}, true);
+    }
+    if (this.tab !== "surface") this.show("surface");
+    return this.takeShared(name, value as Shared);
+  }
+
   private showPictureOf(name: string): boolean {
     const isFirst = this.editor.mesh === undefined;
-    if (name !== "bottle") return pictures[name] !== undefined && this.showPicture(name, isFirst);
+    if (!Object.hasOwn(pictures, name)) throw new Error(`there is no picture “${name}”`);
+    if (name !== "bottle") return this.showPicture(name, isFirst);
     if (isFirst) this.showPicture("cube", true);
     this.showPicture(name);
     return true;
@@ -350,7 +400,7 @@ class Page {
     const make = () =>
       edits ? this.modeler.restoreMesh(applyEdits(edits, this.exampleState(name))) : this.panel.exampleMesh(name);
     if (!this.editor.load(make, name, checkedSettings(settings ?? {}), this.editor.mesh === undefined)) return false;
-    if (shared.camera?.length === 6 && shared.camera.every(Number.isFinite)) {
+    if (Array.isArray(shared.camera) && shared.camera.length === 6 && shared.camera.every(Number.isFinite)) {
       const camera = shared.camera.map((x, k) => x - this.editor.origin[k % 3]);
       this.viewer.controls.target.fromArray(camera, 3);
       this.viewer.camera.position.fromArray(camera);

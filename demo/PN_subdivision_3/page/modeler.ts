@@ -8,7 +8,7 @@
 
 // The package as WebAssembly: how the module is loaded from the page itself.
 
-import compressedModule from "modeler-wasm";
+import text, { alphabet } from "modeler-wasm";
 import { instantiate } from "./instantiate";
 import type { Modeler } from "./modeler_types";
 
@@ -19,9 +19,11 @@ export async function inflate(bytes: Uint8Array, format: CompressionFormat): Pro
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** It is compiled while it is inflated. */
 export async function loadModeler(): Promise<{ modeler: Modeler; module: WebAssembly.Module }> {
-  const stream = new Blob([compressedModule as BlobPart]).stream().pipeThrough(new DecompressionStream("gzip"));
-  const module = await WebAssembly.compileStreaming(new Response(stream, { headers: { "Content-Type": "application/wasm" } }));
+  const byteOf = new Uint8Array(0x180);
+  for (let byte = 0; byte < 256; ++byte) byteOf[alphabet.charCodeAt(byte)] = byte;
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < bytes.length; ++i) bytes[i] = byteOf[text.charCodeAt(i)];
+  const module = await WebAssembly.compile(bytes);
   return { modeler: await instantiate(module), module };
 }

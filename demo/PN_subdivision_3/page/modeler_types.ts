@@ -114,6 +114,8 @@ export interface Modeler {
   /** What is shown is relative to x, y, z. */
   refine(mesh: ControlMesh, scheme: string, rounds: number, isLinear: boolean, x: number, y: number, z: number): RefinedSurface;
   schemes(): SchemeTraits[];
+  /** Three corners of each triangle, as the command splits faces for files of triangles. */
+  splitFaces(points: Float64Array, faces: Faces): Uint32Array;
   refineCurve(points: Float64Array, normals: Float64Array, mask: string, isLinear: boolean, isClosed: boolean,
     rounds: number, roundness: number): PlaneCurve;
   estimateCurveNormals(points: Float64Array, isClosed: boolean): Float64Array;

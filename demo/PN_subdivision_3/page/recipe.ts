@@ -25,26 +25,26 @@ const classes: Record<string, string> = {
   bilinear: "Bilinear_scheme",
 };
 
-/** The files that "Control mesh" takes with you. */
-export function controlFiles({ name, mesh }: Editor): { mesh: string; creases?: string } {
-  const stem = `${name.replace(/\.[^.]*$/, "") || "mesh"}_control`;
-  if (mesh.numberOfSharpEdges() === 0) return { mesh: `${stem}.ply` };
-  return { mesh: `${stem}.obj`, creases: `${stem}.selection.txt` };
-}
+const stemOf = ({ name }: Editor): string => name.replace(/\.[^.]*$/, "") || "mesh";
+
+/** The files that "Control mesh" and "Surface" take with you. */
+export const controlFile = (editor: Editor): string => `${stemOf(editor)}_control.ply`;
+export const surfaceFile = (editor: Editor, format: string): string => `${stemOf(editor)}_${editor.settings.scheme}.${format}`;
 
 const quoted = (word: string): string => (/^[\w./:-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 
-/** For the files of controlFiles(). */
-export function commandFor(editor: Editor): string {
+/** Makes the file that "Surface" takes with you, to the byte, of the one that "Control mesh" does; GLB is not written there. */
+export function commandFor(editor: Editor, format: string): string {
   const { settings, roundness } = editor;
-  const files = controlFiles(editor);
   const isLinear = settings.layout === "linear";
-  const words = ["pn_subdivide", "surface", files.mesh, "surface.ply", "--scheme", settings.scheme, "--levels", String(settings.rounds)];
-  if (files.creases) words.push("--sharp", files.creases);
+  const words = ["pn_subdivide", "surface", controlFile(editor), surfaceFile(editor, format === "glb" ? "ply" : format),
+    "--scheme", settings.scheme, "--levels", String(settings.rounds)];
+  const hasCreases = editor.mesh.numberOfSharpEdges() > 0;
+  if (hasCreases) words.push("--sharp", "file");
   words.push(...(isLinear ? ["--linear"] : ["--normals", "file"]));
-  // which PLY files hold themselves
-  if (files.creases && !isLinear && roundness !== 1) words.push("--roundness", roundness === undefined ? "estimate" : String(roundness));
-  if (editor.showsLimit) words.push("--limit", "--surface-normals", "--limit-tolerance", "1e-7");
+  if (!isLinear && roundness !== 1) words.push("--roundness", "file");
+  if (editor.showsLimit) words.push("--limit", "--limit-tolerance", "1e-7", "--output-normals", "surface");
+  else if (!isLinear) words.push("--output-normals", hasCreases ? "none" : "control");
   return words.map(quoted).join(" ");
 }
 

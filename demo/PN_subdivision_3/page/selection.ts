@@ -9,11 +9,7 @@
 // Creases in a selection file of CGAL: three lines of numbers, of which the third has the edges as pairs of vertices.
 // Normals of corners tell of most creases, but not of those along which two surfaces are tangent.
 
-import type { ControlMesh, MeshState, Modeler } from "./modeler";
-
-export function selectionFile(state: MeshState): string {
-  return `\n\n${state.sharpEdges.join(" ")}\n`;
-}
+import type { ControlMesh, Modeler } from "./modeler";
 
 /** The mesh with these edges as its only creases; the one that is given is deleted. Throws an Error that names
  * the first edge that is none. */

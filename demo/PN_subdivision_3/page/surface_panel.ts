@@ -11,13 +11,12 @@
 import { button, buttonOf, choose, element, fill, input, onChoice, say, select, silence } from "./elements";
 import { format, large, messageOf, type Editor, type Settings, type Triple } from "./editor";
 import { examples } from "./examples";
-import { glbFile, objFile, objOfVertices, plyFile, save, stlFile } from "./files";
+import { glbFile, objFile, plyFile, save, stlFile, valuesOfVertices } from "./files";
 import type { Handles } from "./handles";
 import type { Modeler } from "./modeler";
-import { commandFor, controlFiles, programFor } from "./recipe";
-import { selectionFile, withCreases } from "./selection";
+import { commandFor, controlFile, programFor, surfaceFile } from "./recipe";
+import { withCreases } from "./selection";
 import type { Shading } from "./shading";
-import type { Content } from "./surfaces";
 import type { Layout, Viewer } from "./viewer";
 
 const titles: Record<string, string> = {
@@ -201,55 +200,58 @@ export class SurfacePanel {
   }
 
   private wireExport(): void {
-    const name = (): string => this.editor.name.replace(/\.[^.]*$/, "") || "mesh";
-    button("save-surface").addEventListener("click", () => void this.saveSurface(name()));
+    button("save-surface").addEventListener("click", () => void this.saveSurface(select("surface-format").value));
     button("save-control").addEventListener("click", () => this.saveControlMesh());
-    button("save-png").addEventListener("click", async () => save(await this.viewer.png(), "image/png", `${name()}.png`));
+    button("save-png").addEventListener("click", () => void this.savePicture(surfaceFile(this.editor, "png")));
     button("copy-link").addEventListener("click", this.onLink);
     button("recipe").addEventListener("click", () => this.showRecipe());
   }
 
-  /** PLY has all digits; the others are what is drawn. */
-  private async saveSurface(name: string): Promise<void> {
-    const format = select("surface-format").value;
-    const stem = `${name}_${this.editor.settings.scheme}`;
-    const content = await this.editor.content();
-    if (format === "ply") return this.savePly(content, `${stem}.ply`);
-    const { origin } = this.editor;
-    const drawn = { positions: content.positions.map((x, i) => x + origin[i % 3]), normals: content.drawnNormals,
-      triangles: content.triangles };
-    if (format === "stl") return save(stlFile(drawn) as BlobPart, "model/stl", `${stem}.stl`);
-    if (format === "glb") return save(glbFile(drawn) as BlobPart, "model/gltf-binary", `${stem}.glb`);
-    save(objOfVertices(content.points, content.normals, content.faces), "model/obj", `${stem}.obj`);
+  private async savePicture(fileName: string): Promise<void> {
+    try {
+      save(await this.viewer.png(), "image/png", fileName);
+    } catch (error) {
+      say(`There is no picture: ${messageOf(error)}.`, "error");
+    }
   }
 
-  private savePly({ points, normals, roundness, faces }: Content, fileName: string): void {
-    const { showsLimit } = this.editor;
-    const vertices = { points, normals, roundness: showsLimit ? undefined : roundness };
-    const kind = showsLimit ? "normals of the surface" : "control normals";
-    save(plyFile(vertices, faces, kind) as BlobPart, "model/ply", fileName);
+  /** Without normals where there are creases: vertices have several there. */
+  private async saveSurface(format: string): Promise<void> {
+    const { editor } = this;
+    const name = surfaceFile(editor, format);
+    const content = await editor.content();
+    const { points, faces } = content;
+    const normals = editor.mesh.numberOfSharpEdges() > 0 ? new Float64Array() : content.normals;
+    if (format === "stl") return save(stlFile(points, this.modeler.splitFaces(points, faces)) as BlobPart, "model/stl", name);
+    if (format === "obj") return save(objFile(points, normals, faces), "model/obj", name);
+    if (format === "ply") {
+      const hasRoundness = normals.length > 0 && !editor.showsLimit && content.roundness.length > 0;
+      const roundness = hasRoundness ? content.roundness : undefined;
+      const kind = editor.showsLimit ? "normals of the surface" : "control normals";
+      return save(plyFile({ points, normals, roundness, faces }, kind) as BlobPart, "model/ply", name);
+    }
+    const { origin } = editor;
+    const positions = content.positions.map((x, i) => x + origin[i % 3]);
+    save(glbFile({ positions, normals: content.drawnNormals, triangles: content.triangles }) as BlobPart, "model/gltf-binary", name);
   }
 
   private showRecipe(): void {
-    element("recipe-command").textContent = commandFor(this.editor);
+    element("recipe-command").textContent = commandFor(this.editor, select("surface-format").value);
     element("recipe-program").textContent = programFor(this.editor);
     element<HTMLDialogElement>("recipe-dialog").showModal();
   }
 
-  /** PLY holds one normal for each vertex: with creases it is OBJ, and a selection file for creases of which normals
-   * do not tell. */
+  /** With the creases, and all that the command needs of them. */
   private saveControlMesh(): void {
-    const { mesh } = this.editor;
-    const state = mesh.state();
-    const files = controlFiles(this.editor);
-    if (files.creases) {
-      if (state.roundness) say("OBJ holds no roundness: it is 1 when this file is opened.", "note");
-      save(objFile(state.points, state.cornerNormals!, state), "model/obj", files.mesh);
-      return save(selectionFile(state), "text/plain", files.creases);
-    }
-    const normals = new Float64Array(state.points.length);
-    state.corners.forEach((v, c) => normals.set(state.cornerNormals!.subarray(3 * c, 3 * c + 3), 3 * v));
-    save(plyFile({ points: state.points, normals, roundness: state.roundness }, state, "control normals") as BlobPart, "model/ply", files.mesh);
+    const state = this.editor.mesh.state();
+    const { points, corners, cornerNormals, sharpEdges, roundness } = state;
+    this.editor.takeAsSaved(state);
+    const ofCorners = { normals: cornerNormals!,
+      roundness: roundness && (roundness.length === corners.length ? roundness : Float64Array.from(corners, (v) => roundness[v])) };
+    const { differ, ...ofVertices } = valuesOfVertices(points.length / 3, ofCorners, state);
+    const content = plyFile({ points, ...ofVertices, faces: state, corners: differ ? ofCorners : undefined,
+      sharpEdges: sharpEdges.length > 0 ? sharpEdges : undefined }, "control normals");
+    save(content as BlobPart, "model/ply", controlFile(this.editor));
   }
 
   /** Shows what holds now. */

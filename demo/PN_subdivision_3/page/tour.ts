@@ -8,6 +8,7 @@
 
 // A tour of five steps: each is a picture or a tab, and a few sentences.
 
+import type { Settings } from "./editor";
 import { announce, button, element } from "./elements";
 
 interface Step {
@@ -15,13 +16,15 @@ interface Step {
   text: string;
   /** A picture's name, or a tab. */
   shows: string;
+  /** Other than those of the picture. */
+  settings?: Partial<Settings>;
 }
 
 const steps: Step[] = [
   { title: "Points are not all", shows: "cube",
     text: "Subdivision makes smooth surfaces of coarse meshes. If vertices have normals, too, eight of them make a sphere, not a rounded box." },
-  { title: "Normals are handles", shows: "ring",
-    text: "Show the control normals and turn one by its tip: the surface follows, while all points stay where they are." },
+  { title: "Normals are handles", shows: "ring", settings: { showNormals: true },
+    text: "These are the control normals. Turn one by its tip: the surface follows, while all points stay where they are." },
   { title: "Round stays round", shows: "bolt",
     text: "Move the slider over the bolt: with normals, circles and cylinders are circles and cylinders, up to sharp edges." },
   { title: "Any mesh", shows: "head",
@@ -33,7 +36,7 @@ const steps: Step[] = [
 export class Tour {
   private step = -1;
 
-  constructor(private readonly show: (name: string) => void) {
+  constructor(private readonly show: (name: string, settings?: Partial<Settings>) => void) {
     button("tour").addEventListener("click", () => this.go(0));
     button("tour-next").addEventListener("click", () => this.go(this.step + 1));
     button("tour-end").addEventListener("click", () => this.go(-1));
@@ -41,11 +44,12 @@ export class Tour {
   }
 
   private go(step: number): void {
-    const { title, text, shows } = steps[step] ?? { title: "", text: "", shows: "" };
-    this.step = title === "" ? -1 : step;
-    element("tour-box").hidden = this.step < 0;
-    if (this.step < 0) return button("tour").focus();
-    this.show(shows);
+    const now = steps[step] as Step | undefined;
+    this.step = now ? step : -1;
+    element("tour-box").hidden = !now;
+    if (!now) return button("tour").focus();
+    const { title, text, shows, settings } = now;
+    this.show(shows, settings);
     element("tour-title").textContent = `${step + 1} of ${steps.length}: ${title}`;
     element("tour-text").textContent = text;
     button("tour-next").hidden = step + 1 === steps.length;

@@ -6,15 +6,21 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// The normal that asks to be turned, until something is changed.
+// The normal that asks to be turned, until something is changed. On the first view it turns by itself, once.
 
 import { Vector3 } from "three";
-import type { Editor } from "./editor";
+import type { Editor, Triple } from "./editor";
 import { element } from "./elements";
 import { normalTip, type Viewer } from "./viewer";
 
+/** What may end the turn: whatever is done finds the normal as it was. */
+const doings = ["pointerdown", "keydown", "wheel", "click", "input", "change", "drop", "hashchange"] as const;
+const milliseconds = 2600;
+const farthest = 0.7; // in radians
+
 export class TurnMe {
   private readonly sign = element("turn-me");
+  private end: (() => void) | undefined; // of the turn
   private meshNumber = -1; // of the mesh that is as it was
   private wedge: number | undefined;
 
@@ -29,6 +35,36 @@ export class TurnMe {
     this.meshNumber = isShown ? this.editor.meshNumber : -1;
     this.wedge = isShown ? this.nearest() : undefined;
     this.viewer.requestDraw();
+  }
+
+  /** To one side, to the other and back, after a while; nothing has changed then. */
+  turnOnce(wait = 1200): void {
+    const { editor, wedge, meshNumber } = this;
+    if (wedge === undefined || matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+    const normal = editor.handles.normals.slice(3 * wedge, 3 * wedge + 3);
+    const toEye = this.viewer.camera.position.clone().sub(this.viewer.controls.target).normalize();
+    let frame = 0;
+    const turn = (n: Triple, isLast: boolean): void => {
+      if (editor.meshNumber === meshNumber) editor.showTurned(wedge, ...n, isLast);
+    };
+    const step = (now: number, start: number): void => {
+      const share = (now - start) / milliseconds;
+      if (share >= 1) return this.end?.();
+      const angle = farthest * Math.sin(2 * Math.PI * share) * Math.sin(Math.PI * share);
+      turn(new Vector3(...normal).applyAxisAngle(toEye, angle).toArray(), false);
+      frame = requestAnimationFrame((time) => step(time, start));
+    };
+    const timer = setTimeout(() => (frame = requestAnimationFrame((start) => step(start, start))), wait);
+    this.end = () => {
+      clearTimeout(timer);
+      if (frame !== 0) {
+        cancelAnimationFrame(frame);
+        turn([...normal] as unknown as Triple, true);
+      }
+      for (const name of doings) window.removeEventListener(name, this.end!, { capture: true });
+      this.end = undefined;
+    };
+    for (const name of doings) window.addEventListener(name, this.end, { capture: true });
   }
 
   /** Of the normals that look up, the tip nearest to the eye. */

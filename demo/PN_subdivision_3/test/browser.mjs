@@ -26,6 +26,7 @@ export async function withPage(file, options, test) {
     headless: true,
     acceptDownloads: true,
     viewport: { width: 1280, height: 800 },
+    reducedMotion: "reduce", // nothing moves by itself
     ...view,
     args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
       "--disable-component-update", "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...args],

@@ -6,7 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// The small pictures of the panel: node draw_gallery.mjs PAGE.html [FOLDER]
+// The small pictures of the panel, and the first surfaces, which are seen while the page is loaded:
+// node draw_gallery.mjs PAGE.html [FOLDER]
 import { writeFile } from "node:fs/promises";
 import path from "node:path";
 import { withPage } from "./browser.mjs";
@@ -40,3 +41,22 @@ for (const name of names)
     await writeFile(path.join(folder, `${name}.webp`), bytes);
     console.log(`${name}: ${bytes.length} bytes`);
   });
+
+await withPage(file, { ...options, viewport: { width: 720, height: 360 }, hash: "?embed=1#picture-cube" }, async (page) => {
+  await page.waitForTimeout(500);
+  const pictures = await page.evaluate(() => {
+    const { viewer } = window.page.editor;
+    viewer.draw(2);
+    return [0, 1].map((side) => {
+      const canvas = document.createElement("canvas");
+      [canvas.width, canvas.height] = [360, 360];
+      canvas.getContext("2d").drawImage(viewer.canvas, side * 720, 0, 720, 720, 0, 0, 360, 360);
+      return canvas.toDataURL("image/webp", 0.7).split(",")[1];
+    });
+  });
+  for (const [i, name] of ["linear", "pn"].entries()) {
+    const bytes = Buffer.from(pictures[i], "base64");
+    await writeFile(path.join(folder, `first_${name}.webp`), bytes);
+    console.log(`first_${name}: ${bytes.length} bytes`);
+  }
+});

@@ -16,7 +16,7 @@ export function readPly(bytes) {
   const header = bytes.subarray(0, end).toString("latin1");
   const vertices = Number(/element vertex (\d+)/.exec(header)[1]);
   const hasNormals = /double nx/.test(header);
-  const columns = header.match(/^property double \w+$/gm).length;
+  const columns = header.split("element face")[0].match(/^property double \w+$/gm).length;
   const normals = [];
   const roundness = [];
   const points = [];

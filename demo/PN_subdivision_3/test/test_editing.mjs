@@ -15,12 +15,13 @@ import path from "node:path";
 import { after, before, test } from "node:test";
 import { deflateRawSync } from "node:zlib";
 import { withPage } from "./browser.mjs";
-import { drop, dropAll, frontWedge, largestDifference, loseContext, message, middleOf, points, tipOf } from "./page_actions.mjs";
+import { download as downloadTo, drop, dropAll, frontWedge, largestDifference, loseContext, message, middleOf, points, tipOf } from "./page_actions.mjs";
 
 const file = path.resolve(process.env.PN_PAGE);
 let folder;
 before(async () => (folder = await mkdtemp(path.join(tmpdir(), "pn-page-test-"))));
 after(() => rm(folder, { recursive: true }));
+const download = (page, button) => downloadTo(page, button, folder);
 
 /** Tips of normals on the screen. Whether each is behind the surface, and how deep, is found by rays through all triangles. */
 const tipsAndDepths = (page) =>
@@ -154,34 +155,32 @@ test("a coordinate that is entered leaves the others alone", async () => {
   });
 });
 
-test("tangent creases survive export and opening", async () => {
+test("tangent creases survive export and opening, and come in selection files", async () => {
   await withPage(file, { hash: "#bolt" }, async (page) => {
     const sharp = () => page.evaluate(() => window.page.editor.mesh.numberOfSharpEdges());
     const all = await sharp();
+    await page.fill("#roundness", "0.75");
     const start = await points(page);
-    const downloads = [];
-    page.on("download", (item) => downloads.push(item));
-    await page.click("#save-control");
-    while (downloads.length < 2) await page.waitForTimeout(50);
-    const files = await Promise.all(downloads.map(async (item) => {
-      const name = path.join(folder, item.suggestedFilename());
-      await item.saveAs(name);
-      return [item.suggestedFilename(), await readFile(name)];
-    }));
-    const [mesh, selection] = files;
-    assert.match(selection[0], /\.selection\.txt$/);
-    await drop(page, "alone.obj", mesh[1]);
-    await page.waitForFunction(() => window.page.editor.name === "alone.obj");
-    assert.ok((await sharp()) < all, "normals alone do not tell of tangent creases");
-    await drop(page, ...selection);
-    assert.equal(await message(page), `${all} edges are sharp.`);
-    assert.equal(await sharp(), all);
+    const control = await download(page, "#save-control");
     await page.selectOption("#example", "cube");
-    await dropAll(page, [selection, mesh]);
-    await page.waitForFunction((name) => window.page.editor.name === name, mesh[0]);
+    await drop(page, "again.ply", await readFile(control));
+    await page.waitForFunction(() => window.page.editor.name === "again.ply");
     assert.equal(await sharp(), all);
     await page.fill("#rounds", "4");
     assert.equal(largestDifference(await points(page), start), 0);
+    assert.equal(await page.inputValue("#roundness"), "0.75");
+    const part = path.resolve(import.meta.dirname, "../../../data/meshes/parts/bolt");
+    const [mesh, selection] = await Promise.all([`${part}.obj`, `${part}.selection.txt`].map((name) => readFile(name)));
+    await drop(page, "alone.obj", mesh);
+    await page.waitForFunction(() => window.page.editor.name === "alone.obj");
+    assert.ok((await sharp()) < all, "normals alone do not tell of tangent creases");
+    await drop(page, "bolt.selection.txt", selection);
+    assert.equal(await message(page), `${all} edges are sharp.`);
+    assert.equal(await sharp(), all);
+    await page.selectOption("#example", "cube");
+    await dropAll(page, [["bolt.selection.txt", selection], ["bolt.obj", mesh]]);
+    await page.waitForFunction(() => window.page.editor.name === "bolt.obj");
+    assert.equal(await sharp(), all);
     for (const [content, expected] of [
       ["\n\n0 99999\n", /wrong\.txt: the mesh has no edge from vertex 0 to vertex 99999/],
       ["\n\n0 1 2\n", /wrong\.txt: line 3: the last edge has one vertex only/],

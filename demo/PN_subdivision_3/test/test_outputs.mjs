@@ -11,7 +11,7 @@
 //   PN_SUBDIVIDE, the command, in the environment
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdir, mkdtemp, readdir, readFile, rm } from "node:fs/promises";
+import { copyFile, mkdir, mkdtemp, readdir, readFile, rm } from "node:fs/promises";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import path from "node:path";
@@ -87,6 +87,46 @@ function checkGlb(glb, expected, triangles) {
   const [x, y, z, w] = model.nodes[0].rotation;
   assert.ok(Math.abs(2 * (y * z - x * w) - 1) < 1e-12 && Math.abs(x * x + y * y + z * z + w * w - 1) < 1e-12);
 }
+
+/** What the command makes of the control mesh that the page saves, by the line that the page shows: [its file, the page's]. */
+async function bothFiles(page, format) {
+  await page.selectOption("#surface-format", format);
+  const control = await download(page, "#save-control");
+  const surface = await download(page, "#save-surface");
+  await page.click("#recipe");
+  const words = (await page.textContent("#recipe-command")).split(" ");
+  await page.keyboard.press("Escape");
+  assert.deepEqual(words.slice(0, 4), ["pn_subdivide", "surface", path.basename(control), path.basename(surface)]);
+  const apart = await mkdtemp(path.join(folder, "command-"));
+  await copyFile(control, path.join(apart, path.basename(control)));
+  execFileSync(command, [...words.slice(1), "--quiet"], { cwd: apart });
+  return [await readFile(path.join(apart, path.basename(surface))), await readFile(surface)];
+}
+
+test("files are those of the command that is shown, to the byte", async () => {
+  const cases = [
+    ["#ring", { rounds: 2 }], ["#head", { rounds: 1 }], ["#bumps", { scheme: "kobbelt", rounds: 2 }], ["#tetrahedron", { rounds: 3 }],
+    ["#cube", { scheme: "doo-sabin", rounds: 2 }], ["#cuboid", { rounds: 0 }], ["#bolt", { rounds: 1 }],
+    ["#ring", { rounds: 2, layout: "linear" }], ["#bolt", { rounds: 1, layout: "linear" }],
+  ];
+  for (const [hash, settings] of cases)
+    await withPage(file, { hash }, async (page) => {
+      await page.evaluate((change) => window.page.editor.set(change), settings);
+      for (const format of ["ply", "obj", "stl"]) {
+        const [theirs, ours] = await bothFiles(page, format);
+        const first = ours.findIndex((byte, i) => byte !== theirs[i]);
+        assert.ok(ours.equals(theirs), `${hash} ${JSON.stringify(settings)} ${format}: ${ours.length} and ${theirs.length} bytes, ` +
+          `the first other one is ${first}`);
+      }
+    });
+  // limits are sums that the compilers add up in other orders
+  await withPage(file, { hash: "#torus" }, async (page) => {
+    await page.evaluate(() => window.page.editor.set({ rounds: 1, layout: "pn", limit: true }));
+    const [theirs, ours] = (await bothFiles(page, "ply")).map((bytes) => ({ header: String(bytes).split("end_header")[0], ...readPly(bytes) }));
+    assert.equal(ours.header, theirs.header);
+    for (const name of ["points", "normals"]) assert.ok(largestDifference(ours[name], theirs[name]) < 1e-12);
+  });
+});
 
 test("closed surfaces show no inside", async () => {
   const orange = (page) => page.evaluate(async () => {
@@ -210,7 +250,7 @@ test("script and style beside the page suit a strict content policy", async () =
     server.close();
   }
   const names = await readdir(path.dirname(output));
-  assert.deepEqual(names.map((name) => path.extname(name)).sort(), [".css", ".html", ".js", ".js"]);
+  assert.deepEqual(names.map((name) => path.extname(name)).sort(), [".css", ".html", ".js", ".js", ".js"]);
 });
 
 test("licences are there in full, and the package's address if it is given", async () => {

@@ -11,11 +11,11 @@
 //   node --test test_page.mjs      with PN_PAGE, the HTML file, and PN_SUBDIVIDE, the command, in the environment
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtemp, readFile, rm, stat, writeFile } from "node:fs/promises";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { deflateRawSync } from "node:zlib";
+import { brotliCompressSync, deflateRawSync } from "node:zlib";
 import { withPage } from "./browser.mjs";
 import { download as downloadTo, drop, frontWedge, largestDifference, message, points, readPly, tipOf } from "./page_actions.mjs";
 
@@ -49,7 +49,8 @@ async function compareWithCommand(page, options) {
 // --- the tests ---
 
 test("the file is small, and holds everything", async () => {
-  assert.ok((await stat(file)).size <= 2 * 1024 * 1024);
+  const sent = brotliCompressSync(await readFile(file)).length;
+  assert.ok(sent <= 800_000, `${sent} bytes, compressed by brotli`);
   await withPage(file, {}, async (page) => {
     const others = await page.$$eval("[src], link[href]", (all) => all.map((e) => e.src ?? e.href));
     assert.deepEqual(others.filter((address) => !address.startsWith("data:")), []);

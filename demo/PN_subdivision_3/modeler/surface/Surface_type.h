@@ -14,6 +14,7 @@
 #include "graph_traits_Array_mesh.h"
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/iterator.h>
 
 namespace pn_subdivide {
 
