@@ -7,7 +7,7 @@
 // Author(s): PN_subdivision_3 developers
 
 declare module "*/modeler.js" {
-  import type { Modeler } from "../page/modeler_types";
+  import type { Modeler } from "../page/modeler_types.js";
   const create: (options: { wasmBinary: Uint8Array }) => Promise<Modeler>;
   export default create;
 }

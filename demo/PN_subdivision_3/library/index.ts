@@ -9,9 +9,9 @@
 // The package as a library for JavaScript: in browsers, workers and Node.js.
 
 import createModule from "./modeler.js";
-import type { ControlMesh, Faces, MeshState, Modeler, RefinedSurface, SchemeTraits } from "../page/modeler_types";
+import type { ControlMesh, Faces, MeshState, Modeler, RefinedSurface, SchemeName, SchemeTraits } from "../page/modeler_types.js";
 
-export type { Faces, SchemeTraits };
+export type { Faces, SchemeName, SchemeTraits };
 
 /** A polygon mesh, an oriented 2-manifold with or without borders. Nothing of it is changed. */
 export interface Mesh {
@@ -24,7 +24,7 @@ export interface Mesh {
   normals?: ArrayLike<number>;
   /** Sharp edges: pairs of vertices. */
   creases?: ArrayLike<number>;
-  /** Of each vertex, from 0 (linear) to 1 (point-normal). */
+  /** Of each vertex, or of each corner of each face, from 0 (linear) to 1 (point-normal). */
   roundness?: ArrayLike<number>;
   /** Texture coordinates: u, v of each vertex, or of each corner of each face; where those of a vertex differ there is a
    * seam. They follow the scheme as points of a linear surface do. */
@@ -33,7 +33,7 @@ export interface Mesh {
 
 export interface Options {
   /** One of schemes(); "catmull-clark" if there is none. */
-  scheme?: string;
+  scheme?: SchemeName;
   /** Rounds of refinement; 1 if there is no number. */
   levels?: number;
   /** The scheme without normals. */
@@ -46,10 +46,13 @@ export interface Options {
 
 export interface Refined {
   positions: Float64Array;
-  /** Control normals, for further rounds; with `limit` the normals of the surface; of no length if linear. */
+  /** Control normals, for further rounds: of each vertex, with creases of each corner; with `limit` the normals of the
+   * surface; of no length if linear. */
   normals: Float64Array;
-  /** Of each vertex, for further rounds; of no length where it is 1. */
+  /** The same of the roundness, for further rounds; of no length where it is 1. */
   roundness: Float64Array;
+  /** Pairs of vertices, for further rounds. */
+  creases: Uint32Array;
   faces: Faces;
   /** Of each corner of the faces; of no length where none were given. */
   uv: Float64Array;
@@ -60,8 +63,16 @@ export interface Refined {
 export interface PointNormalSubdivision {
   /** Throws an Error that names the element if the mesh is none that the scheme takes. */
   subdivide(mesh: Mesh, options?: Options): Refined;
+  /** The content of a PLY, OFF, OBJ or STL file, as the command `pn_subdivide` reads it; throws an Error that names what is
+   * wrong with it. Normals and the roundness are estimated where there are none. */
+  read(content: Uint8Array | string, format: "ply" | "off" | "obj" | "stl"): ReadMesh;
   schemes(): SchemeTraits[];
 }
+
+/** A mesh for subdivide(); normals are of corners. */
+export type ReadMesh = Required<Pick<Mesh, "positions" | "normals" | "creases">> & Pick<Mesh, "roundness"> & { faces: Faces };
+
+const optionNames = ["scheme", "levels", "linear", "limit", "roundness"];
 
 async function binaryBeside(name: string): Promise<Uint8Array> {
   const address = new URL(name, import.meta.url);
@@ -78,11 +89,14 @@ export async function load(wasmBinary?: Uint8Array): Promise<PointNormalSubdivis
   const modeler = await createModule({ wasmBinary: wasmBinary ?? (await binaryBeside("modeler.wasm")) });
   return {
     subdivide: (mesh, options = {}) => subdivide(modeler, mesh, options),
+    read: (content, format) => read(modeler, content, format),
     schemes: () => modeler.schemes(),
   };
 }
 
 function subdivide(modeler: Modeler, mesh: Mesh, options: Options): Refined {
+  const unknown = Object.keys(options).find((name) => !optionNames.includes(name));
+  if (unknown !== undefined) throw new Error(`there is no option '${unknown}': it must be one of ${optionNames.join(", ")}`);
   const { scheme = "catmull-clark", levels = 1, linear = false, limit = false, roundness } = options;
   const traits = modeler.schemes().find(({ name }) => name === scheme);
   if (!traits) throw new Error(`there is no scheme '${scheme}': it must be one of ${modeler.schemes().map(({ name }) => name).join(", ")}`);
@@ -102,15 +116,28 @@ function subdivide(modeler: Modeler, mesh: Mesh, options: Options): Refined {
   }
 }
 
+function read(modeler: Modeler, content: Uint8Array | string, format: string): ReadMesh {
+  const mesh = modeler.readMesh(typeof content === "string" ? new TextEncoder().encode(content) : content, format, false);
+  try {
+    const { points, degrees, corners, cornerNormals, sharpEdges, roundness } = mesh.state();
+    return { positions: points, faces: { degrees, corners }, normals: cornerNormals!, creases: sharpEdges, roundness };
+  } finally {
+    mesh.delete();
+  }
+}
+
 function resultOf(surface: RefinedSurface, control: ControlMesh, isLimit: boolean): Refined {
   const faces = surface.faces();
   const uv = surface.uv();
   const triangles = surface.triangles();
   const drawn = { positions: surface.positionsView().slice(), normals: surface.normalsView().slice(), triangles };
+  const sides = surface.sides();
+  const hasSides = sides.sharpEdges.length > 0;
   return {
     positions: surface.points(),
-    normals: surface.controlNormals(),
-    roundness: isLimit ? new Float64Array(0) : surface.roundness(control),
+    normals: hasSides ? sides.normals : surface.controlNormals(),
+    roundness: isLimit ? new Float64Array(0) : hasSides ? sides.roundness : surface.roundness(control),
+    creases: sides.sharpEdges,
     faces,
     uv,
     geometry: uv.length > 0 ? cutAtSeams(drawn, faces.degrees, uv) : { ...drawn, uv: new Float32Array(0) },
@@ -146,6 +173,7 @@ function cutAtSeams(drawn: Omit<Refined["geometry"], "uv">, degrees: Uint32Array
 }
 
 function flatFaces(faces: Mesh["faces"]): Faces {
+  if (typeof faces !== "object" || faces === null) throw new Error("the mesh has no faces: they must be lists of vertices, or { degrees, corners }");
   if ("degrees" in faces) return { degrees: indices(faces.degrees), corners: indices(faces.corners) };
   const lists = Array.from(faces);
   return { degrees: indices(lists.map((face) => face.length)), corners: indices(lists.flatMap((face) => Array.from(face))) };
@@ -165,10 +193,12 @@ function given(values: ArrayLike<number> | undefined): ArrayLike<number> | undef
 function stateOf(mesh: Mesh): MeshState {
   const [normals, roundness, uv] = [given(mesh.normals), given(mesh.roundness), given(mesh.uv)];
   const { degrees, corners } = flatFaces(mesh.faces);
-  if (mesh.positions.length % 3 !== 0) throw new RangeError("positions must be three numbers for each vertex");
+  if (!(mesh.positions?.length % 3 === 0) || typeof (mesh.positions[0] ?? 0) !== "number")
+    throw new RangeError("positions must be three numbers for each vertex, one after the other");
   const vertices = mesh.positions.length / 3;
-  if (roundness && roundness.length !== vertices)
+  if (roundness && roundness.length !== vertices && roundness.length !== corners.length)
     throw new RangeError(`there are ${vertices} vertices, and the roundness of ${roundness.length}`);
+  if ((mesh.creases?.length ?? 0) % 2 !== 0) throw new RangeError("creases must be pairs of vertices");
   return {
     points: Float64Array.from(mesh.positions),
     degrees,

@@ -25,8 +25,8 @@ const loaded = load();
 scope.onmessage = async ({ data: { number, mesh, options } }) => {
   try {
     const refined = (await loaded).subdivide(mesh, options);
-    const { positions, normals, roundness, faces, uv, geometry } = refined;
-    const arrays = [positions, normals, roundness, uv, faces.degrees, faces.corners, ...Object.values(geometry)];
+    const { positions, normals, roundness, creases, faces, uv, geometry } = refined;
+    const arrays = [positions, normals, roundness, creases, uv, faces.degrees, faces.corners, ...Object.values(geometry)];
     scope.postMessage({ number, refined }, arrays.map(({ buffer }) => buffer as ArrayBuffer));
   } catch (error) {
     scope.postMessage({ number, message: error instanceof Error ? error.message : String(error) }, []);

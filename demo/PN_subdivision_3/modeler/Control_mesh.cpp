@@ -45,7 +45,7 @@ Mesh_data read_format(const std::string& content, const std::string& format)
   if (format == "off") return pn_subdivide::read_off(content, false);
   if (format == "obj") return pn_subdivide::read_obj(content, false);
   if (format == "stl") return pn_subdivide::read_stl(content, false);
-  throw Error("the file name must end in one of .ply .off .obj .stl");
+  throw Error("the format must be ply, off, obj or stl");
 }
 
 void require_manifold(const Mesh_data& mesh)
@@ -55,24 +55,30 @@ void require_manifold(const Mesh_data& mesh)
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     for (const Mesh_data::Index v : mesh.face(f)) {
       if (last_face[v] == f)
-        throw Error("face " + std::to_string(f) + " visits vertex " + std::to_string(v) + " twice");
+        throw Error("this is no oriented manifold: face " + std::to_string(f) + " visits vertex " +
+                    std::to_string(v) + " twice");
       last_face[v] = f;
     }
   const pn_subdivide::Soup_defects defects = pn_subdivide::find_defects(mesh);
   if (!defects.none()) throw Error("this is no oriented manifold: " + defects.description());
 }
 
-// As the command does without --normals.
-void drop_normals_that_say_nothing(Mesh_data& mesh)
+// As the command does without --normals. Returns where the normals come from then.
+std::string drop_normals_that_say_nothing(Mesh_data& mesh)
 {
+  const std::string estimated = "estimated from the points";
+  if (!mesh.has_normals()) return estimated;
   const pn_subdivide::Flat_shading flat = pn_subdivide::find_flat_shading(mesh);
   const bool is_flat = flat.is_there() && !flat.makes_creases();
   const bool is_shading =
     !mesh.are_said_to_be_control && !flat.is_there() && pn_subdivide::find_shading(mesh).is_there();
-  if (!pn_subdivide::are_all_zero(mesh) && !is_flat && !is_shading) return;
+  const bool are_zero = pn_subdivide::are_all_zero(mesh);
+  if (!are_zero && !is_flat && !is_shading) return "of the file";
   mesh.normals.clear();
   mesh.corner_normals.clear();
   mesh.roundness.clear();
+  mesh.corner_roundness.clear();
+  return are_zero ? estimated : estimated + ": those of the file are for shading";
 }
 
 // Cuts off ears, those with the shortest diagonals first.
@@ -104,18 +110,28 @@ void add_triangles(std::vector<std::uint32_t> face, const std::vector<double>& p
   add(face[0], face[1], face[2]);
 }
 
+double roundness_of_corner(const Mesh_state& state, std::size_t c)
+{
+  if (state.roundness.empty()) return 1;
+  return state.roundness[3 * state.roundness.size() == state.points.size() ? state.corners[c] : c];
+}
+
 } // namespace
 
-Control_mesh Control_mesh::read(const std::string& content, const std::string& format)
+Control_mesh Control_mesh::read(const std::string& content, const std::string& format, bool repairs)
 {
   Mesh_data mesh = read_format(content, format);
   pn_subdivide::require_finite_elements(mesh);
   // the triangles of STL share no vertices
   if (format == "stl")
     pn_subdivide::merge_near_points(mesh, pn_subdivide::rounding_of_floats(mesh.points));
-  require_manifold(mesh);
-  drop_normals_that_say_nothing(mesh);
   Control_mesh result;
+  if (repairs) {
+    const pn_subdivide::Soup_repair repair = pn_subdivide::repair_soup(mesh);
+    if (repair.changed_anything()) result.repair_ = repair.description();
+  }
+  require_manifold(mesh);
+  result.normals_from_ = drop_normals_that_say_nothing(mesh);
   result.fill(mesh);
   result.mark_creases(mesh);
   result.wedges_ =
@@ -138,51 +154,42 @@ Control_mesh::Control_mesh(const Mesh_state& state)
   }
   for (const std::uint32_t v : state.corners)
     if (v >= mesh.points.size()) throw Error("vertex " + std::to_string(v) + " is out of range");
-  const bool has_normals = state.corner_normals.size() == 3 * state.corners.size();
-  if (has_normals)
-    for (std::size_t i = 0; i < state.corner_normals.size(); i += 3)
-      mesh.corner_normals.push_back(
-        {state.corner_normals[i], state.corner_normals[i + 1], state.corner_normals[i + 2]});
   require_manifold(mesh);
   fill(mesh);
-  if (!state.uv.empty()) put_uv(mesh, state.uv);
+  const bool has_normals = state.corner_normals.size() == 3 * state.corners.size();
+  const std::vector<Halfedge> corners = pn_subdivide::corners_of(surface_);
+  if (!state.uv.empty()) uv_.assign(2 * surface_.number_of_halfedges(), 0);
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    const double* const n = state.corner_normals.data() + 3 * c;
+    if (has_normals) normals_[corners[c]] = Vector_3(n[0], n[1], n[2]);
+    for (std::size_t k = 0; k < 2 && !uv_.empty(); ++k)
+      uv_[2 * corners[c] + k] = state.uv.at(2 * c + k);
+  }
   for (std::size_t i = 0; i + 1 < state.sharp_edges.size(); i += 2) {
-    if ((std::max)(state.sharp_edges[i], state.sharp_edges[i + 1]) >= mesh.points.size()) continue;
-    const Halfedge h = surface_.halfedge(Surface::Vertex_index(state.sharp_edges[i]),
-                                         Surface::Vertex_index(state.sharp_edges[i + 1]));
-    if (h != Surface::null_halfedge()) sharpness_[surface_.edge(h)] = sharp_for_ever;
+    const std::uint32_t a = state.sharp_edges[i], b = state.sharp_edges[i + 1];
+    const Halfedge h = (std::max)(a, b) < mesh.points.size()
+                         ? surface_.halfedge(Surface::Vertex_index(a), Surface::Vertex_index(b))
+                         : Surface::null_halfedge();
+    if (h == Surface::null_halfedge())
+      throw Error("the mesh has no edge from vertex " + std::to_string(a) + " to vertex " +
+                  std::to_string(b));
+    sharpness_[surface_.edge(h)] = sharp_for_ever;
   }
   wedges_ = std::make_unique<Wedges>(surface_, [this](Edge e) { return is_sharp(e); });
   if (!has_normals) estimate_normals();
-  if (state.roundness.size() == mesh.points.size()) put_roundness(state.roundness);
+  if (state.roundness.size() != mesh.points.size() && state.roundness.size() != corners.size())
+    return;
+  for (std::size_t c = 0; c < corners.size(); ++c)
+    normals_.values[corners[c]].roundness = roundness_of_corner(state, c);
 }
 
 void Control_mesh::fill(const Mesh_data& mesh)
 {
   surface_ = pn_subdivide::make_surface(mesh);
-  const auto roundness = pn_subdivide::roundness_of(surface_);
-  roundness_ = roundness ? *roundness : pn_subdivide::add_roundness(surface_);
   sharpness_ = surface_.add_property_map<Edge, double>("e:sharpness", 0).first;
-  normals_ = surface_.add_property_map<Halfedge, Vector_3>("h:normal", CGAL::NULL_VECTOR).first;
-  if (!mesh.has_corner_normals() && mesh.has_normals())
-    for (const Halfedge h : surface_.halfedges())
-      normals_[h] = pn_subdivide::to_vector(mesh.normals[surface_.target(h)]);
-}
-
-void Control_mesh::put_uv(const Mesh_data& mesh, const std::vector<double>& of_corners)
-{
-  uv_.assign(2 * surface_.number_of_halfedges(), 0);
-  std::size_t first = 0;
-  for (const auto f : surface_.faces()) {
-    const auto corners = mesh.face(std::size_t(f));
-    for (const Halfedge h : halfedges_around_face(surface_.halfedge(f), surface_)) {
-      const auto place =
-        std::find(corners.begin(), corners.end(), Mesh_data::Index(surface_.target(h)));
-      const std::size_t c = first + std::size_t(place - corners.begin());
-      for (std::size_t k = 0; k < 2; ++k) uv_[2 * h + k] = of_corners.at(2 * c + k);
-    }
-    first += surface_.degree(f);
-  }
+  if (!pn_subdivide::normals_of(surface_)) pn_subdivide::add_normals(surface_);
+  const auto of_corners = pn_subdivide::corner_normals_of(surface_);
+  normals_ = of_corners ? *of_corners : pn_subdivide::add_corner_normals(surface_);
 }
 
 void Control_mesh::mark_creases(const Mesh_data& mesh)
@@ -227,8 +234,16 @@ Mesh_state Control_mesh::state() const
     if (is_sharp(e))
       for (unsigned i = 0; i < 2; ++i)
         s.sharp_edges.push_back(std::uint32_t(surface_.vertex(e, i)));
-  if (has_roundness())
-    for (const auto v : surface_.vertices()) s.roundness.push_back(roundness_[v]);
+  if (!has_roundness()) return s;
+  s.roundness.assign(surface_.number_of_vertices(), 1);
+  std::vector<double> of_corners;
+  bool differ = false;
+  for (const auto v : surface_.vertices()) s.roundness[v] = value_at(v).roundness;
+  for (const Halfedge h : pn_subdivide::corners_of(surface_)) {
+    of_corners.push_back(value_at(h).roundness);
+    differ = differ || of_corners.back() != s.roundness[surface_.target(h)];
+  }
+  if (differ) s.roundness = std::move(of_corners);
   return s;
 }
 
@@ -244,7 +259,6 @@ Control_mesh Control_mesh::triangulated() const
   Mesh_state split;
   split.points = old.points;
   split.sharp_edges = old.sharp_edges;
-  split.roundness = old.roundness;
   std::size_t first = 0;
   for (const std::uint32_t degree : old.degrees) {
     const std::size_t first_new = split.corners.size();
@@ -256,6 +270,8 @@ Control_mesh Control_mesh::triangulated() const
       const auto place = std::find(begin, begin + degree, split.corners[c]) - old.corners.begin();
       for (std::ptrdiff_t k = 0; k < 3; ++k)
         split.corner_normals.push_back(old.corner_normals[std::size_t(3 * place + k)]);
+      if (!old.roundness.empty())
+        split.roundness.push_back(roundness_of_corner(old, std::size_t(place)));
       for (std::ptrdiff_t k = 0; k < 2 && !old.uv.empty(); ++k)
         split.uv.push_back(old.uv[std::size_t(2 * place + k)]);
     }
@@ -314,26 +330,36 @@ void Control_mesh::replace_wedges()
     const std::size_t w = wedges_->of_corner[h];
     if (old_size[old->of_corner[h]] != size[w]) is_new[w] = true;
   }
-  const std::vector<Vector_3> estimated = estimate().normals;
-  for (const Halfedge h : surface_.halfedges())
-    if (!surface_.is_border(h) && is_new[wedges_->of_corner[h]]) normals_[h] = estimated[h];
+  const std::vector<Corner_value> estimated = estimate();
+  for_each_corner([&](Halfedge h) {
+    if (is_new[wedges_->of_corner[h]]) normals_[h] = estimated[h].normal;
+  });
 }
 
-Control_mesh::Estimate Control_mesh::estimate() const
+std::vector<Corner_value> Control_mesh::estimate() const
 {
   namespace PN = CGAL::PN_subdivision_3;
-  Surface copy = surface_;
-  const auto normals =
-    copy.add_property_map<Halfedge, Vector_3>("h:estimate", CGAL::NULL_VECTOR).first;
-  const Roundness_map roundness = pn_subdivide::add_roundness(copy);
-  PN::estimate_control_normals(
-    copy, normals,
-    PN::parameters::vertex_roundness_map(roundness).edge_is_constrained_map(sharpness_));
-  Estimate result;
-  result.normals.reserve(copy.number_of_halfedges());
-  for (const Halfedge h : copy.halfedges()) result.normals.push_back(normals[h]);
-  for (const auto v : copy.vertices()) result.roundness.push_back(roundness[v]);
+  const auto estimated =
+    PN::estimate_control_normals(surface_, PN::parameters::edge_is_constrained_map(sharpness_));
+  std::vector<Corner_value> result(surface_.number_of_halfedges());
+  for_each_corner([&](Halfedge h) {
+    result[h] = {estimated[h], get(estimated.roundness_map(), h)};
+  });
   return result;
+}
+
+template <class Function>
+void Control_mesh::for_each_corner(const Function& f) const
+{
+  for (const Halfedge h : surface_.halfedges())
+    if (!surface_.is_border(h)) f(h);
+}
+
+Corner_value Control_mesh::value_at(Surface::Vertex_index v) const
+{
+  if (surface_.is_isolated(v)) return {CGAL::NULL_VECTOR, 1};
+  const Halfedge h = surface_.halfedge(v);
+  return value_at(surface_.is_border(h) ? surface_.prev(surface_.opposite(h)) : h);
 }
 
 void Control_mesh::drop_normals()
@@ -343,32 +369,27 @@ void Control_mesh::drop_normals()
 
 void Control_mesh::estimate_normals()
 {
-  const Estimate estimated = estimate();
-  for (const Halfedge h : surface_.halfedges()) normals_[h] = estimated.normals[h];
-  put_roundness(estimated.roundness);
+  const std::vector<Corner_value> estimated = estimate();
+  for_each_corner([&](Halfedge h) { normals_.put_whole(h, estimated[h]); });
 }
 
 bool Control_mesh::has_roundness() const
 {
-  const auto vertices = surface_.vertices();
-  return std::any_of(vertices.begin(), vertices.end(),
-                     [this](auto v) { return roundness_[v] != 1; });
+  bool has = false;
+  for_each_corner([&](Halfedge h) { has = has || value_at(h).roundness != 1; });
+  return has;
 }
 
 void Control_mesh::set_roundness(double w)
 {
   if (!(w >= 0 && w <= 1)) throw Error("the roundness must be from 0 to 1");
-  for (const auto v : surface_.vertices()) roundness_[v] = w;
+  for (const Halfedge h : surface_.halfedges()) normals_.values[h].roundness = w;
 }
 
 void Control_mesh::estimate_roundness()
 {
-  put_roundness(estimate().roundness);
-}
-
-void Control_mesh::put_roundness(const std::vector<double>& roundness)
-{
-  for (const auto v : surface_.vertices()) roundness_[v] = roundness[v];
+  const std::vector<Corner_value> estimated = estimate();
+  for_each_corner([&](Halfedge h) { normals_.values[h].roundness = estimated[h].roundness; });
 }
 
 // |p - c|^2 = r^2 is linear in c and r^2 - |c|^2.

@@ -22,10 +22,9 @@
 namespace pn_demo {
 
 using pn_subdivide::Corner_normal_map;
+using pn_subdivide::Corner_value;
 using pn_subdivide::Mesh_data;
-using pn_subdivide::Normal_map;
 using pn_subdivide::Point_3;
-using pn_subdivide::Roundness_map;
 using pn_subdivide::Surface;
 using pn_subdivide::Triple;
 using pn_subdivide::Vector_3;
@@ -41,18 +40,20 @@ struct Mesh_state
   std::vector<std::uint32_t> corners;     // the faces' vertices
   std::vector<double> corner_normals;     // x y z, or empty: to be estimated
   std::vector<std::uint32_t> sharp_edges; // pairs of vertices
-  std::vector<double> roundness; // of the vertices, or empty: 1, or as normals are estimated
-  std::vector<double> uv;        // texture coordinates of the corners, or empty
+  // of the vertices, or of the corners where creases have another one on each side; empty: 1, or as normals are estimated
+  std::vector<double> roundness;
+  std::vector<double> uv; // texture coordinates of the corners, or empty
 };
 
 // A control mesh with creases, and with a normal for each wedge of each vertex. Without creases that is
-// a normal for each vertex that has faces. Each vertex has a roundness.
+// a normal for each vertex that has faces. A roundness goes with each normal.
 class Control_mesh
 {
 public:
   // The content of a PLY, OFF, OBJ or STL file; normals and the roundness are estimated where it has no normals but
   // those for shading, edges at which the normals of the file's corners differ are sharp. Throws Error with a line for the user.
-  static Control_mesh read(const std::string& content, const std::string& format);
+  // With `repairs` what is no oriented manifold is made one, as the command's --repair does.
+  static Control_mesh read(const std::string& content, const std::string& format, bool repairs);
   explicit Control_mesh(const Mesh_state& state);
 
   Mesh_state state() const;
@@ -67,6 +68,9 @@ public:
 
   // of the face of a half-edge at its target
   const Vector_3& normal_at(Surface::Halfedge_index h) const { return normals_[h]; }
+  const Corner_value& value_at(Surface::Halfedge_index h) const { return normals_.whole(h); }
+  // of a vertex without creases; no normal and the roundness 1 where it has no face
+  Corner_value value_at(Surface::Vertex_index v) const;
   void set_point(std::size_t v, const Point_3& p);
   void set_normal(std::size_t wedge, const Vector_3& n);
 
@@ -80,11 +84,14 @@ public:
   // Those of the sphere that fits the vertices best, about its center.
   void take_normals_of_sphere();
 
-  double roundness(Surface::Vertex_index v) const { return roundness_[v]; }
-  // Whether that of some vertex is not 1.
+  // Whether that of some normal is not 1.
   bool has_roundness() const;
   void set_roundness(double w);
   void estimate_roundness();
+
+  // Of a mesh that was read, for people: where the normals come from, and what was repaired.
+  const std::string& normals_from() const { return normals_from_; }
+  const std::string& repair() const { return repair_; }
 
   // Texture coordinates, two of each half-edge at its target; empty: none.
   const std::vector<double>& uv() const { return uv_; }
@@ -92,23 +99,18 @@ public:
 private:
   Control_mesh() = default;
   void fill(const Mesh_data& mesh);
-  void put_uv(const Mesh_data& mesh, const std::vector<double>& of_corners);
   void mark_creases(const Mesh_data& mesh);
   void mark_edges_where_normals_differ();
   void replace_wedges();
-  struct Estimate
-  {
-    std::vector<Vector_3> normals; // by half-edge
-    std::vector<double> roundness; // by vertex
-  };
-  Estimate estimate() const;
-  void put_roundness(const std::vector<double>& roundness);
+  std::vector<Corner_value> estimate() const; // by half-edge
+  template <class Function>
+  void for_each_corner(const Function& f) const;
 
   Surface surface_;
   Corner_normal_map normals_;
   Edge_sharpness sharpness_;
-  Roundness_map roundness_;
   std::vector<double> uv_;
+  std::string normals_from_, repair_;
   std::unique_ptr<Wedges> wedges_;
 };
 

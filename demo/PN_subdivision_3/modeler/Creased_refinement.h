@@ -32,11 +32,22 @@ public:
     const Wedges wedges(refined, [&](Surface::Edge_index e) {
       return !carried.edges.empty() && carried.edges[0].values[e] > 0;
     });
+    if (mesh.number_of_sharp_edges() > 0)
+      for (const auto e : refined.edges())
+        if (carried.edges[0].values[e] > 0)
+          for (unsigned i = 0; i < 2; ++i)
+            sides_.sharp_edges.push_back(Index(refined.vertex(e, i)));
     for (const auto v : wedges.vertex) cut_vertices_.push_back(Index(v));
+    const auto of_corners = pn_subdivide::corner_normals_of(refined);
     for (const auto f : refined.faces()) {
       for (const auto h : halfedges_around_face(refined.halfedge(f), refined)) {
         faces_.corners.push_back(Index(refined.target(h)));
         cut_faces_.corners.push_back(Index(wedges.of_corner[h]));
+        if (!is_linear && !sides_.sharp_edges.empty()) {
+          const Corner_value& value = of_corners->whole(h);
+          sides_.normals.push_back(value.normal);
+          if (mesh.has_roundness()) sides_.roundness.push_back(value.roundness);
+        }
         for (std::size_t k = 0; k < 2 && !carried.corners.empty(); ++k)
           uv_.push_back(carried.corners[0].values[2 * h + k]);
       }
@@ -66,6 +77,7 @@ public:
   const Faces* cut_faces() const override { return &cut_faces_; }
   const std::vector<Index>& cut_vertices() const override { return cut_vertices_; }
   const std::vector<double>& uv() const override { return uv_; }
+  const Sides& sides() const override { return sides_; }
 
 private:
   static auto sharpness_of(const Surface& surface)
@@ -97,15 +109,15 @@ private:
     if constexpr (is_linear)
       PN::subdivide(surface, scheme_, np);
     else {
-      const auto normals =
-        PN::internal::find_property_map<Halfedge, Vector_3>(surface, "h:normal").value();
-      const pn_subdivide::Roundness_map roundness = *pn_subdivide::roundness_of(surface);
+      const auto normals = *pn_subdivide::corner_normals_of(surface);
+      const auto roundness = pn_subdivide::add_roundness(surface);
+      for (const auto v : surface.vertices()) roundness[v] = mesh.value_at(v).roundness;
       PN::subdivide(surface, scheme_,
                     PN::parameters::join(PN::parameters::vertex_roundness_map(roundness),
                                          np.vertex_normal_map(normals)));
-      roundness_.clear();
-      for (const auto v : surface.vertices()) roundness_.push_back(roundness[v]);
+      roundness_.assign(surface.number_of_vertices(), 1);
       normals_.assign(surface.number_of_vertices(), CGAL::NULL_VECTOR);
+      for (const auto v : surface.vertices()) roundness_[v] = roundness[v];
       for (const Halfedge h : surface.halfedges())
         if (!surface.is_border(h)) normals_[surface.target(h)] = normals[h];
     }
@@ -118,6 +130,7 @@ private:
   std::vector<Point_3> points_;
   std::vector<Vector_3> normals_;
   std::vector<double> roundness_, uv_;
+  Sides sides_;
   Faces faces_, cut_faces_;
   std::vector<Index> cut_vertices_, all_;
 };

@@ -123,8 +123,8 @@ void Refined_surface::show_limit(const Control_mesh& mesh)
   if (refinement_->cut_faces() &&
       refinement_->cut_vertices().size() != refinement_->points().size())
     throw Error("limit points are not computed for surfaces with creases");
-  Surface surface =
-    make_surface(refinement_->faces(), refinement_->cut_vertices(), refinement_->points());
+  const std::vector<Index>& vertices = display_.vertices();
+  Surface surface = make_surface(display_.faces(), vertices, refinement_->points());
   using Limit_point = PN::Limit_point<pn_subdivide::Kernel>;
   const auto limits = surface.add_property_map<Surface::Vertex_index, Limit_point>("v:limit").first;
   const auto np = PN::parameters::tolerance(1e-7) // a pixel is a thousandth
@@ -133,23 +133,25 @@ void Refined_surface::show_limit(const Control_mesh& mesh)
   if (is_linear_)
     PN::limit_points(surface, PN::linear(scheme_), limits, np);
   else {
-    const Normal_map normals = pn_subdivide::add_normals(surface);
+    const auto normals = pn_subdivide::add_normals(surface);
     const pn_subdivide::Roundness_map roundness = pn_subdivide::add_roundness(surface);
     const std::vector<double> refined = refinement_->roundness(mesh);
     for (const auto v : surface.vertices()) {
-      normals[v] = refinement_->normals()[v];
-      if (!refined.empty()) roundness[v] = refined[v];
+      normals[v] = refinement_->normals()[vertices[v]];
+      if (!refined.empty()) roundness[v] = refined[vertices[v]];
     }
     PN::limit_points(surface, scheme_, limits,
                      np.vertex_roundness_map(roundness).vertex_normal_map(normals));
   }
+  limit_points_.resize(vertices.size());
+  limit_normals_.resize(vertices.size());
   for (const auto v : surface.vertices()) {
-    limit_points_.push_back(limits[v].point);
+    limit_points_[vertices[v]] = limits[v].point;
     // where the eigenvectors tell of no tangent plane the normals of the faces are closer to it
     const auto& n = display_.normals();
-    limit_normals_.push_back(limits[v].has_surface_normal
-                               ? limits[v].surface_normal
-                               : Vector_3(n[3 * v], n[3 * v + 1], n[3 * v + 2]));
+    limit_normals_[vertices[v]] = limits[v].has_surface_normal
+                                    ? limits[v].surface_normal
+                                    : Vector_3(n[3 * v], n[3 * v + 1], n[3 * v + 2]);
   }
   display_.set(limit_points_, limit_normals_);
   gaussian_curvature_.clear();

@@ -52,6 +52,7 @@ public:
   Faces faces() const { return refinement_->faces(); }
   // Of the corners of faces().
   const std::vector<double>& uv() const { return refinement_->uv(); }
+  const Sides& sides() const { return refinement_->sides(); }
   // Beside the control normals; empty: 1.
   std::vector<double> roundness(const Control_mesh& mesh) const
   {

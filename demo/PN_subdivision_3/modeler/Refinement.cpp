@@ -8,6 +8,7 @@
 
 #include "Refinement.h"
 
+#include "Creased_refinement.h"
 #include "Refiner_refinement.h"
 #include "io/Error.h"
 

@@ -30,6 +30,14 @@ struct Faces
   std::vector<Index> corners;
 };
 
+// What has another value on each side of a crease: for the corners of the faces.
+struct Sides
+{
+  std::vector<Index> sharp_edges; // pairs of vertices; empty: there is nothing
+  std::vector<Vector_3> normals;  // empty if linear
+  std::vector<double> roundness;  // empty: 1
+};
+
 // The refined surface of a control mesh, which follows it.
 class Refinement
 {
@@ -55,6 +63,12 @@ public:
   virtual const std::vector<double>& uv() const
   {
     static const std::vector<double> none;
+    return none;
+  }
+  // As the surface was made.
+  virtual const Sides& sides() const
+  {
+    static const Sides none;
     return none;
   }
 };

@@ -9,9 +9,12 @@
 #ifndef PN_SUBDIVISION_3_DEMO_REFINER_REFINEMENT_H
 #define PN_SUBDIVISION_3_DEMO_REFINER_REFINEMENT_H
 
-#include "Creased_refinement.h"
+#include "Refinement.h"
 
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
+#include <CGAL/PN_subdivision_3/parameters.h>
+
+#include <type_traits>
 
 namespace pn_demo {
 
@@ -22,7 +25,9 @@ class Refiner_refinement : public Refinement
   using Refiner = CGAL::PN_subdivision_3::Surface_refiner<Surface, S, pn_subdivide::Kernel>;
 
 public:
-  Refiner_refinement(const Control_mesh& mesh, const S& scheme, unsigned rounds)
+  // `mesh`: a Control_mesh or, for a linear scheme, a Surface
+  template <class Mesh>
+  Refiner_refinement(const Mesh& mesh, const S& scheme, unsigned rounds)
     : scheme_(scheme)
     , rounds_(rounds)
     , refiner_(make(mesh, scheme, rounds))
@@ -36,7 +41,7 @@ public:
     const Surface& surface = mesh.surface();
     const Surface::Vertex_index v{Surface::size_type(vertex)};
     refiner_->set_point(v, surface.point(v));
-    if constexpr (!is_linear) refiner_->set_normal(v, normal_at(mesh, v));
+    if constexpr (!is_linear) refiner_->set_normal(v, mesh.value_at(v).normal);
   }
 
   const std::vector<Index>& update(const Control_mesh&) override { return refiner_->update(); }
@@ -45,11 +50,20 @@ public:
   const std::vector<Vector_3>& normals() const override { return refiner_->normals(); }
   const std::vector<Index>& cut_vertices() const override { return all_; }
 
-  // A refiner does not tell: the mesh is subdivided once more, which limit points take longer than.
+  // That of a new vertex is the average of the old ones with the weights of the points: a coordinate of the linear surface.
   std::vector<double> roundness(const Control_mesh& mesh) const override
   {
-    if (is_linear || !mesh.has_roundness()) return {};
-    return Creased_refinement<S, is_linear>(mesh, scheme_, rounds_).roundness(mesh);
+    std::vector<double> result;
+    if constexpr (!is_linear) {
+      if (!mesh.has_roundness()) return result;
+      Surface copy = mesh.surface();
+      for (const auto v : copy.vertices())
+        copy.point(v) = Point_3(mesh.value_at(v).roundness, 0, 0);
+      const auto linear = CGAL::PN_subdivision_3::linear(scheme_);
+      const Refiner_refinement<std::decay_t<decltype(linear)>, true> refined(copy, linear, rounds_);
+      for (const Point_3& p : refined.points()) result.push_back(p.x());
+    }
+    return result;
   }
 
   Faces faces() const override
@@ -69,30 +83,29 @@ public:
   }
 
 private:
-  static Vector_3 normal_at(const Control_mesh& mesh, Surface::Vertex_index v)
+  static std::unique_ptr<Refiner> make(const Surface& surface, const S& scheme, unsigned rounds)
   {
-    const Surface& surface = mesh.surface();
-    if (surface.is_isolated(v)) return CGAL::NULL_VECTOR;
-    Surface::Halfedge_index h = surface.halfedge(v);
-    if (surface.is_border(h)) h = surface.prev(surface.opposite(h));
-    return mesh.normal_at(h);
+    return std::make_unique<Refiner>(surface, scheme,
+                                     CGAL::parameters::number_of_iterations(rounds));
   }
-
   static std::unique_ptr<Refiner> make(const Control_mesh& mesh, const S& scheme, unsigned rounds)
   {
-    const auto np = CGAL::parameters::number_of_iterations(rounds);
     if constexpr (is_linear)
-      return std::make_unique<Refiner>(mesh.surface(), scheme, np);
+      return make(mesh.surface(), scheme, rounds);
     else {
       Surface copy = mesh.surface();
-      const auto normals = copy.add_property_map<Surface::Vertex_index, Vector_3>("v:normal").first;
-      for (const auto v : copy.vertices()) normals[v] = normal_at(mesh, v);
-      const pn_subdivide::Roundness_map roundness = *pn_subdivide::roundness_of(copy);
+      const auto normals = pn_subdivide::add_normals(copy);
+      const auto roundness = pn_subdivide::add_roundness(copy);
+      for (const auto v : copy.vertices()) {
+        const Corner_value value = mesh.value_at(v);
+        normals[v] = value.normal;
+        roundness[v] = value.roundness;
+      }
       return std::make_unique<Refiner>(
         copy, scheme,
         CGAL::PN_subdivision_3::parameters::join(
           CGAL::PN_subdivision_3::parameters::vertex_roundness_map(roundness),
-          np.vertex_normal_map(normals)));
+          CGAL::parameters::number_of_iterations(rounds).vertex_normal_map(normals)));
     }
   }
 

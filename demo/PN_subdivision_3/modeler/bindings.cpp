@@ -94,9 +94,9 @@ val to_page(const Faces& faces)
 
 // --- control meshes ---
 
-Control_mesh read_mesh(const std::string& content, const std::string& format)
+Control_mesh read_mesh(const std::string& content, const std::string& format, bool repairs)
 {
-  return guarded([&] { return Control_mesh::read(content, format); });
+  return guarded([&] { return Control_mesh::read(content, format, repairs); });
 }
 
 Control_mesh restore_mesh(const val& state)
@@ -261,6 +261,14 @@ val uv_of(const Refined_surface& surface)
 {
   return copy_of(surface.uv());
 }
+val sides_of(const Refined_surface& surface)
+{
+  val result = val::object();
+  result.set("sharpEdges", copy_of(surface.sides().sharp_edges));
+  result.set("normals", triples(surface.sides().normals));
+  result.set("roundness", copy_of(surface.sides().roundness));
+  return result;
+}
 val faces_of(const Refined_surface& surface)
 {
   return to_page(surface.faces());
@@ -325,6 +333,8 @@ EMSCRIPTEN_BINDINGS(pn_subdivision_3)
     .function("hasOnlyTriangles", &Control_mesh::has_only_triangles)
     .function("numberOfFaces", number_of_faces)
     .function("numberOfSharpEdges", number_of_sharp_edges)
+    .function("normalsFrom", &Control_mesh::normals_from)
+    .function("repair", &Control_mesh::repair)
     .function("setPoint", set_point)
     .function("setNormal", set_normal)
     .function("setSharp", set_sharp)
@@ -347,6 +357,7 @@ EMSCRIPTEN_BINDINGS(pn_subdivision_3)
     .function("controlNormals", control_normals_of)
     .function("roundness", roundness_of)
     .function("uv", uv_of)
+    .function("sides", sides_of)
     .function("faces", faces_of);
   function("readMesh", read_mesh);
   function("restoreMesh", restore_mesh);

@@ -16,7 +16,7 @@ export interface Edits {
   points?: number[][]; // vertex, x, y, z
   normals?: number[][]; // corner, x, y, z
   sharp?: number[]; // pairs of vertices, all of them
-  roundness?: number[]; // of all vertices, or of each
+  roundness?: number[]; // of all vertices, of each or of each corner
   mesh?: { points: number[]; degrees: number[]; corners: number[]; normals: number[]; sharp: number[]; roundness?: number[] };
 }
 
@@ -40,10 +40,10 @@ export function shortRoundness({ roundness }: MeshState): number[] {
   return roundness.every((w) => w === roundness[0]) ? [roundness[0]] : [...roundness];
 }
 
-function longRoundness(short: number[] | undefined, vertices: number): Float64Array | undefined {
+function longRoundness(short: number[] | undefined, vertices: number, corners: number): Float64Array | undefined {
   if (short === undefined) return undefined;
-  if (short.length !== 1 && short.length !== vertices) throw new Error(damaged);
-  return Float64Array.from({ length: vertices }, (_, v) => short[short.length === 1 ? 0 : v]);
+  if (![1, vertices, corners].includes(short.length)) throw new Error(damaged);
+  return short.length === 1 ? new Float64Array(vertices).fill(short[0]) : Float64Array.from(short);
 }
 
 /** Nothing if the mesh is its example. */
@@ -87,7 +87,7 @@ function edited(edits: Edits, example: MeshState | undefined): MeshState {
       corners: Uint32Array.from(edits.mesh.corners),
       cornerNormals: Float64Array.from(edits.mesh.normals),
       sharpEdges: Uint32Array.from(edits.mesh.sharp),
-      roundness: longRoundness(edits.mesh.roundness, edits.mesh.points.length / 3),
+      roundness: longRoundness(edits.mesh.roundness, edits.mesh.points.length / 3, edits.mesh.corners.length),
     };
   if (!example) throw new Error(damaged);
   const state = { ...example, points: example.points.slice(), cornerNormals: example.cornerNormals!.slice() };
@@ -100,7 +100,7 @@ function edited(edits: Edits, example: MeshState | undefined): MeshState {
   put(state.points, edits.points);
   put(state.cornerNormals, edits.normals);
   if (edits.sharp) state.sharpEdges = Uint32Array.from(edits.sharp);
-  if (edits.roundness) state.roundness = longRoundness(edits.roundness, state.points.length / 3);
+  if (edits.roundness) state.roundness = longRoundness(edits.roundness, state.points.length / 3, state.corners.length);
   return state;
 }
 

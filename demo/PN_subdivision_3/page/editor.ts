@@ -11,13 +11,17 @@
 import { shortRoundness } from "./address";
 import { FrozenMesh, isTooLargeToEdit } from "./frozen_mesh";
 import { History } from "./history";
+import { messageOf } from "./instantiate";
 import type { ControlMesh, Faces, Handles, MeshState, Modeler, RefinedSurface, SchemeTraits } from "./modeler";
+import { readFile, type AboutFile, type ReadJob } from "./read_file";
 import { RemoteSurfaces } from "./remote_surfaces";
 import { roundShapeThrough } from "./round_shapes";
 import { withCreases } from "./selection";
 import type { Shading } from "./shading";
 import { Surfaces, type Content, type Drawings, type Shown } from "./surfaces";
 import type { Layout, Selection, Viewer } from "./viewer";
+
+export { messageOf };
 
 export interface Settings {
   scheme: string;
@@ -38,6 +42,10 @@ export type Say = (text: string, kind: "error" | "note") => void;
 const greatestNumberOfFaces = 600_000;
 /** Surfaces with more faces together are made by the worker, so that the page does not stand still. */
 const mostFacesHere = 14_000;
+/** A mesh of the user's begins with the most rounds, up to 3, that make no more vertices. */
+const mostVerticesAtFirst = 100_000;
+/** Files of more bytes are read by the worker. */
+export const large = 200_000;
 
 /** Settings from an address, of which anyone may be the author: what is no setting is left out. */
 export function checkedSettings(given: Partial<Record<keyof Settings, unknown>>): Partial<Settings> {
@@ -57,7 +65,9 @@ export function checkedSettings(given: Partial<Record<keyof Settings, unknown>>)
 interface Version {
   mesh: MeshState;
   scheme: string;
+  rounds: number;
   name: string;
+  about: AboutFile | undefined;
 }
 
 export class Editor {
@@ -74,12 +84,15 @@ export class Editor {
   normalLength = 1;
   /** That of all vertices, if it is the same. */
   roundness: number | undefined = 1;
+  verticesBelowRoundness1 = 0;
   colorEnd = 1;
   /** The most rounds for this mesh and scheme. */
   greatestRounds = 7;
   status = "";
   /** The mesh as there is a file of it; none: not at all. */
   ofFile: MeshState | undefined;
+  /** Of the file that the mesh is of. */
+  about: AboutFile | undefined;
   /** Another one after each change of the mesh. */
   meshNumber = 0;
   readonly history = new History<Version>(({ mesh }) => mesh.points.length + 4 * mesh.corners.length);
@@ -110,6 +123,7 @@ export class Editor {
   private beforeDrag: Version | undefined; // until something is dragged
   private hasDragged = false;
   private beforeSlide: Version | undefined;
+  private choices = 0;
 
   constructor(
     private readonly modeler: Modeler,
@@ -152,12 +166,21 @@ export class Editor {
 
   // --- other meshes, schemes and views ---
 
+  /** Of meshes, the one that was chosen last is shown: returns whether that is still the one of this call. */
+  choose(): () => boolean {
+    const choice = ++this.choices;
+    return () => choice === this.choices;
+  }
+
   /** Shows another mesh. If that fails, everything stays as it is, and the message says why. */
-  load(make: () => ControlMesh, name: string, settings: Partial<Settings>, isFirst = false): boolean {
+  load(make: () => ControlMesh, name: string, settings: Partial<Settings>, isFirst = false, about?: AboutFile): boolean {
+    this.choose();
     let mesh: ControlMesh | undefined;
     try {
       mesh = make();
-      const next = { ...this.settings, ...settings };
+      const { shading } = this.settings;
+      // whose average is of one surface
+      const next = { ...this.settings, shading: shading === "relative" ? "smooth" as const : shading, rounds: firstRounds(mesh), ...settings };
       const before = isFirst ? undefined : this.version();
       this.replace(mesh, next);
       if (before) this.history.remember(before);
@@ -168,42 +191,22 @@ export class Editor {
     }
     this.name = name;
     this.ofFile = this.mesh.state();
+    this.about = about;
     this.selection = {};
     this.frameAll();
     this.changed();
     return true;
   }
 
-  /** Reads a file as the command does: Loop subdivision for triangles, Catmull-Clark for other faces.
-   * `selection`: the content of a selection file of CGAL, whose edges are the creases. */
-  open(content: Uint8Array, fileName: string, selection?: string): boolean {
-    const format = fileName.split(".").pop()!.toLowerCase();
-    let scheme = this.settings.scheme;
-    return this.load(
-      () => {
-        let mesh = this.modeler.readMesh(content, format);
-        if (selection !== undefined) mesh = withCreases(this.modeler, mesh, selection);
-        scheme = mesh.hasOnlyTriangles() ? "loop" : "catmull-clark";
-        return mesh;
-      },
-      fileName,
-      {
-        get scheme() {
-          return scheme;
-        },
-      } as Partial<Settings>,
-    );
-  }
-
-  /** The same in the worker, for what is read slowly. */
-  async openLarge(content: Uint8Array, fileName: string, selection?: string): Promise<void> {
-    const format = fileName.split(".").pop()!.toLowerCase();
-    try {
-      const { state, hasOnlyTriangles } = await this.remote.read({ content, format, selection });
-      this.load(() => this.restored(state, hasOnlyTriangles), fileName, { scheme: hasOnlyTriangles ? "loop" : "catmull-clark" });
-    } catch (error) {
-      this.say(`${fileName}: ${messageOf(error)}`, "error");
-    }
+  /** Reads a file as the command does: Loop subdivision for triangles, Catmull-Clark for other faces; what takes long
+   * beside the page. Throws what is wrong with it; where another mesh has been chosen meanwhile, nothing happens. */
+  async open(job: ReadJob, isLast = this.choose()): Promise<void> {
+    const { content, fileName } = job;
+    const read = content.length > large ? await this.remote.read(job).catch((error) => error as Error) : readFile(this.modeler, job);
+    if (!isLast()) return;
+    if (read instanceof Error) throw read;
+    const mesh = "mesh" in read ? read.mesh : this.restored(read.state, read.hasOnlyTriangles);
+    this.load(() => mesh, fileName, { scheme: mesh.hasOnlyTriangles() ? "loop" : "catmull-clark" }, false, read.about);
   }
 
   private restored(state: MeshState, hasOnlyTriangles = state.degrees.every((degree) => degree === 3)): ControlMesh {
@@ -227,6 +230,7 @@ export class Editor {
   }
 
   set(change: Partial<Settings>): void {
+    const { settings } = this;
     const before = this.version();
     const hadOnlyTriangles = this.mesh.hasOnlyTriangles();
     try {
@@ -242,6 +246,7 @@ export class Editor {
         this.say("The faces were split into triangles, which is what this scheme takes. Undo brings them back.", "note");
     } catch (error) {
       this.say(messageOf(error), "error");
+      if (this.settings !== settings) this.restore(before, settings);
     }
     this.changed();
   }
@@ -271,32 +276,42 @@ export class Editor {
 
   /** While a slider moves it is one change. */
   slideRoundness(w: number, isLast: boolean): void {
-    if (this.mesh instanceof FrozenMesh) return this.change((mesh) => mesh.setRoundness(w));
-    if (!this.beforeSlide) this.history.remember((this.beforeSlide = this.version()));
-    this.mesh.setRoundness(w);
-    this.replace(this.mesh, this.settings);
+    if (this.mesh instanceof FrozenMesh) return void this.change((mesh) => mesh.setRoundness(w));
+    const before = this.version();
+    if (!this.beforeSlide) this.history.remember((this.beforeSlide = before));
+    try {
+      this.mesh.setRoundness(w);
+      this.replace(this.mesh, this.settings);
+    } catch (error) {
+      this.restore(before);
+      this.say(messageOf(error), "error");
+    }
     if (!isLast) return;
     this.beforeSlide = undefined;
     this.changed();
   }
 
-  /** A change that is done at once. */
-  change(change: (mesh: ControlMesh) => void): void {
+  /** A change that is done at once; returns whether it was. */
+  change(change: (mesh: ControlMesh) => void): boolean {
+    let before: Version | undefined;
     try {
       this.requireEditable();
-    } catch (error) {
-      return this.say(messageOf(error), "error");
-    }
-    this.history.remember(this.version());
-    try {
+      before = this.version();
       change(this.mesh);
       this.replace(this.mesh, this.settings);
+      this.history.remember(before);
     } catch (error) {
-      const before = this.history.undo(this.version())!;
-      this.replace(this.restored(before.mesh), { ...this.settings, scheme: before.scheme });
+      if (before) this.restore(before);
       this.say(messageOf(error), "error");
+      return false;
+    } finally {
+      this.changed();
     }
-    this.changed();
+    return true;
+  }
+
+  private restore({ mesh, scheme }: Version, settings = this.settings): void {
+    this.replace(this.restored(mesh), { ...settings, scheme });
   }
 
   /** What moves nothing until endDrag() is no change. */
@@ -373,9 +388,11 @@ export class Editor {
 
   private go(version: Version | undefined): void {
     if (!version) return;
+    this.choose();
     const isOther = version.name !== this.name;
-    this.replace(this.restored(version.mesh), { ...this.settings, scheme: version.scheme });
+    this.restore(version, isOther ? { ...this.settings, rounds: version.rounds } : this.settings);
     this.name = version.name;
+    this.about = version.about;
     if (isOther) {
       this.selection = {};
       this.frameAll();
@@ -390,7 +407,9 @@ export class Editor {
   }
 
   private version(): Version {
-    return { mesh: this.mesh.state(), scheme: this.settings.scheme, name: this.name };
+    const { name, about } = this;
+    const { scheme, rounds } = this.settings;
+    return { mesh: this.mesh.state(), scheme, rounds, name, about };
   }
 
   private changed(): void {
@@ -436,6 +455,7 @@ export class Editor {
     this.readHandles(state);
     const milliseconds = performance.now() - started;
     if (!isRemote) return this.show(true, milliseconds);
+    this.status = "";
     if (here < 0) this.positions = thinnedOut(state.points, origin);
     if (!keepsPicture && here >= 0) this.draw(this.surfaces.draw(this.mesh, this.shown(true)), true);
     this.showOverlays();
@@ -450,7 +470,7 @@ export class Editor {
     this.lastShown = undefined;
     if (!last && this.roundsHere === this.settings.rounds) return;
     const settings = last?.settings ?? { ...this.settings, rounds: this.roundsHere };
-    if (last) this.name = last.version.name;
+    if (last) ({ name: this.name, about: this.about } = last.version);
     try {
       this.replace(last ? this.restored(last.version.mesh) : this.mesh, settings);
     } catch (error) {
@@ -491,6 +511,9 @@ export class Editor {
     this.handles = this.mesh.handles();
     const roundness = shortRoundness(state);
     this.roundness = roundness.length === 1 ? roundness[0] : undefined;
+    const vertices = this.handles.points.length / 3; // of those that can be edited
+    const isBelow = (w: number | undefined, i: number): number[] => (w! < 1 ? [state.roundness!.length === vertices ? i : state.corners[i]] : []);
+    this.verticesBelowRoundness1 = vertices === 0 ? 0 : new Set(Array.from(state.roundness ?? []).flatMap(isBelow)).size;
     const { points, edges, sharp } = this.handles;
     let length = 0;
     for (let e = 0; e < sharp.length; ++e) {
@@ -514,10 +537,10 @@ export class Editor {
     if (this.isRemote) return this.followRemotely(points, wedges, isLast);
     try {
       this.surfaces.follow(this.mesh, new Set([...points, ...[...wedges].map((w) => handles.vertices[w])]));
+      this.show(isLast, performance.now() - started);
     } catch (error) {
       this.say(messageOf(error), "error");
     }
-    this.show(isLast, performance.now() - started);
   }
 
   private followRemotely(points: Set<number>, wedges: Set<number>, isLast: boolean): void {
@@ -566,8 +589,8 @@ export class Editor {
     if (colorEnd !== undefined) this.colorEnd = colorEnd;
     this.viewer.setLayout(layout, split);
     this.viewer.setShading(shading, this.colorEnd);
-    if (milliseconds !== undefined)
-      this.status = `${format(this.positions.length / 3)} vertices · ${milliseconds.toFixed(1)} ms${isLast ? deviations(drawings) : ""}`;
+    const time = milliseconds === undefined ? "" : ` · ${milliseconds.toFixed(1)} ms`;
+    this.status = `${format(this.positions.length / 3)} vertices${time}${isLast ? deviations(drawings) : ""}`;
     this.onChange?.(false);
   }
 
@@ -590,6 +613,18 @@ function deviations(drawings: Drawings["drawings"]): string {
   const parts = [...drawings].reverse().filter(({ deviation }) => deviation !== undefined).map(({ isLinear, deviation }) =>
     `${isLinear ? "linear" : "point-normal"} ±${share(deviation!)}`);
   return parts.length === 0 ? "" : ` · radii about the best sphere: ${parts.join(", ")}`;
+}
+
+function firstRounds(mesh: ControlMesh): number {
+  if (mesh instanceof FrozenMesh) return 0;
+  const areTriangles = mesh.hasOnlyTriangles();
+  const { points, degrees, corners } = mesh.state();
+  let [v, e, f, c] = [points.length / 3, mesh.handles().sharp.length, degrees.length, corners.length];
+  for (let rounds = 0; rounds < 3; ++rounds) {
+    [v, e, f, c] = areTriangles ? [v + e, 2 * e + c, 4 * f, 4 * c] : [v + e + f, 2 * e + c, c, 4 * c];
+    if (v > mostVerticesAtFirst) return rounds;
+  }
+  return 3;
 }
 
 function isSameMesh(a: Faces, b: Faces | undefined): boolean {
@@ -625,10 +660,6 @@ function hasTwoSurfaces(layout: Layout): boolean {
 /** A small number in hundredths, one that is rounding with its power of ten. */
 function share(x: number): string {
   return x < 1e-6 ? x.toExponential(0) : `${(100 * x).toPrecision(2)} %`;
-}
-
-export function messageOf(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
 }
 
 export function format(n: number): string {

@@ -34,12 +34,22 @@ export function onChoice(name: string, act: (value: string) => void): void {
     radio.addEventListener("change", () => radio.checked && act(radio.value));
 }
 
-/** One line for the user; an error stays until it is closed or another message comes. */
-export function say(text: string, kind: "error" | "note"): void {
+/** One line for the user, perhaps with what can be done; an error stays until it is closed or another message comes. */
+export function say(text: string, kind: "error" | "note", action?: { title: string; act(): void }): void {
   const box = element("message");
   box.className = kind;
   box.querySelector("span")!.textContent = text;
+  if (action) box.querySelector("span")!.append(" ", buttonOf(action.title, action.act));
+  announce("");
   box.hidden = false;
+}
+export function buttonOf(title: string, act: () => void): HTMLButtonElement {
+  const result = document.createElement("button");
+  result.type = "button";
+  result.className = "inline";
+  result.textContent = title;
+  result.addEventListener("click", act);
+  return result;
 }
 /** Takes any message away, or only this one. */
 export function silence(text?: string): void {

@@ -36,6 +36,12 @@ export class FrozenMesh implements ControlMesh {
   numberOfSharpEdges(): number {
     return this.given.sharpEdges.length / 2;
   }
+  normalsFrom(): string {
+    return "";
+  }
+  repair(): string {
+    return "";
+  }
   delete(): void {}
 
   refuse = refuse;

@@ -227,9 +227,10 @@ export class Handles {
     if (edge !== undefined) this.toggleEdge(edge);
   }
 
-  toggleEdge(edge: number): void {
+  /** Returns whether that could be. */
+  toggleEdge(edge: number): boolean {
     const isSharp = !this.editor.handles.sharp[edge];
-    this.editor.change((mesh) => mesh.setSharp(edge, isSharp));
+    return this.editor.change((mesh) => mesh.setSharp(edge, isSharp));
   }
 
   // --- keys ---
@@ -328,7 +329,7 @@ export class Handles {
     if (around.length === 0) return;
     const edge = around.find((e) => e > this.lastEdge) ?? around[0];
     this.lastEdge = edge;
-    this.toggleEdge(edge);
+    if (!this.toggleEdge(edge)) return;
     this.announce(`The edge from ${edges[2 * edge]} to ${edges[2 * edge + 1]} is ${this.editor.handles.sharp[edge] ? "sharp" : "smooth"}`);
   }
 }

@@ -78,7 +78,7 @@ class Page {
     new Tour((name, settings) => this.showStep(name, settings));
     this.editor.onChange = (isFinal) => {
       this.panel.refresh();
-      if (this.picture && this.editor.name !== exampleOf(this.picture)) this.takePicture(undefined);
+      if (isFinal && this.picture && !this.isPicture(this.picture)) this.takePicture(undefined);
       if (isFinal) this.changed();
     };
     this.curve.onChange = () => {
@@ -155,10 +155,12 @@ class Page {
 
   private undo(): void {
     silence();
+    if (this.edited?.history.canUndo) announce("Undone");
     this.edited?.undo();
   }
   private redo(): void {
     silence();
+    if (this.edited?.history.canRedo) announce("Redone");
     this.edited?.redo();
   }
 
@@ -181,6 +183,15 @@ class Page {
     this.editor.frameAll(picture.direction);
     this.takePicture(name);
     return true;
+  }
+
+  /** Whether its sentence is true of what is shown. */
+  private isPicture(name: string): boolean {
+    const { editor } = this;
+    const { layout, shading } = pictures[name].settings!;
+    const { settings } = editor;
+    return editor.name === exampleOf(name) && settings.layout === layout && settings.shading === shading &&
+      settings.scheme === examples[editor.name].scheme && this.editsOfNow() === undefined;
   }
 
   private showStep(name: string, settings?: Partial<Settings>): void {
@@ -404,6 +415,11 @@ class Page {
 function requireVersion(shared: Shared): void {
   if ((shared.version ?? 0) > linkVersion) throw new Error("it is of a newer version of this page");
 }
+
+// What nobody has caught. Browsers report as errors without one what is none.
+const sayFailure = (error: unknown): void => say(`This did not work: ${messageOf(error)}.`, "error");
+window.addEventListener("error", ({ error }) => error && sayFailure(error));
+window.addEventListener("unhandledrejection", ({ reason }) => sayFailure(reason));
 
 try {
   const { modeler, module } = await loadModeler();

@@ -17,7 +17,8 @@ export interface MeshState {
   cornerNormals?: Float64Array;
   /** Pairs of vertices. */
   sharpEdges: Uint32Array;
-  /** Of each vertex; without it 1, or as the normals are estimated. */
+  /** Of each vertex, or of each corner where creases have another one on each side; without it 1, or as the normals are
+   * estimated. */
   roundness?: Float64Array;
   /** Texture coordinates of each corner. */
   uv?: Float64Array;
@@ -47,6 +48,9 @@ export interface ControlMesh {
   hasOnlyTriangles(): boolean;
   numberOfFaces(): number;
   numberOfSharpEdges(): number;
+  /** Of a mesh that was read, for people: where its normals come from, and what was repaired. */
+  normalsFrom(): string;
+  repair(): string;
   setPoint(vertex: number, x: number, y: number, z: number): void;
   setNormal(wedge: number, x: number, y: number, z: number): void;
   setSharp(edge: number, isSharp: boolean): void;
@@ -79,11 +83,16 @@ export interface RefinedSurface {
   faces(): Faces;
   /** Of the corners of the faces; of no length where the control mesh has none. */
   uv(): Float64Array;
+  /** Where there are creases: these, as pairs of vertices, and the normals and the roundness of the corners of the faces. */
+  sides(): { sharpEdges: Uint32Array; normals: Float64Array; roundness: Float64Array };
   delete(): void;
 }
 
+export type SchemeName = "catmull-clark" | "kobbelt" | "loop" | "butterfly" | "doo-sabin" | "sqrt3" | "modified-catmull-clark" |
+  "modified-loop" | "ct-catmull-clark" | "ct-loop" | "midpoint" | "bilinear";
+
 export interface SchemeTraits {
-  name: string;
+  name: SchemeName;
   takesTriangles: boolean;
   takesQuads: boolean;
   hasCreaseRules: boolean;
@@ -99,7 +108,8 @@ export interface PlaneCurve {
 }
 
 export interface Modeler {
-  readMesh(content: Uint8Array, format: string): ControlMesh;
+  /** `repairs`: whether what is no oriented manifold is made one. */
+  readMesh(content: Uint8Array, format: string, repairs: boolean): ControlMesh;
   restoreMesh(state: MeshState): ControlMesh;
   /** What is shown is relative to x, y, z. */
   refine(mesh: ControlMesh, scheme: string, rounds: number, isLinear: boolean, x: number, y: number, z: number): RefinedSurface;

@@ -10,7 +10,9 @@
 
 import workerAddress from "surface-worker-code";
 import type { Content, Shown } from "./surfaces";
-import type { Answer, DrawJob, Drawn, Edit, Make, ReadJob, ReadMesh, Request } from "./worker_messages";
+import { messageOf } from "./instantiate";
+import type { ReadJob } from "./read_file";
+import type { Answer, DrawJob, Drawn, Edit, Make, ReadMesh, Request } from "./worker_messages";
 
 /** A worker that has been busy for so many milliseconds with what nobody wants any more is ended. */
 const patience = 300;
@@ -35,6 +37,7 @@ export class RemoteSurfaces {
   private next: DrawJob | undefined;
   private readonly waiting = new Map<number, Waiting>();
   private settling: (() => void)[] = [];
+  private endReading: (() => void) | undefined;
 
   constructor(
     private readonly module: WebAssembly.Module,
@@ -68,8 +71,19 @@ export class RemoteSurfaces {
     return this.ask<{ content: Content }>({ content: { isLinear } }).then(({ content }) => content);
   }
 
+  /** By a worker of its own, which waits for no surface and is stopped by the next file only. */
   read(read: ReadJob): Promise<ReadMesh> {
-    return this.ask<{ read: ReadMesh }>({ read }, [read.content.buffer as ArrayBuffer]).then((answer) => answer.read);
+    this.endReading?.();
+    return new Promise((resolve, reject) => {
+      const take = (answer: Answer): void => {
+        worker.terminate();
+        if ("read" in answer) resolve(answer.read);
+        else reject(new Error("message" in answer ? answer.message : undefined));
+      };
+      const worker = startWorker(this.module, take, (message) => take({ number: 0, message }));
+      this.endReading = () => take({ number: 0, message: "another file is read" });
+      worker.postMessage({ number: 0, read } satisfies Request, [read.content.buffer as ArrayBuffer]);
+    });
   }
 
   /** Until nothing is left to do. */
@@ -77,26 +91,16 @@ export class RemoteSurfaces {
     return this.running || this.next ? new Promise((resolve) => this.settling.push(resolve)) : Promise.resolve();
   }
 
-  private ask<T>(request: Record<string, unknown>, transfer: Transferable[] = []): Promise<T> {
+  private ask<T>(request: Record<string, unknown>): Promise<T> {
     const number = ++this.number;
     return new Promise<T>((resolve, reject) => {
-      this.started().postMessage({ number, ...request } as Request, transfer);
+      this.started().postMessage({ number, ...request } as Request);
       this.waiting.set(number, { resolve: resolve as (answer: never) => void, reject });
     });
   }
 
   private started(): Worker {
-    if (this.worker) return this.worker;
-    const address = workerAddress();
-    const worker = new Worker(address);
-    worker.onmessage = ({ data }: MessageEvent<Answer>) => this.take(data);
-    worker.onerror = (event) => {
-      event.preventDefault(); // it is told here
-      this.fail(event.message || "the worker cannot be started");
-    };
-    worker.postMessage(this.module);
-    setTimeout(() => URL.revokeObjectURL(address), 10_000);
-    return (this.worker = worker);
+    return (this.worker ??= startWorker(this.module, (answer) => this.take(answer), (message) => this.fail(message)));
   }
 
   private end(reason: string): void {
@@ -127,7 +131,7 @@ export class RemoteSurfaces {
     try {
       this.started().postMessage({ number: this.number, draw: job } satisfies Request);
     } catch (error) {
-      this.fail(error instanceof Error ? error.message : String(error)); // a page that may have no workers
+      this.fail(messageOf(error)); // a page that may have no workers
     }
   }
 
@@ -149,4 +153,17 @@ export class RemoteSurfaces {
       else waiting?.resolve(answer as never);
     }
   }
+}
+
+function startWorker(module: WebAssembly.Module, take: (answer: Answer) => void, fail: (message: string) => void): Worker {
+  const address = workerAddress();
+  const worker = new Worker(address);
+  worker.onmessage = ({ data }: MessageEvent<Answer>) => take(data);
+  worker.onerror = (event) => {
+    event.preventDefault(); // it is told here
+    fail(event.message || "the worker cannot be started");
+  };
+  worker.postMessage(module);
+  setTimeout(() => URL.revokeObjectURL(address), 10_000);
+  return worker;
 }

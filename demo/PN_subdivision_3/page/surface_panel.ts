@@ -8,8 +8,8 @@
 
 // The panel beside the surface.
 
-import { button, choose, element, fill, input, onChoice, say, select, silence } from "./elements";
-import { format, messageOf, type Editor, type Settings, type Triple } from "./editor";
+import { button, buttonOf, choose, element, fill, input, onChoice, say, select, silence } from "./elements";
+import { format, large, messageOf, type Editor, type Settings, type Triple } from "./editor";
 import { examples } from "./examples";
 import { glbFile, objFile, plyFile, save, stlFile, valuesOfVertices } from "./files";
 import type { Handles } from "./handles";
@@ -33,9 +33,6 @@ const titles: Record<string, string> = {
   midpoint: "Midpoints (triangles)",
   bilinear: "Bilinear",
 };
-
-/** Files of more bytes are read by the worker. */
-const large = 200_000;
 
 export class SurfacePanel {
   constructor(
@@ -72,31 +69,38 @@ export class SurfacePanel {
 
   exampleMesh(name: string): ReturnType<Modeler["readMesh"]> {
     const example = examples[name];
-    const mesh = this.modeler.readMesh(new TextEncoder().encode(example.text), example.format);
+    const mesh = this.modeler.readMesh(new TextEncoder().encode(example.text), example.format, false);
     if (example.normals === "sphere") mesh.takeNormalsOfSphere();
     if (example.selection === undefined) return mesh;
     return withCreases(this.modeler, mesh, example.selection);
   }
 
   /** A mesh, a selection file with its creases beside it, or such a file for the mesh that is shown. */
-  async open(files: Iterable<File>): Promise<void> {
+  async open(files: Iterable<File>, repairs = false): Promise<void> {
     silence();
     const isSelection = (file: File): boolean => file.name.toLowerCase().endsWith(".txt");
     const all = [...files];
-    const mesh = all.find((file) => !isSelection(file));
+    const mesh = all.find(({ name }) => /\.(ply|off|obj|stl|glb)$/i.test(name)) ?? all.find((file) => !isSelection(file));
     const creases = all.find(isSelection);
     const file = mesh ?? creases;
     if (!file) return;
+    const isLast = this.editor.choose();
+    const reading = `Reading ${file.name} …`;
     try {
+      if (file.size > large) say(reading, "note");
       const selection = await creases?.text();
-      if (!mesh) return this.editor.openSelection(selection!, file.name);
-      const content = new Uint8Array(await mesh.arrayBuffer());
-      if (mesh.size <= large) return void this.editor.open(content, mesh.name, selection);
-      say(`Reading ${file.name} …`, "note");
-      await this.editor.openLarge(content, mesh.name, selection);
-      silence(`Reading ${file.name} …`);
-    } catch {
-      say(`${file.name}: the file cannot be read`, "error");
+      const content = new Uint8Array((await mesh?.arrayBuffer()) ?? []);
+      if (!isLast()) return;
+      if (mesh) await this.editor.open({ content, fileName: mesh.name, selection, repairs }, isLast);
+      else this.editor.openSelection(selection!, file.name);
+      sayLeftOut(all.filter((other) => other !== mesh && other !== creases));
+    } catch (error) {
+      if (!isLast()) return;
+      const text = `${file.name}: ${error instanceof DOMException ? "the file cannot be read" : messageOf(error)}`;
+      const canRepair = !repairs && text.includes("no oriented manifold");
+      say(text, "error", canRepair ? { title: "Repair", act: () => void this.open(all, true) } : undefined);
+    } finally {
+      silence(reading);
     }
   }
 
@@ -256,7 +260,8 @@ export class SurfacePanel {
     const { settings } = editor;
     const example = examples[editor.name];
     this.showName();
-    element("about").textContent = example ? example.about : `${format(editor.mesh.numberOfFaces())} faces`;
+    if (example) element("about").textContent = example.about;
+    else this.showAboutFile();
     select("scheme").value = settings.scheme;
     input("rounds").max = String(editor.greatestRounds);
     input("rounds").value = String(settings.rounds);
@@ -274,6 +279,23 @@ export class SurfacePanel {
     this.showRoundness();
     this.showSelected(false);
     this.showLayout();
+  }
+
+  /** What the user's file is, and what the page has made of it. */
+  private showAboutFile(): void {
+    const { editor } = this;
+    const { about } = editor;
+    const faces = editor.mesh.numberOfFaces();
+    const parts = [`${format(faces)} ${faces === 1 ? "face" : "faces"}.`];
+    if (about?.normals) parts.push(`Normals ${about.normals}.`);
+    if (about && about.lost.length > 0) parts.push(`Not kept: ${about.lost.join(", ")}.`);
+    if (about?.repair) parts.push(`${about.repair[0].toUpperCase()}${about.repair.slice(1)}.`);
+    const n = editor.verticesBelowRoundness1;
+    if (n > 0) parts.push(`Roundness below 1 at ${format(n)} of ${format(editor.handles.points.length / 3)} vertices:`);
+    const text = parts.join(" ");
+    if (element("about").firstChild?.textContent === text) return; // the button keeps the focus
+    element("about").textContent = text;
+    if (n > 0) element("about").append(" ", buttonOf("Make it 1", () => editor.change((mesh) => mesh.setRoundness(1))));
   }
 
   private showRoundness(): void {
@@ -334,4 +356,10 @@ export class SurfacePanel {
     element("scale-middle").textContent = isRelative ? "average" : "0";
     element("scale-high").textContent = isRelative ? `+${100 * colorEnd} %` : colorEnd.toPrecision(2);
   }
+}
+
+function sayLeftOut(others: File[]): void {
+  if (others.length === 0) return;
+  const names = others.map(({ name }) => name).join(", ");
+  say(`Not opened: ${names}. The page shows one mesh at a time, and one file with its creases.`, "note");
 }

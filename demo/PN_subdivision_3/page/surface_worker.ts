@@ -8,11 +8,11 @@
 
 // The worker of the page, which makes the surfaces that take long.
 
-import { instantiate } from "./instantiate";
+import { instantiate, messageOf } from "./instantiate";
 import type { ControlMesh, Modeler } from "./modeler_types";
-import { withCreases } from "./selection";
+import { readFile, type ReadJob } from "./read_file";
 import { Surfaces } from "./surfaces";
-import type { Answer, DrawJob, Drawn, ReadJob, ReadMesh, Request } from "./worker_messages";
+import type { Answer, DrawJob, Drawn, ReadMesh, Request } from "./worker_messages";
 
 const scope = globalThis as unknown as {
   onmessage: ((event: { data: WebAssembly.Module | Request }) => void) | null;
@@ -57,10 +57,9 @@ class SurfaceWorker {
     return { drawings, colorEnd, milliseconds };
   }
 
-  read({ content, format, selection }: ReadJob): ReadMesh {
-    let mesh = this.modeler.readMesh(content, format);
-    if (selection !== undefined) mesh = withCreases(this.modeler, mesh, selection);
-    const result = { state: mesh.state(), hasOnlyTriangles: mesh.hasOnlyTriangles() };
+  read(job: ReadJob): ReadMesh {
+    const { mesh, about } = readFile(this.modeler, job);
+    const result = { state: mesh.state(), hasOnlyTriangles: mesh.hasOnlyTriangles(), about };
     mesh.delete();
     return result;
   }
@@ -77,7 +76,7 @@ class SurfaceWorker {
       const result = answer();
       scope.postMessage(result, buffersOf(result));
     } catch (error) {
-      scope.postMessage({ number, message: error instanceof Error ? error.message : String(error) });
+      scope.postMessage({ number, message: messageOf(error) });
     }
   }
 }
@@ -91,5 +90,6 @@ function buffersOf(value: unknown): ArrayBuffer[] {
 let worker: Promise<SurfaceWorker>;
 scope.onmessage = async ({ data }) => {
   if (data instanceof WebAssembly.Module) worker = instantiate(data).then((modeler) => new SurfaceWorker(modeler));
-  else (await worker).answer(data);
+  else
+    await worker.then((ready) => ready.answer(data), (error) => scope.postMessage({ number: data.number, message: messageOf(error) }));
 };

@@ -9,6 +9,7 @@
 // What the page and its worker say to each other.
 
 import type { MeshState } from "./modeler_types";
+import type { AboutFile, ReadJob } from "./read_file";
 import type { Content, Drawings, Shown, Wanted } from "./surfaces";
 
 export interface Make extends Wanted {
@@ -26,16 +27,10 @@ export interface DrawJob {
   shown: Shown;
 }
 
-export interface ReadJob {
-  content: Uint8Array;
-  format: string;
-  /** A selection file with the creases. */
-  selection?: string;
-}
-
 export interface ReadMesh {
   state: MeshState;
   hasOnlyTriangles: boolean;
+  about: AboutFile;
 }
 
 export type Request = { number: number } & (

@@ -9,7 +9,7 @@
 // The library in Node.js and in Chromium, against the command:
 //   node --test test_library.mjs      with PN_LIBRARY, its folder, and PN_SUBDIVIDE, the command, in the environment
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { cp, mkdir, mkdtemp, readFile, rm, symlink, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
@@ -88,6 +88,32 @@ test("all schemes, linear and point-normal, make what the command makes, in ever
     }
 });
 
+test("every scheme takes every roundness, and makes what the command makes", async () => {
+  for (const { name, takesTriangles, hasLimitPoints } of subdivision.schemes()) {
+    const mesh = { ...(takesTriangles ? octahedron : cube) };
+    mesh.normals = normals(mesh);
+    mesh.roundness = mesh.positions.slice(0, mesh.positions.length / 3).map((_, v) => [0, 0.5, 1, 0.75][v % 4]);
+    const options = { scheme: name, levels: 2 };
+    const words = ["--scheme", name, "--levels", "2"];
+    const varied = subdivision.subdivide(mesh, options);
+    const theirs = await ofCommand(mesh, [...words, "--output-normals", "control"]);
+    assert.ok(largestDifference([...varied.positions], theirs.points) < 1e-14, name);
+    assert.ok(largestDifference([...varied.roundness], theirs.roundness) < 1e-14, name);
+    const linear = subdivision.subdivide(mesh, { ...options, linear: true });
+    assert.ok(largestDifference([...subdivision.subdivide(mesh, { ...options, roundness: 0 }).positions], [...linear.positions]) < 1e-14, name);
+    for (const roundness of [0.5, 1, "estimate"]) {
+      const refined = subdivision.subdivide(mesh, { ...options, roundness });
+      assert.ok(largestDifference([...refined.positions], (await ofCommand(mesh, [...words, "--roundness", String(roundness)])).points) < 1e-14, name);
+      if (!hasLimitPoints) continue;
+      const limit = subdivision.subdivide(mesh, { ...options, roundness, limit: true });
+      const theirLimit = await ofCommand(mesh, [...words, "--roundness", String(roundness), "--limit", "--surface-normals", "--limit-tolerance", "1e-7"]);
+      assert.ok(largestDifference([...limit.positions], theirLimit.points) < 1e-12, name);
+    }
+    const plain = { positions: mesh.positions, faces: mesh.faces };
+    assert.ok(largestDifference([...subdivision.subdivide(plain, options).positions], (await ofCommand(plain, words)).points) < 1e-14, name);
+  }
+});
+
 test("estimates, roundness, creases and the limit are those of the command", async () => {
   const near = (refined, theirs) => assert.ok(largestDifference([...refined.positions], theirs.points) < 1e-14);
   near(subdivision.subdivide(cube, { levels: 2 }), await ofCommand(cube, ["--levels", "2", "--scheme", "catmull-clark"]));
@@ -117,6 +143,64 @@ test("two calls with one round are one call with two", () => {
   const distanceTo = (p) => Math.min(...Array.from({ length: 98 }, (_, i) =>
     Math.hypot(...p.map((x, k) => x - twice.positions[3 * i + k]))));
   for (let i = 0; i < once.positions.length; i += 3) assert.ok(distanceTo([...once.positions.slice(i, i + 3)]) < 1e-14);
+});
+
+test("creases and what is on their sides come back, for further rounds", () => {
+  const mesh = { ...cube, creases: [4, 5, 5, 7, 7, 6, 6, 4], roundness: Array.from({ length: 24 }, (_, c) => (c % 3) / 2) };
+  const first = subdivision.subdivide(mesh, { levels: 1 });
+  assert.equal(first.creases.length, 2 * 8);
+  assert.ok(first.creases.every((v) => first.positions[3 * v + 2] > 0.5), "they are on top");
+  for (const values of [first.normals, first.roundness]) assert.equal(values.length % first.faces.corners.length, 0);
+  const [once, twice] = [subdivision.subdivide(mesh, { levels: 2 }), subdivision.subdivide(first, { levels: 1 })];
+  assert.equal(twice.creases.length, once.creases.length);
+  const points = ({ positions }) => Array.from({ length: positions.length / 3 }, (_, i) => [...positions.slice(3 * i, 3 * i + 3)]);
+  for (const p of points(once)) assert.ok(points(twice).some((q) => Math.hypot(...p.map((x, k) => x - q[k])) < 1e-14), `${p}`);
+});
+
+test("OBJ and PLY files are read", async () => {
+  const mesh = { ...cube, normals: normals(cube), roundness: [1, 0, 0.5, 1, 0.2, 0.9, 0, 1] };
+  const read = subdivision.read(plyOf(mesh), "ply");
+  assert.deepEqual([...subdivision.subdivide(read, { levels: 2 }).positions], [...subdivision.subdivide(mesh, { levels: 2 }).positions]);
+  const box = await readFile(path.resolve(import.meta.dirname, "../../../data/meshes/parts/bolt.obj"));
+  assert.ok(subdivision.read(box, "obj").creases.length > 20);
+  assert.throws(() => subdivision.read("v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "obj"), /nan/);
+  assert.throws(() => subdivision.read("", "gif"), Error);
+});
+
+test("programs in TypeScript are checked", async () => {
+  const at = path.join(folder, "typed");
+  await mkdir(path.join(at, "node_modules/@types"), { recursive: true });
+  const installed = path.resolve(import.meta.dirname, "../node_modules");
+  await symlink(library, path.join(at, "node_modules/pn-subdivision"));
+  await symlink(path.join(installed, "@types/three"), path.join(at, "node_modules/@types/three"));
+  const programs = {
+    "plain.ts": `import { load, type Mesh, type SchemeTraits } from "pn-subdivision";
+const { subdivide, schemes, read } = await load();
+const mesh: Mesh = read("", "obj");
+const names: SchemeTraits["name"][] = schemes().map(({ name }) => name);
+export const first = subdivide(mesh, { scheme: names[0], levels: 1 });
+export const second = subdivide(first, { scheme: "loop", limit: true, roundness: "estimate" }).creases.length;
+// @ts-expect-error: no such scheme
+subdivide(mesh, { scheme: "lop" });
+// @ts-expect-error: no such option
+subdivide(mesh, { level: 2 });`,
+    "worker.ts": `import { startWorker } from "pn-subdivision/worker";
+const worker = startWorker();
+export const { geometry } = await worker.subdivide({ positions: [0, 0, 0], faces: [[0, 0, 0]] });
+worker.terminate();`,
+    "drawn.ts": `import * as THREE from "three";
+import { load } from "pn-subdivision";
+import { bufferGeometry, meshOf } from "pn-subdivision/three";
+const { subdivide } = await load();
+export const box: THREE.BufferGeometry = bufferGeometry(THREE, subdivide(meshOf(new THREE.BoxGeometry())));`,
+  };
+  for (const [name, text] of Object.entries(programs)) await writeFile(path.join(at, name), text);
+  await writeFile(path.join(at, "package.json"), '{ "type": "module" }');
+  await writeFile(path.join(at, "tsconfig.json"), JSON.stringify({ compilerOptions: { module: "nodenext", moduleResolution: "nodenext",
+    target: "es2022", lib: ["es2023", "dom", "dom.iterable"], strict: true, noEmit: true, skipLibCheck: false, types: [], preserveSymlinks: true }, include: ["*.ts"] }));
+  const { status, stdout } = spawnSync(path.join(installed, ".bin/tsc"), ["-p", at], { encoding: "utf8" });
+  const ours = stdout.split("\n").filter((line) => /error TS/.test(line) && !/@types/.test(line));
+  assert.deepEqual([status !== 0 && ours.length > 0, ours], [false, []]);
 });
 
 test("what results is what further rounds begin with, roundness 1 and linear surfaces, too", () => {
@@ -194,6 +278,13 @@ test("what is given is left alone, and what is wrong is named", () => {
   refuses({ positions: [...cube.positions.slice(0, -1), NaN] }, {}, /finite|nan/i);
   refuses({ normals: [1, 2] }, {}, /normals must be three numbers/);
   refuses({ roundness: [1] }, {}, /8 vertices, and the roundness of 1/);
+  refuses({}, { level: 2 }, /no option 'level': it must be one of scheme, levels, /);
+  refuses({ faces: undefined }, {}, /the mesh has no faces/);
+  refuses({ positions: undefined }, {}, /positions must be three numbers/);
+  refuses({ positions: cube.positions.map((x) => [x, x, x]) }, {}, /positions must be three numbers for each vertex, one after the other/);
+  refuses({ creases: [0, 1, 0, 7] }, {}, /no edge from vertex 0 to vertex 7/);
+  refuses({ creases: [0, 99] }, {}, /no edge from vertex 0 to vertex 99/);
+  refuses({ creases: [0, 1, 2] }, {}, /creases must be pairs/);
 });
 
 test("what is drawn has the surface's vertices, those on creases for each side", async () => {

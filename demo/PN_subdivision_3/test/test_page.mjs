@@ -94,6 +94,44 @@ test("all schemes, linear and point-normal, make what the command makes", async 
   });
 });
 
+test("every scheme takes every roundness: made, at the limit, saved, turned", async () => {
+  await withPage(file, { hash: "#cube" }, async (page) => {
+    await page.check("input[name=layout][value=pn]");
+    const slide = (w) => page.fill("#roundness", String(w));
+    for (const scheme of await page.$$eval("#scheme option", (options) => options.map((o) => o.value))) {
+      await page.selectOption("#example", "cube");
+      await page.selectOption("#scheme", scheme);
+      await page.fill("#rounds", "1");
+      await page.evaluate(() => (document.getElementById("message").hidden = true)); // of faces that were split
+      for (const act of [() => slide(0), () => slide(1), () => page.click("#roundness-estimate"), () => slide(0.5)]) {
+        await act();
+        await page.evaluate(() => window.page.editor.setNormal(0, 1, 2, 3));
+        const start = await points(page);
+        if (await page.isEnabled("#limit")) {
+          await page.evaluate(() => window.page.editor.set({ limit: true }));
+          assert.ok(largestDifference(await points(page), start) < 1); // and no NaN
+          await page.evaluate(() => window.page.editor.set({ limit: false }));
+        }
+        assert.ok(await page.isHidden("#message"), `${scheme}: ${await page.textContent("#message span")}`);
+        const label = Number(await page.textContent("#roundness-value"));
+        assert.ok(Number.isNaN(label) || label === Number(await page.inputValue("#roundness")));
+      }
+      await compareWithCommand(page, ["--scheme", scheme, "--levels", "1"]);
+    }
+  });
+});
+
+test("an error that nobody has caught becomes a message", async () => {
+  for (const act of ["setTimeout(() => { throw new Error('on purpose'); })", "Promise.reject(new Error('on purpose')), 0"])
+    await assert.rejects(withPage(file, { hash: "#ring" }, async (page) => {
+      await page.evaluate(act);
+      assert.equal(await message(page), "This did not work: on purpose.");
+      assert.equal(await page.getAttribute("#message", "role"), "alert");
+      await page.selectOption("#example", "cube"); // the page goes on
+      assert.ok(await page.isHidden("#message"));
+    }), /the page reported: .*on purpose/);
+});
+
 test("a cube with the normals of a sphere is a sphere", async () => {
   await withPage(file, { hash: "#cube" }, async (page) => {
     const p = await points(page);
@@ -197,6 +235,109 @@ test("bad files are refused in one line, and nothing is lost", async () => {
   });
 });
 
+test("one's own file: what it is, and what can be done", async () => {
+  await withPage(file, { hash: "#ring" }, async (page) => {
+    const open = async (name, content) => {
+      await drop(page, name, content);
+      await page.waitForFunction((n) => window.page.editor.name === n, name);
+      return (await page.textContent("#about")).replace(/\s+/g, " ");
+    };
+    const corner = (i) => `${i & 1} ${(i >> 1) & 1} ${i >> 2}`;
+    const quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    const triangles = quads.flatMap(([a, b, c, d]) => [[a, b, c], [a, c, d]]);
+    const stl = "solid cube\n" + triangles.map((f) => "facet normal 0 0 0\nouter loop\n" +
+      f.map((v) => `vertex ${corner(v)}\n`).join("") + "endloop\nendfacet\n").join("") + "endsolid cube\n";
+    const about = await open("cube.stl", stl);
+    const below = await page.evaluate(() => window.page.editor.mesh.state().roundness.filter((w) => w < 1).length);
+    assert.ok(below > 0);
+    assert.equal(about, `12 faces. Normals estimated from the points. Roundness below 1 at ${below} of 8 vertices: Make it 1`);
+    await page.click("#about button");
+    assert.equal(await page.textContent("#about"), "12 faces. Normals estimated from the points.");
+    assert.equal(await page.evaluate(() => window.page.editor.roundness), 1);
+    await page.click("#undo");
+    assert.equal(await page.textContent("#about"), about);
+    const square = "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\nv 0 1 0 1 0 0\nvt 0 0\n";
+    assert.match(await open("square.obj", `${square}g part\nusemtl red\nf 1/1 2/1 3/1 4/1\n`),
+      /^1 face\. Normals estimated from the points\. Not kept: materials, texture coordinates, groups, colors\./);
+    const normals = "vn 0 0.6 0.8\nvn 0 0 1\nvn 0.6 0 0.8\n";
+    assert.match(await open("normals.obj", `${square}${normals}f 1//1 2//2 3//3 4//1\n`), /Normals of the file\./);
+  });
+});
+
+test("what is no manifold is repaired if that is asked for, as by the command", async () => {
+  const quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+  const corner = (i) => `${i & 1} ${(i >> 1) & 1} ${i >> 2}`;
+  const off = (points, faces) => `OFF\n${points.length} ${faces.length} 0\n${points.join("\n")}\n${faces.map((f) => `${f.length} ${f.join(" ")}`).join("\n")}\n`;
+  const corners = [...Array(8).keys()].map(corner);
+  const cases = {
+    "flipped.off": off(corners, quads.map((f, i) => (i === 2 ? f.toReversed() : f))),
+    "twice.off": off(corners, [...quads, quads[3]]),
+    "degenerate.off": off(corners, [...quads, [0, 1, 0]]),
+    "bow_tie.off": off([...corners, "2 3 4", "3 2 4"], [...quads, [7, 8, 9]]),
+    "fin.off": off([...corners, "2 2 3"], [...quads, [5, 7, 8]]),
+    "book.off": off(["0 0 0", "0 0 1", "1 0 0", "0 1 0", "-1 0 0", "0 -1 0"], [[0, 1, 2], [0, 1, 3], [0, 1, 4], [0, 1, 5]]),
+  };
+  await withPage(file, { hash: "#ring" }, async (page) => {
+    for (const [name, content] of Object.entries(cases)) {
+      await drop(page, name, content);
+      assert.match(await message(page), /no oriented manifold.* Repair$/);
+      await page.click("#message span button");
+      await page.waitForFunction((n) => window.page.editor.name === n, name);
+      assert.ok(await page.isHidden("#message"));
+      assert.match(await page.textContent("#about"), /\. Repaired: /);
+      const [input, output] = [path.join(folder, name), path.join(folder, "repaired.ply")];
+      await writeFile(input, content);
+      execFileSync(command, ["surface", input, output, "--quiet", "--repair", "--levels", "0"]);
+      const theirs = readPly(await readFile(output));
+      const ours = await page.evaluate(() => {
+        const { points, degrees } = window.page.editor.mesh.state();
+        return { points: Array.from(points), faces: degrees.length };
+      });
+      assert.equal(ours.faces, theirs.faces, name);
+      const sorted = (p) => Array.from({ length: p.length / 3 }, (_, i) => p.slice(3 * i, 3 * i + 3).join()).sort();
+      assert.deepEqual(sorted(ours.points), sorted(theirs.points), name);
+    }
+  });
+});
+
+test("GLB is opened as it was saved", async () => {
+  await withPage(file, { hash: "#tetrahedron" }, async (page) => {
+    await page.check("input[name=layout][value=pn]");
+    await page.fill("#rounds", "2");
+    const saved = await points(page);
+    await page.selectOption("#surface-format", "glb");
+    const glb = await readFile(await download(page, "#save-surface"));
+    await drop(page, "again.glb", glb);
+    await page.waitForFunction(() => window.page.editor.name === "again.glb");
+    const again = await page.evaluate(() => Array.from(window.page.editor.mesh.state().points));
+    const triples = (p) => Array.from({ length: p.length / 3 }, (_, i) => p.slice(3 * i, 3 * i + 3));
+    assert.equal(again.length, saved.length);
+    for (const p of triples(again)) assert.ok(triples(saved).some((q) => largestDifference(p, q) < 1e-6), `${p}`);
+    // nodes that shift, turn, scale and mirror, as other programs write them
+    const length = glb.readUInt32LE(12);
+    const model = JSON.parse(glb.subarray(20, 20 + length).toString());
+    model.nodes = [{ children: [1], translation: [10, 20, 30], scale: [2, 2, 2] }, { mesh: 0, rotation: [0, 0, 1, 0], scale: [1, 1, -1] }];
+    model.materials = [{}];
+    let json = Buffer.from(JSON.stringify(model));
+    json = Buffer.concat([json, Buffer.alloc((4 - (json.length % 4)) % 4, 32)]);
+    const head = Buffer.from(glb.subarray(0, 20));
+    head.writeUInt32LE(json.length, 12);
+    await drop(page, "moved.glb", Buffer.concat([head, json, glb.subarray(20 + length)]));
+    await page.waitForFunction(() => window.page.editor.name === "moved.glb");
+    assert.match(await page.textContent("#about"), /Not kept: materials/);
+    const moved = await page.evaluate(() => Array.from(window.page.editor.mesh.state().points));
+    // x, y, z of the file: turned by half a circle about its z, z mirrored, doubled and shifted; then y up becomes z up
+    triples(saved).forEach(([x, y, z]) => {
+      const expected = [10 - 2 * x, -(30 - 2 * z), 20 - 2 * y];
+      assert.ok(triples(moved).some((q) => largestDifference(expected, q) < 1e-4), `${expected}`);
+    });
+    for (const [name, content] of [["cut.glb", glb.subarray(0, 200)], ["none.glb", Buffer.from("glTF")], ["short.glb", glb.subarray(0, glb.length - 100)]]) {
+      await drop(page, name, content);
+      await page.waitForFunction((n) => document.querySelector("#message span").textContent.startsWith(n), name);
+    }
+  });
+});
+
 test("what is exported can be read again", async () => {
   await withPage(file, { hash: "#bumps" }, async (page) => {
     await page.fill("#rounds", "1");
@@ -224,6 +365,75 @@ test("what is exported can be read again", async () => {
       assert.equal(await page.evaluate(() => window.page.editor.handles.points.length), 12);
       assert.equal(await page.inputValue("#scheme"), "loop");
     }
+  });
+});
+
+test("what belongs to a mesh ends with it", async () => {
+  await withPage(file, { hash: "#picture-cube" }, async (page) => {
+    const caption = () => page.isHidden("#caption").then((hidden) => (hidden ? "" : page.textContent("#caption")));
+    const rounds = () => page.inputValue("#rounds").then(Number);
+    assert.match(await caption(), /its curvature is even/);
+    assert.ok(await page.isChecked("input[name=shading][value=relative]"));
+    // an edit that makes it false
+    await page.evaluate(() => window.page.editor.setNormal(0, 1, 0, 0));
+    assert.equal(await caption(), "");
+    await page.click("#picture-cube");
+    assert.match(await caption(), /its curvature is even/);
+    await page.selectOption("#scheme", "bilinear");
+    assert.equal(await caption(), "");
+    await page.selectOption("#example", "ring");
+    assert.ok(await page.isChecked("input[name=shading][value=smooth]"));
+    // rounds of files
+    const mesh = (name) => readFile(path.resolve(import.meta.dirname, "../../../data/meshes", name));
+    const open = async (name, content) => {
+      await drop(page, name, content);
+      await page.waitForFunction((n) => window.page.editor.name === n, name);
+    };
+    await page.selectOption("#example", "cube");
+    assert.equal(await rounds(), 5);
+    await open("head.obj", await mesh("head.obj"));
+    assert.equal(await rounds(), 3);
+    await points(page); // it is made
+    assert.match(await page.textContent("#status"), /^19.\d{3} vertices/);
+    const n = 100;
+    const vertices = Array.from({ length: (n + 1) ** 2 }, (_, i) => `${i % (n + 1)} ${Math.floor(i / (n + 1))} 0`);
+    const faces = Array.from({ length: n * n }, (_, i) => {
+      const a = (n + 1) * Math.floor(i / n) + (i % n);
+      return `4 ${a} ${a + 1} ${a + n + 2} ${a + n + 1}`;
+    });
+    await open("large.off", `OFF\n${vertices.length} ${faces.length} 0\n${vertices.join("\n")}\n${faces.join("\n")}\n`);
+    assert.equal(await rounds(), 1); // (2 n + 1)^2 vertices, of which two rounds would make 160,801
+    await open("spoon.obj", await mesh("spoon.obj"));
+    assert.equal(await rounds(), 3);
+    await page.fill("#rounds", "2");
+    await page.click("#undo"); // the mesh before, with its rounds
+    assert.equal(await rounds(), 1);
+    await page.click("#undo");
+    assert.equal(await rounds(), 3);
+    // the status is that of the surface on the screen
+    await page.selectOption("#example", "tetrahedron");
+    await points(page);
+    assert.match(await page.textContent("#status"), /radii about the best sphere/);
+    await page.fill("#rounds", "1");
+    assert.match(await page.textContent("#status"), /^10 vertices .*radii/);
+    await page.selectOption("#example", "ring");
+    assert.doesNotMatch(await page.textContent("#status"), /radii/);
+  });
+});
+
+test("what is announced has happened", async () => {
+  await withPage(file, { hash: "#cube" }, async (page) => {
+    const announced = () => page.textContent("#announcement");
+    await page.focus("#canvas");
+    for (const key of ["n", "c"]) await page.keyboard.press(key);
+    assert.match(await announced(), /^The edge from \d to \d is sharp$/);
+    await page.keyboard.press("Control+z");
+    assert.equal(await announced(), "Undone");
+    await page.selectOption("#scheme", "doo-sabin");
+    await page.focus("#canvas");
+    await page.keyboard.press("c");
+    assert.match(await message(page), /doo-sabin subdivision has no rules for creases/);
+    assert.equal(await announced(), "");
   });
 });
 

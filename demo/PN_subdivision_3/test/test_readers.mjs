@@ -32,7 +32,7 @@ after(() => rm(folder, { recursive: true }));
 function readHere(content, format) {
   let mesh;
   try {
-    mesh = modeler.readMesh(Uint8Array.from(Buffer.from(content)), format);
+    mesh = modeler.readMesh(Uint8Array.from(Buffer.from(content)), format, false);
     return { state: mesh.state() };
   } catch (error) {
     assert.ok(error instanceof Error, String(error));

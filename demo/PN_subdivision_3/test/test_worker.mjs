@@ -15,7 +15,7 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { withPage } from "./browser.mjs";
-import { download as downloadTo, frontWedge, largestDifference, loseContext, message, points, readPly, tipOf } from "./page_actions.mjs";
+import { download as downloadTo, dropAll, frontWedge, largestDifference, loseContext, message, points, readPly, tipOf } from "./page_actions.mjs";
 
 const file = path.resolve(process.env.PN_PAGE);
 const command = path.resolve(process.env.PN_SUBDIVIDE);
@@ -168,7 +168,7 @@ test("a million faces are shown as they are", async () => {
     await dropText(page, "million.off", grid(1000));
     await page.waitForFunction(() => window.page.editor.name === "million.off");
     assert.equal(await page.getAttribute("#rounds", "max"), "0");
-    assert.match(await message(page), /^0 rounds: \d would make more than 600000 faces\.$/);
+    assert.ok(await page.isHidden("#message"));
     assert.match(await page.textContent("#about"), /1.000.000 faces/);
     assert.equal(await facesOf(page), 1_000_000);
     assert.equal(await page.evaluate(() => window.page.editor.viewer.pane(false).mesh.geometry.getAttribute("position").count), 1001 ** 2);
@@ -235,19 +235,52 @@ test("where a worker cannot be started the page says why, and shows fewer rounds
     });
 });
 
-test("a file that is read when all is stopped is named, and the next one is read", async () => {
+/** Waits for the files and for what is done while the first of them is read. */
+const openMeanwhile = (page, texts, meanwhile) => page.evaluate(`(async () => {
+  const opened = ${JSON.stringify(texts)}.map(([name, text]) => window.page.panel.open([new File([text], name)]));
+  await (${meanwhile})();
+  await Promise.all(opened);
+})()`);
+const nameOf = (page) => page.evaluate(() => window.page.editor.name);
+
+test("what was chosen last is shown", async () => {
   await withPage(file, { hash: "#head" }, async (page) => {
-    await page.evaluate(async (text) => {
-      const { editor } = window.page;
-      editor.set({ rounds: 5, layout: "both" });
-      const reading = editor.openLarge(new TextEncoder().encode(text), "grid.off");
-      editor.cancel();
-      await reading;
-    }, grid(80));
-    assert.match(await message(page), /^grid\.off: cancelled$/);
-    assert.equal(await page.evaluate(() => window.page.editor.name), "head");
-    await dropText(page, "second.off", grid(80));
-    await page.waitForFunction(() => window.page.editor.name === "second.off");
+    const [slow, small] = [grid(80), grid(2)];
+    for (const meanwhile of [
+      () => window.page.panel.showExample("ring"),
+      () => window.page.editor.undo(),
+      () => window.page.panel.open([new File(["OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"], "one.off")]),
+    ]) {
+      await page.selectOption("#example", "bolt");
+      await page.selectOption("#example", "cube");
+      await openMeanwhile(page, [["slow.off", slow]], meanwhile);
+      assert.match(await nameOf(page), /^(ring|bolt|one\.off)$/);
+      assert.ok(await page.isHidden("#message"), await page.textContent("#message span"));
+    }
+    await openMeanwhile(page, [["first.off", slow], ["second.off", `${slow}\n`], ["third.off", small]], () => {});
+    assert.equal(await nameOf(page), "third.off");
+    await openMeanwhile(page, [["first.off", small], ["bad.off", `${slow} x\n3 x`], ["last.off", slow]], () => {});
+    assert.equal(await nameOf(page), "last.off");
+    assert.ok(await page.isHidden("#message"), await page.textContent("#message span"));
+  });
+});
+
+test("a file that is read beside a surface waits for nothing, and is not ended with it", async () => {
+  await withPage(file, { hash: "#head" }, async (page) => {
+    for (const end of [(editor) => editor.cancel(), (editor) => editor.set({ rounds: 1 })]) {
+      await page.selectOption("#example", "head");
+      await page.evaluate(() => window.page.editor.set({ rounds: 5, layout: "both" }));
+      await openMeanwhile(page, [["grid.off", grid(80)]], `() => (${end})(window.page.editor)`);
+      assert.equal(await nameOf(page), "grid.off");
+    }
+  });
+});
+
+test("of two meshes that are dropped together the first is shown, and the other one named", async () => {
+  await withPage(file, { hash: "#ring" }, async (page) => {
+    await dropAll(page, [["part.mtl", "newmtl red\n"], ["a.off", grid(2)], ["b.off", grid(3)]]);
+    assert.equal(await message(page), "Not opened: part.mtl, b.off. The page shows one mesh at a time, and one file with its creases.");
+    assert.equal(await nameOf(page), "a.off");
   });
 });
 

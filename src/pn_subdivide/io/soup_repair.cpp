@@ -10,9 +10,8 @@
 
 #include "io/Error.h"
 #include "io/orient_outwards.h"
+#include "io/orient_soup.h"
 #include "io/soup_check.h"
-
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 
 #include <algorithm>
 #include <numeric>
@@ -172,37 +171,6 @@ void remove_duplicates(Mesh_data& mesh, Soup_repair& repair, Old_faces& old_face
   repair.removed_duplicate_faces = n - mesh.number_of_faces();
 }
 
-struct Visitor : CGAL::Polygon_mesh_processing::Default_orientation_visitor
-{
-  void polygon_orientation_reversed(std::size_t f) { (*is_reversed)[f] = !(*is_reversed)[f]; }
-
-  void duplicated_vertex(std::size_t old_vertex, std::size_t)
-  {
-    ++repair->added_vertices;
-    mesh->copied_from.push_back(static_cast<Index>(old_vertex));
-    if (mesh->has_normals()) mesh->normals.push_back(mesh->normals[old_vertex]);
-    if (!mesh->roundness.empty()) mesh->roundness.push_back(mesh->roundness[old_vertex]);
-    for (Column& column : mesh->attributes.of_vertices)
-      column.values.push_back(column.values[old_vertex]);
-  }
-
-  Mesh_data* mesh;
-  Soup_repair* repair;
-  std::vector<bool>* is_reversed;
-};
-
-void orient(Mesh_data& mesh, Soup_repair& repair, std::vector<bool>& is_reversed)
-{
-  std::vector<std::vector<std::size_t>> faces(mesh.number_of_faces());
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    faces[f].assign(mesh.face(f).begin(), mesh.face(f).end());
-  const Visitor visitor{{}, &mesh, &repair, &is_reversed};
-  CGAL::Polygon_mesh_processing::orient_polygon_soup(mesh.points, faces,
-                                                     CGAL::parameters::visitor(visitor));
-  mesh.clear_faces();
-  for (const auto& face : faces) mesh.add_face(face);
-}
-
 } // namespace
 
 Soup_repair repair_soup(Mesh_data& mesh)
@@ -214,7 +182,7 @@ Soup_repair repair_soup(Mesh_data& mesh)
   if (!find_defects(mesh).none()) {
     remove_duplicates(mesh, repair, old_faces);
     is_reversed.assign(mesh.number_of_faces(), false);
-    if (!find_defects(mesh).none()) orient(mesh, repair, is_reversed);
+    if (!find_defects(mesh).none()) repair.added_vertices += orient_soup(mesh, is_reversed);
   }
   if (find_defects(mesh).none()) repair.turned_components = orient_outwards(mesh, is_reversed);
   repair.reversed_faces =
