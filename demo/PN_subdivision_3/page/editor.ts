@@ -89,10 +89,10 @@ export class Editor {
   /** The most rounds for this mesh and scheme. */
   greatestRounds = 7;
   status = "";
-  /** Of the file that the mesh is of. */
-  about: AboutFile | undefined;
   /** The mesh as there is a file of it; none: not at all. */
   ofFile: MeshState | undefined;
+  /** Of the file that the mesh is of. */
+  about: AboutFile | undefined;
   /** Another one after each change of the mesh. */
   meshNumber = 0;
   readonly history = new History<Version>(({ mesh }) => mesh.points.length + 4 * mesh.corners.length);
@@ -190,8 +190,8 @@ export class Editor {
       return false;
     }
     this.name = name;
-    this.about = about;
     this.ofFile = this.mesh.state();
+    this.about = about;
     this.selection = {};
     this.frameAll();
     this.changed();

@@ -39,7 +39,7 @@ export function readFile(modeler: Modeler, { content, fileName, selection, repai
   let mesh: ControlMesh;
   if (format === "glb") {
     const { points, faces } = triangleMeshOf(content);
-    mesh = modeler.readMesh(plyFile({ points, normals: new Float64Array() }, faces, "control normals"), "ply", repairs);
+    mesh = modeler.readMesh(plyFile({ points, normals: new Float64Array(), faces }, "control normals"), "ply", repairs);
   } else mesh = modeler.readMesh(content, format, repairs);
   const about = { normals: mesh.normalsFrom(), lost, repair: mesh.repair() };
   if (selection !== undefined) mesh = withCreases(modeler, mesh, selection);
