@@ -109,7 +109,6 @@ std::vector<bool> sure_segments(const Recognized_part& part, const Surface& surf
 void fill(Recognized_part& part, const Surface& surface, Patch_map segments, Crease_map creases,
           Normals_of_surfaces normals)
 {
-  for (const Face f : surface.faces()) part.segments.push_back(segments[f]);
   const std::vector<bool> sure = sure_segments(part, surface);
   const auto is_among_sure_ones = [&](Face f) {
     const auto faces = CGAL::faces_around_face(surface.halfedge(f), surface);
@@ -209,6 +208,9 @@ Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& pl
   with_parameters(plan, [&](const auto& np) {
     part.surfaces = PN::recognize_surfaces(surface, segments, np);
     if (!plan.tolerance && plan.tries_tolerances) try_tolerance_of_six_digits(part, surface, plan);
+    for (const Face f : surface.faces()) part.segments.push_back(segments[f]);
+    part.moved = cut_vertices(surface, part.segments, part.surfaces);
+    for (const Moved_vertex& m : part.moved) surface.point(Vertex(unsigned(m.vertex))) = m.point;
     PN::surface_creases(surface, segments, part.surfaces, creases,
                         PN::parameters::join(PN::parameters::vertex_roundness_map(roundness)
                                                .vertex_is_constrained_map(corners)
@@ -221,6 +223,11 @@ Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& pl
   }
   fill(part, surface, segments, creases, normals);
   return part;
+}
+
+void move_cut_vertices(Mesh_data& mesh, const Recognized_part& part)
+{
+  for (const Moved_vertex& m : part.moved) mesh.points[m.vertex] = to_triple(m.point);
 }
 
 void put_surface_normals(Mesh_data& mesh, const Recognized_part& part, bool where_file_has_none)

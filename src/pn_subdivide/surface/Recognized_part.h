@@ -11,6 +11,7 @@
 
 #include "surface/Crease_plan.h"
 #include "surface/Surface.h"
+#include "surface/cut_vertices.h"
 
 #include <CGAL/PN_subdivision_3/Recognized_surface.h>
 
@@ -32,6 +33,7 @@ struct Recognized_part
   std::vector<std::size_t> corners;         // vertices: apexes of cones
   std::vector<Vector_3> normals;            // of corners; zero: none
   std::vector<double> roundness;            // of vertices: 0 where nothing is known, else 1
+  std::vector<Moved_vertex> moved; // that were cut; all else is with these in their new places
   double unknown_area = 0, area = 0;
   double sure_area =
     0; // of surfaces with more vertices than determine them, and of triangles among such faces only
@@ -50,6 +52,9 @@ struct Recognized_part
 
 // The mesh must be an oriented 2-manifold. Its normals take no part. Passes on the library's exceptions.
 Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& plan);
+
+// Moves the vertices that were cut.
+void move_cut_vertices(Mesh_data& mesh, const Recognized_part& part);
 
 // Gives the mesh the normals of the part or, with `where_file_has_none`, only those that the file does not give.
 void put_surface_normals(Mesh_data& mesh, const Recognized_part& part, bool where_file_has_none);

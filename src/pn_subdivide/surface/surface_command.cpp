@@ -504,6 +504,7 @@ void take_part(Mesh_data& mesh, const Recognized_part& part, Plan& plan, bool ha
                Creases& creases, Report& report)
 {
   plan.creases.source = Crease_plan::Source::surfaces;
+  move_cut_vertices(mesh, part);
   put_surface_creases(creases, mesh, part);
   if (!has_border_option) put_part_borders(creases, mesh, part);
   add_hidden_segments(mesh, part);
@@ -747,6 +748,10 @@ std::optional<Recognized_part> recognized_part(Mesh_data& mesh, const Plan& plan
   if (plan.creases.source != Crease_plan::Source::surfaces) return std::nullopt;
   Recognized_part part = recognize_part(mesh, plan.creases.recognition);
   const std::string input = plan.input.title("standard input");
+  move_cut_vertices(mesh, part);
+  if (const std::size_t n = part.moved.size(); n > 0)
+    report.remark(input + ": " + std::to_string(n) + (n == 1 ? " vertex" : " vertices") +
+                  " that a cut left on chords moved onto the surfaces");
   const Inside_out inside_out = find_inside_out(mesh);
   if (inside_out.number > 0) report.warn(input + ": " + inside_out.description());
   add_segments(mesh, part, input, report);

@@ -59,6 +59,30 @@ Part box()
   return part;
 }
 
+// A cylinder of 20 facets, of radius 2 and height 3, of which the plane x = 1.3 has cut a piece off, through two facets.
+Part cut_cylinder()
+{
+  std::vector<Triple> rim;
+  for (int k = 0; k < 20; ++k) {
+    const Triple p = on_circle(2, 18 * k, 0), q = on_circle(2, 18 * (k + 1), 0);
+    if (p[0] < 1.3) rim.push_back(p);
+    const double t = (1.3 - p[0]) / (q[0] - p[0]);
+    if (t > 0 && t < 1) rim.push_back({1.3, p[1] + t * (q[1] - p[1]), 0});
+  }
+  const auto raised = [](Triple p) { return Triple{p[0], p[1], 3}; };
+  Part part;
+  std::vector<Triple> top;
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const Triple &p = rim[i], &q = rim[(i + 1) % rim.size()];
+    part.add({p, q, raised(q), raised(p)});
+    top.push_back(raised(p));
+  }
+  part.add(top);
+  std::reverse(rim.begin(), rim.end());
+  part.add(rim);
+  return part;
+}
+
 // The distance of a point from the surface of the shaft.
 double from_shaft(const Triple& p)
 {
@@ -160,7 +184,6 @@ TEST_F(Pn_subdivide_part, APartIsTakenForOne)
   }
 }
 
-// By a tenth and less of what the file was.
 // A tenth of the vertices of this rod are at its ends, which is what the first look asks for, and it looks at some of them only.
 TEST_F(Pn_subdivide_part, NumbersOfVerticesHaveNoSay)
 {
@@ -197,6 +220,7 @@ TEST_F(Pn_subdivide_part, NumbersOfVerticesHaveNoSay)
   }
 }
 
+// By a tenth and less of what the file was.
 TEST_F(Pn_subdivide_part, RoundSurfacesAreNearerThanTheFile)
 {
   const Distances file = from_shaft(refined("shaft.stl", "o.ply", "--levels 0")),
@@ -206,6 +230,27 @@ TEST_F(Pn_subdivide_part, RoundSurfacesAreNearerThanTheFile)
   EXPECT_LT(two.largest, file.largest / 10);
   EXPECT_LT(two.mean, file.mean / 10);
   EXPECT_LT(part.largest, (std::max)(2e-4 * std::sqrt(41.), file.largest / 4));
+}
+
+// What was cut were facets: the corners of the cut were on their chords.
+TEST_F(Pn_subdivide_part, CutsEndOnTheSurface)
+{
+  folder.write("cut.ply", triangles(cut_cylinder()).ply());
+  for (const std::string options :
+       {"--levels 0", "--levels 2", "--levels 2 --sharp surfaces", "--part"}) {
+    const Mesh_data mesh = refined("cut.ply", "o.ply", options);
+    double widest = 0, off = 0;
+    for (const Triple& p : mesh.points) {
+      if (std::abs(p[0] - 1.3) < 1e-6) widest = (std::max)(widest, std::abs(p[1]));
+      const double rho = std::hypot(p[0], p[1]),
+                   end = (std::min)(std::abs(p[2]), std::abs(p[2] - 3));
+      off = (std::max)(off, (std::min)({std::abs(rho - 2), std::abs(p[0] - 1.3), end}));
+    }
+    const bool is_copy = options == "--levels 0"; // which is the file's
+    EXPECT_NEAR(widest, is_copy ? 1.5 : std::sqrt(4 - 1.3 * 1.3), is_copy ? 0.01 : 1e-5) << options;
+    EXPECT_LT(off, 1e-5) << options;
+  }
+  EXPECT_TRUE(contains(said("cut.ply", "--part"), "4 vertices that a cut left on chords"));
 }
 
 TEST_F(Pn_subdivide_part, WhatElseIsAskedForIsDone)

@@ -209,6 +209,40 @@ TEST(Recognize_surfaces, unknowns_that_rows_do_not_determine)
 }
 
 // A file of floats is taken at its word, too: what is off by more than its rounding allows is no cylinder.
+// As a polyhedral Boolean joins them, at whose seam vertices are on chords of the ball, and every other one on those of the stem.
+TEST(Recognize_surfaces, ball_on_a_stem)
+{
+  constexpr int n = 20, first = 3; // of the rings of the ball, of which the stem takes three
+  Mesh mesh;
+  const auto ring = [](int i, int k) {
+    const double polar = (i + 0.5) * pi / n, t = 2 * pi * k / n, r = 10 * std::sin(polar);
+    return Mesh::Point(r * std::cos(t), r * std::sin(t), -10 * std::cos(polar));
+  };
+  const double r2 = 10 * std::sin(2.5 * pi / n), r3 = 10 * std::sin(3.5 * pi / n);
+  const double part = (4 - r2) / (r3 - r2); // of the facet above
+  std::vector<std::vector<Mesh::Vertex_index>> rings(n);
+  std::vector<Mesh::Vertex_index> foot, seam, middle;
+  for (int k = 0; k < n; ++k) {
+    const double t = 2 * pi * k / n;
+    foot.push_back(mesh.add_vertex({4 * std::cos(t), 4 * std::sin(t), -20}));
+    seam.push_back(mesh.add_vertex(ring(2, k) + part * (ring(3, k) - ring(2, k))));
+    middle.push_back(mesh.add_vertex(ring(2, k) + part * (ring(3, k + 1) - ring(2, k))));
+    for (int i = first; i < n; ++i) rings[i].push_back(mesh.add_vertex(ring(i, k)));
+  }
+  for (int k = 0; k < n; ++k) {
+    const int l = (k + 1) % n;
+    mesh.add_face(std::vector{foot[k], foot[l], seam[l], middle[k], seam[k]});
+    mesh.add_face(std::vector{seam[k], middle[k], seam[l], rings[first][l], rings[first][k]});
+    for (int i = first; i + 1 < n; ++i)
+      mesh.add_face(rings[i][k], rings[i][l], rings[i + 1][l], rings[i + 1][k]);
+  }
+  mesh.add_face(rings[n - 1]);
+  std::reverse(foot.begin(), foot.end());
+  mesh.add_face(foot);
+  // the polygon at its pole is a facet of the ball, too
+  EXPECT_EQ(counts(recognition_of(mesh, PN::parameters::min_facets(8))), (Counts{1, 1, 0, 1, 0}));
+}
+
 TEST(Recognize_surfaces, tolerance_of_floats)
 {
   for (const double error : {0., 4e-6}) {

@@ -175,6 +175,7 @@ private:
     std::sort(patch.vertices.begin(), patch.vertices.end());
     patch.vertices.erase(std::unique(patch.vertices.begin(), patch.vertices.end()),
                          patch.vertices.end());
+    drop_chords(patch);
     patch.area = norm(area);
     patch.normal = unit(area);
     for (const Index v : patch.vertices) patch.mean += part_.points[v];
@@ -183,6 +184,52 @@ private:
     for (const Index v : patch.vertices)
       extent = (std::max)(extent, norm(part_.points[v] - patch.mean));
     patch.width = extent > 0 ? patch.area / (2 * extent) : 0;
+  }
+
+  // Polyhedral Booleans leave vertices in the middle of sharp sides, at the facets of what is beyond: of a round surface they are
+  // on chords.
+  void drop_chords(Patches::Patch& patch) const
+  {
+    std::vector<std::pair<Index, Index>> sides, outline;
+    for (const Index f : patch.faces) {
+      const Lists::Range c = part_.corners[f];
+      for (std::size_t i = 0; i < c.size(); ++i) sides.emplace_back(c[i], c[(i + 1) % c.size()]);
+    }
+    std::sort(sides.begin(), sides.end());
+    for (const auto& s : sides)
+      if (!std::binary_search(sides.begin(), sides.end(), std::make_pair(s.second, s.first)))
+        outline.push_back(s);
+    std::vector<Index> dropped;
+    for (const auto& s : outline) {
+      const auto next =
+        std::equal_range(outline.begin(), outline.end(), std::make_pair(s.second, Index(0)),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+      if (next.second - next.first == 1 && is_straight(s.first, s.second, next.first->second) &&
+          is_sharp_at(patch, s.second))
+        dropped.push_back(s.second);
+    }
+    std::sort(dropped.begin(), dropped.end());
+    const auto is_dropped = [&](Index v) {
+      return std::binary_search(dropped.begin(), dropped.end(), v);
+    };
+    patch.vertices.erase(std::remove_if(patch.vertices.begin(), patch.vertices.end(), is_dropped),
+                         patch.vertices.end());
+  }
+  bool is_straight(Index a, Index b, Index c) const
+  {
+    const Vec3 p = part_.points[a], q = part_.points[b], r = part_.points[c];
+    const double length = norm(r - p);
+    return norm(cross(q - p, r - p)) <= 2 * part_.tolerance * length && dot(q - p, r - q) > 0;
+  }
+  // whether all faces around a vertex that are not of the patch are beyond what may be round
+  bool is_sharp_at(const Patches::Patch& patch, Index v) const
+  {
+    const Vec3& normal = part_.normal[patch.faces[0]];
+    for (const Index f : part_.faces_around[v])
+      if (result_.patch_of_face[f] != result_.patch_of_face[patch.faces[0]] &&
+          !part_.is_sliver(f) && angle_between(part_.normal[f], normal) <= greatest_angle_)
+        return false;
+    return !part_.on_border[v];
   }
 
   void make_joints()

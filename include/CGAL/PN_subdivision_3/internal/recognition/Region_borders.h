@@ -34,6 +34,7 @@ public:
     , owner_(context.patches.size(), null)
     , prism_step_(context.patches.size(), 0)
   {
+    join_cut_rows();
     for (Index i = 0; i < regions_.size(); ++i)
       for (const Index p : regions_[i].patches) owner_[p] = i;
     for (const auto& p : prisms) prism_step_[p.first] = owner_[p.first] == null ? p.second : 0;
@@ -88,6 +89,26 @@ public:
   }
 
 private:
+  // a row of the facets of a sphere, which has been cut, is a cone by itself
+  void join_cut_rows()
+  {
+    const auto is_row_of = [&](const Region& cone, const Region& sphere) {
+      return sphere.shape.kind == Kind::sphere &&
+             std::all_of(cone.patches.begin(), cone.patches.end(),
+                         [&](Index p) { return is_cut_facet(c_.patches[p], sphere); });
+    };
+    for (std::size_t i = regions_.size(); i-- > 0;) {
+      if (regions_[i].shape.kind != Kind::cone) continue;
+      for (Region& sphere : regions_)
+        if (is_row_of(regions_[i], sphere)) {
+          sphere.patches.insert(sphere.patches.end(), regions_[i].patches.begin(),
+                                regions_[i].patches.end());
+          regions_.erase(regions_.begin() + std::ptrdiff_t(i));
+          break;
+        }
+    }
+  }
+
   double midpoint_distance_of(Index i) const
   {
     double result = 0;
@@ -133,10 +154,13 @@ private:
   bool is_cut_facet(const Patches::Patch& patch, const Region& r) const
   {
     const Shape& s = r.shape;
-    const double t = 3 * c_.tolerance(), step = r.turn.widest;
-    if (s.kind != Kind::cylinder || std::abs(dot(patch.normal, s.axis)) > 2e-3) return false;
+    const double t = 3 * c_.tolerance(), step = r.step();
+    if (s.kind != Kind::sphere &&
+        (s.kind != Kind::cylinder || std::abs(dot(patch.normal, s.axis)) > 2e-3))
+      return false;
     const double h = r.side * dot(patch.normal, patch.mean - s.center);
-    if (!(h >= s.radius * std::cos(0.51 * step) - t && h <= s.radius * std::cos(step / 4)))
+    if (!(h >= s.radius * std::cos(0.51 * step) - t &&
+          h <= s.radius * std::cos(step / (s.kind == Kind::sphere ? 6 : 4))))
       return false;
     for (const Index v : patch.vertices)
       if (s.distance(c_.point(v)) > t) return false;
