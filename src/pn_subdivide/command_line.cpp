@@ -66,28 +66,28 @@ void add_levels(CLI::App& command, unsigned& levels)
     ->capture_default_str();
 }
 
-// also auto
 void add_surface_levels(CLI::App& command, Surface_options& options)
 {
   const auto check = [](std::string& word) {
-    return word == "auto" ? std::string() : whole_number()(word);
+    if (word == "auto")
+      return std::string("auto is no longer known: take --chord EPS, which makes triangles within "
+                         "a tolerance, or --levels N for N rounds");
+    return whole_number()(word);
   };
   command
     .add_option_function<std::string>(
       "--levels",
       [&options](const std::string& word) {
         options.has_levels = true;
-        options.auto_levels = word == "auto";
-        if (!options.auto_levels && !CLI::detail::lexical_cast(word, options.levels))
+        if (!CLI::detail::lexical_cast(word, options.levels))
           throw CLI::ConversionError(word, "--levels");
       },
-      "Rounds of subdivision; 0 copies the control data; auto: as many as --chord takes")
+      "Rounds of subdivision; 0 copies the control data")
     ->transform(CLI::Validator(check, ""))
     ->default_str("1");
   command.add_option("--chord", options.chord,
                      "How far the limit surface may be from the triangles of the result, which are "
-                     "large where it is flat: a length, or P% of the box's diagonal; with --levels "
-                     "auto all faces are refined equally");
+                     "large where it is flat: a length, or P% of the box's diagonal");
   command.add_option(
     "--chord-bound", options.chord_bound,
     "How that is known: estimated (default) or proven, without creases and borders");

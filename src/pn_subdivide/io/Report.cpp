@@ -105,7 +105,6 @@ void Report::write_file(const Result& result) const
   json["surfaces"] = Json::array();
   for (const Row& values : surfaces_) json["surfaces"].push_back(row(values));
   json["high_faces"] = high_faces_;
-  json["chord"] = object(chord_);
   json["tessellation"] = row(tessellation_);
   try {
     Output_file file(*options_.file);

@@ -68,12 +68,11 @@ public:
   void add_repair(const std::string& what, std::size_t number);
   void set_limit(std::vector<Number> numbers) { limit_ = std::move(numbers); }
   void set_check(std::vector<Value> values) { check_ = std::move(values); }
-  // the same of recognized surfaces, one a row, of tessellations, and of the chord that was asked for with --levels auto
+  // the same of recognized surfaces, one a row, and of tessellations
   void set_surfaces(std::vector<Row> rows) { surfaces_ = std::move(rows); }
   // control faces that are higher than with the linear scheme
   void set_high_faces(std::vector<std::size_t> faces) { high_faces_ = std::move(faces); }
   void set_tessellation(std::vector<Value> values) { tessellation_ = std::move(values); }
-  void set_chord(std::vector<Number> numbers) { chord_ = std::move(numbers); }
 
   // To be called once each in this order, when the output is complete.
   void print_warnings() const;
@@ -88,7 +87,7 @@ private:
   std::chrono::steady_clock::time_point start_;
   std::vector<std::string> warnings_, notes_, remarks_, dropped_;
   std::vector<std::pair<std::string, std::size_t>> repaired_;
-  std::vector<Number> limit_, chord_;
+  std::vector<Number> limit_;
   std::vector<Value> check_, tessellation_;
   std::vector<Row> surfaces_;
   std::vector<std::size_t> high_faces_;

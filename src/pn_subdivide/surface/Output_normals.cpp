@@ -69,8 +69,7 @@ Output_normals Output_normals::make(const Surface_options& options, const Mesh_f
   if (normals.choice == Choice::automatic && is_bare) normals.choice = Choice::none;
   const bool is_default = normals.choice == Choice::automatic || normals.choice == Choice::both;
   const bool has_control_normals = !options.linear && options.normals != "none";
-  const bool is_adaptive = options.chord && !options.auto_levels;
-  if (normals.choice == Choice::surface || (is_default && is_adaptive) ||
+  if (normals.choice == Choice::surface || (is_default && options.chord) ||
       (is_default && options.limit.points && has_control_normals))
     normals.kind = Normal_kind::of_surface;
   else if (is_default && options.levels > 0)

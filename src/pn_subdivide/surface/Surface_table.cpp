@@ -239,13 +239,6 @@ void Surface_table::measure(const Surface& refined, Attributes& attributes)
   after_ = deviations(refined, numbers, part_.surfaces);
 }
 
-double Surface_table::largest_deviation() const
-{
-  Deviation all;
-  for (const Deviation& d : after_) all = largest(all, d);
-  return (std::max)(all.of_vertices, all.of_faces);
-}
-
 std::string Surface_table::text() const
 {
   std::string text = "surfaces:";

@@ -46,8 +46,6 @@ public:
                      [&](std::size_t f) { return is_replaced(part_.segments[f]); }),
       folded_faces_.end());
   }
-  // the largest that was measured on known surfaces
-  double largest_deviation() const;
 
   // Several lines: numbers of each kind, and a table of what is round.
   std::string text() const;

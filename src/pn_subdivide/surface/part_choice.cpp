@@ -149,12 +149,11 @@ Surface_options with_part(const Surface_options& given)
   Surface_options options = given;
   options.creases.sharp = "surfaces";
   options.planes = options.planes.value_or("rims");
-  const bool is_uniform = options.has_levels && !options.auto_levels;
-  if (options.chord || is_uniform) return options;
+  if (options.chord || options.has_levels) return options;
   options.chord = "0.02%";
   const std::string why = "it is of uniformly refined meshes; take --levels N, too";
-  exclude(options.curvature && !options.has_levels, "--curvature", why);
-  exclude(options.limit.tolerance && !options.has_levels, "--limit-tolerance", why);
+  exclude(options.curvature.has_value(), "--curvature", why);
+  exclude(options.limit.tolerance.has_value(), "--limit-tolerance", why);
   return options;
 }
 

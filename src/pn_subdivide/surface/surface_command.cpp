@@ -24,7 +24,6 @@
 #include "surface/Recognized_part.h"
 #include "surface/Surface_table.h"
 #include "surface/attributes.h"
-#include "surface/chord_rounds.h"
 #include "surface/common_curves.h"
 #include "surface/control_mesh.h"
 #include "surface/control_normals.h"
@@ -60,13 +59,12 @@ struct Plan
   Output_normals output_normals;
   Limit_choice limit; // with the normals of the surface, if they are written
   Crease_plan creases;
-  std::optional<Box_length> chord;
+  std::optional<Box_length> chord; // tessellated within it
   std::optional<Interpolation_mode> interpolation;
   std::optional<Curvature_kind> curvature;
   std::optional<Verification> verification;
   Texture_rule texture_rule;
   unsigned threads;
-  bool is_adaptive = false; // tessellated within `chord`
 };
 
 void require_consistent_check(const Surface_options& options)
@@ -126,13 +124,12 @@ Texture_rule texture_rule(const Surface_options& options)
       throw Usage_error(std::string(option) +
                         " and --drop-attributes exclude each other: no numbers of vertices are "
                         "read");
-  if (!options.texture_rule)
-    return options.chord && !options.auto_levels ? Texture_rule::all : Texture_rule::corners_plus1;
+  if (!options.texture_rule) return options.chord ? Texture_rule::all : Texture_rule::corners_plus1;
   const Texture_rule rule = parse_texture_rule(*options.texture_rule);
   if (options.drop_attributes)
     throw Usage_error("--texture-rule and --drop-attributes exclude each other: no texture "
                       "coordinates are read");
-  if (options.chord && !options.auto_levels && rule != Texture_rule::all)
+  if (options.chord && rule != Texture_rule::all)
     throw Usage_error("--chord and --texture-rule " + *options.texture_rule +
                       " exclude each other: take all, which is linear inside the control faces");
   if (!options.scheme.scheme.empty())
@@ -187,9 +184,8 @@ Plan make_plan(const Surface_options& options)
             1};
   require_consistent(options);
   require_options_for_tessellation(options);
-  plan.is_adaptive = plan.chord && !options.auto_levels;
   plan.output_normals = Output_normals::make(options, plan.output);
-  if (!plan.is_adaptive) plan.limit = limit_choice(options, plan.output_normals);
+  if (!plan.chord) plan.limit = limit_choice(options, plan.output_normals);
   require_options_for_grids(options, plan);
   if (!options.scheme.scheme.empty()) require_limit_of_vertices(options.scheme.scheme, plan.limit);
   if (options.merge_distance) parse_box_length(*options.merge_distance, "--merge-distance");
@@ -459,7 +455,7 @@ Linear_check::Choices choices(const Plan& plan, const Surface_options& options,
   return {plan.creases.source == Crease_plan::Source::automatic &&
             may_suggest_tags(plan, options, scheme),
           has_shape_normals(plan) || takes_file_normals(plan, has_file_normals),
-          is_smooth && !plan.interpolation && !plan.is_adaptive && can_interpolate(scheme),
+          is_smooth && !plan.interpolation && !plan.chord && can_interpolate(scheme),
           plan.roundness.constant(), recognized};
 }
 
@@ -558,9 +554,9 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   const bool must_split = !holds_polygons(plan.output);
   const bool is_creased = creases.any() || creases.border != Border::surface;
   const bool has_tags = is_creased && are_tags_written(options, plan.output_normals);
-  const double chord = plan.is_adaptive ? plan.chord->of(mesh) : 0;
+  const double chord = plan.chord ? plan.chord->of(mesh) : 0;
   const bool has_rims =
-    part && (plan.is_adaptive || takes_planes_from_rims(options, plan.output_normals));
+    part && (plan.chord || takes_planes_from_rims(options, plan.output_normals));
   Mesh_origin origin;
   if (plan.output_normals.with_control())
     origin = origin_after(mesh, scheme.scheme, options.levels);
@@ -577,7 +573,7 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   if (table) table->number_faces(attributes);
   std::optional<Planes_of_part> planes;
   if (part) planes.emplace(surface, *part);
-  if (!plan.is_adaptive) announce_long_work(surface, options, scheme, report);
+  if (!plan.chord) announce_long_work(surface, options, scheme, report);
   if (options.check)
     check.emplace(surface, creases,
                   choices(plan, options, scheme, creases, has_file_normals, recognized));
@@ -595,7 +591,7 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
     Carried_attributes carried(surface, std::move(attributes), plan.texture_rule);
     carried.suit(surface, scheme.scheme, plan.input.title("standard input"), report);
     rounds.attributes = &carried.table();
-    if (plan.is_adaptive)
+    if (plan.chord)
       tessellate(surface, plan, options, scheme, rounds, chord, report);
     else
       refine_surface(surface, scheme, rounds);
@@ -617,7 +613,7 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   if (planes)
     table->set_crossed_planes(planes->number_of_crossed(surface, *segments_of(attributes)));
   Linear_check::Rounds compared{options.levels, plan.threads, plan.limit, std::nullopt};
-  if (plan.is_adaptive) compared.chord = chord;
+  if (plan.chord) compared.chord = chord;
   if (check && !has_rims) check->compare(surface, scheme, compared);
   Crease_tags tags;
   if (has_tags) tags = tags_of(surface, *rounds.creases);
@@ -643,7 +639,7 @@ void require_limit_of_creases(const Creases& creases, const Plan& plan, unsigned
                               bool in_pieces)
 {
   const Limit_choice& limit = plan.limit;
-  const bool is_adaptive = plan.is_adaptive && in_pieces;
+  const bool is_adaptive = plan.chord && in_pieces;
   if ((!limit.is_used() && !is_adaptive) || creases.number_of_edges == 0) return;
   double sharpness = 0; // the largest that is not for ever
   for (const double s : creases.edges)
@@ -716,7 +712,7 @@ std::string rounds_of(const Plan& plan, const Surface_options& options, const Sc
                       bool has_normals)
 {
   const bool is_linear = !has_normals || plan.normals.source == Normals_option::Source::none;
-  return (plan.is_adaptive ? "up to " : "") + std::to_string(options.levels) +
+  return (plan.chord ? "up to " : "") + std::to_string(options.levels) +
          (options.levels == 1 ? " round of " : " rounds of ") + (is_linear ? "linear " : "") +
          scheme.scheme;
 }
@@ -765,60 +761,20 @@ std::optional<Recognized_part> recognized_part(Mesh_data& mesh, const Plan& plan
   return part;
 }
 
-// --levels auto
-std::optional<Chord_rounds> choose_rounds(const Mesh_data& mesh, Plan& plan,
-                                          const std::optional<Recognized_part>& part,
-                                          const Creases& creases, const Scheme_choice& scheme,
-                                          Surface_options& options)
-{
-  if (!plan.chord || plan.is_adaptive) return std::nullopt;
-  const double chord = plan.chord->of(mesh);
-  const Chord_rounds rounds =
-    part ? rounds_for_chord(mesh, *part, creases, scheme, chord, plan.threads)
-         : rounds_for_chord(mesh, creases, scheme, chord, plan.limit.points, plan.threads);
-  options.levels = rounds.rounds;
-  plan.output_normals = Output_normals::make(options, plan.output);
-  return rounds;
-}
-
 // A table of them if they were asked for.
-void report_surfaces(const Surface_table& table, bool are_asked_for,
-                     const std::optional<Chord_rounds>& rounds, double chord,
-                     const std::string& input, Report& report)
+void report_surfaces(const Surface_table& table, bool are_asked_for, const std::string& input,
+                     Report& report)
 {
   if (are_asked_for) report.note(table.text());
   report.set_surfaces(table.rows());
   table.warn(input, report);
-  if (!rounds) return;
-  const double measured = table.largest_deviation();
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "chord: %u rounds for %.6g, measured %.3g on surfaces, estimated %.3g elsewhere",
-                rounds->rounds, chord, measured, rounds->estimate);
-  report.note(text);
-  report.set_chord({{"asked", chord}, {"measured", measured}, {"estimated", rounds->estimate}});
-  if (measured > chord) {
-    std::snprintf(text, sizeof text,
-                  ": the result is up to %.3g from its surfaces, farther than --chord %.3g",
-                  measured, chord);
-    report.warn(input + text);
-  }
 }
 
 std::optional<Tessellation_in_pieces>
 tessellation_in_pieces(const Plan& plan, const Surface_options& options, double chord)
 {
-  if (!plan.is_adaptive) return std::nullopt;
+  if (!plan.chord) return std::nullopt;
   return Tessellation_in_pieces{chord, options.chord_bound == "proven", plan.threads};
-}
-
-void report_rounds(const Chord_rounds& rounds, double chord, Report& report)
-{
-  char text[200];
-  std::snprintf(text, sizeof text, "chord: %u rounds for %.6g, measured %.3g", rounds.rounds, chord,
-                rounds.estimate);
-  report.note(text);
-  report.set_chord({{"asked", chord}, {"measured", rounds.estimate}});
 }
 
 void write_in_pieces(const Pieces_job& job, const Plan& plan, Surface_options& options,
@@ -833,7 +789,7 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, Surface_options& o
   if (size.faces >= faces_worth_a_report) // not known of a tessellation
     report.progress("refining and writing " + plan.output.name + ": " + std::to_string(size.faces) +
                     " faces, " + pieces);
-  if (plan.is_adaptive && job.attributes->has_texture()) remark_on_texture(plan, options, report);
+  if (plan.chord && job.attributes->has_texture()) remark_on_texture(plan, options, report);
   warn_of_lost_normals(job.has_lost_normals, true, plan, report);
   warn_of_lost_attributes(job.lost_attributes, plan, report);
   const Limit_summary limits = write_pieces(job, plan.output.name, plan.threads, report);
@@ -909,9 +865,6 @@ void run_surface_command(const Surface_options& given_options)
     plan.output_normals.suit(mesh);
     if (!part) turning = turning_edges(mesh, seen);
     chord = plan.chord ? plan.chord->of(mesh) : 0;
-    const std::optional<Chord_rounds> rounds =
-      choose_rounds(mesh, plan, part, creases, scheme, options);
-    if (rounds && !part) report_rounds(*rounds, chord, report);
     if (in_pieces)
       pieces = make_pieces_job(std::move(mesh), creases, options, scheme, plan.input, plan.output,
                                plan.output_normals, plan.limit, plan.texture_rule,
@@ -921,7 +874,7 @@ void run_surface_command(const Surface_options& given_options)
       const Recognized_part* const recognized = part ? &*part : seen.part ? &*seen.part : nullptr;
       process(mesh, plan, options, scheme, creases, has_file_normals, part, recognized, table,
               check, report);
-      if (table) report_surfaces(*table, !seen.is_taken, rounds, chord, input, report);
+      if (table) report_surfaces(*table, !seen.is_taken, input, report);
       if (check) report.set_check(check->values());
       if (plan.verification) plan.verification->measure(mesh.points);
     }

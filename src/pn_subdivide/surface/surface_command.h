@@ -26,7 +26,7 @@ struct Surface_options
   std::optional<std::string> format;
   Scheme_choice scheme;
   unsigned levels = 1;
-  bool has_levels = false, auto_levels = false; // --levels is given, as auto
+  bool has_levels = false; // --levels is given
   bool linear = false;
   std::optional<std::string> normals, roundness, output_normals, curvature, interpolate,
     merge_distance, texture_rule, write_tags, chord, chord_bound, planes, nearest, directions;

@@ -73,14 +73,40 @@ void refuse(bool is_given, const std::string& option, const std::string& why)
 {
   if (is_given)
     throw Usage_error("--chord and " + option + " exclude each other: " + why +
-                      "; --levels auto refines uniformly");
+                      "; --levels N refines uniformly");
+}
+
+void require_chord_bound(const Surface_options& options)
+{
+  if (!options.chord_bound) return;
+  const std::string& bound = *options.chord_bound;
+  if (bound != "estimated" && bound != "proven")
+    throw Usage_error("--chord-bound '" + bound + "': expected estimated or proven" +
+                      did_you_mean(bound, {"estimated", "proven"}));
+  if (!options.chord) throw Usage_error("--chord-bound needs --chord");
 }
 
 } // namespace
 
+std::optional<Box_length> parse_chord(const Surface_options& options)
+{
+  require_chord_bound(options);
+  if (!options.chord) return std::nullopt;
+  const Box_length chord = parse_box_length(*options.chord, "--chord");
+  if (!(chord.value > 0)) throw Usage_error("--chord " + *options.chord + ": it must be positive");
+  const std::string& scheme = options.scheme.scheme;
+  if (scheme == "sqrt3" || scheme == "doo-sabin")
+    throw Usage_error("--chord and --scheme " + scheme +
+                      " exclude each other: a round of that scheme halves no edge");
+  if (options.has_levels)
+    throw Usage_error("--chord and --levels " + std::to_string(options.levels) +
+                      " exclude each other: leave out one of them");
+  return chord;
+}
+
 void require_options_for_tessellation(const Surface_options& options)
 {
-  if (!options.chord || options.auto_levels) return;
+  if (!options.chord) return;
   const std::string why = "the triangles are no control mesh for further rounds";
   for (const char* const choice : {"control", "both"})
     refuse(options.output_normals == choice, std::string("--output-normals ") + choice, why);

@@ -11,6 +11,7 @@
 
 #include "io/Report.h"
 #include "surface/Surface.h"
+#include "surface/control_mesh.h"
 #include "surface/creases.h"
 #include "surface/surface_schemes.h"
 
@@ -26,7 +27,9 @@ namespace pn_subdivide {
 
 struct Surface_options;
 
-// --chord without --levels: throws Usage_error if it does not go with the other options.
+// --chord and --chord-bound: throws Usage_error if they are wrong.
+std::optional<Box_length> parse_chord(const Surface_options& options);
+// Throws Usage_error if --chord does not go with the other options.
 void require_options_for_tessellation(const Surface_options& options);
 
 // What the library tells of one.

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// --chord, adaptive and with --levels auto: distances are measured here, on surfaces that are known.
+// --chord: distances are measured here, on surfaces that are known.
 
 #include "Refined_files.h"
 
@@ -287,48 +287,6 @@ TEST_F(Pn_subdivide_chord, WhatIsOutOfReachEndsEarly)
   EXPECT_LT(read_mesh(folder.file("o.ply")).number_of_faces(), 1000000u);
 }
 
-// \name Uniform rounds
-
-TEST_F(Pn_subdivide_chord, AutoTakesTheFewestRounds)
-{
-  for (const std::string input : {"cube.off", "octahedron.off"})
-    for (const double eps : {0.1, 0.01, 0.002}) {
-      const std::string limit = eps == 0.01 ? "" : " --limit", options = ball() + limit;
-      const double radius = input == "cube.off" ? std::sqrt(3.) : 1;
-      const Mesh_data mesh = refined(
-        input, "o.ply", options + " --levels auto --chord " + std::to_string(eps) + reported());
-      const Json json = report();
-      const double error = distance_from_sphere(mesh, radius);
-      const auto rounds = json["rounds"].get<unsigned>();
-      EXPECT_LE(error, eps);
-      EXPECT_NEAR(json["chord"]["measured"].get<double>(), error, 0.1 * error);
-      EXPECT_EQ(json["tessellation"], Json::object());
-      ASSERT_GT(rounds, 0u);
-      const Mesh_data less =
-        refined(input, "l.ply", options + " --levels " + std::to_string(rounds - 1));
-      EXPECT_GT(distance_from_sphere(less, radius), eps);
-    }
-}
-
-TEST_F(Pn_subdivide_chord, AutoOnPlanes)
-{
-  written("plate.ply", "o.ply", "--levels auto --chord 0.001 --border corners" + reported());
-  EXPECT_EQ(report()["rounds"].get<unsigned>(), 0u);
-  written("cube.off", "o.ply", "--levels auto --chord 0.001 --sharp angle:30" + reported());
-  EXPECT_EQ(report()["rounds"].get<unsigned>(), 0u);
-  written("cube.off", "o.ply",
-          "--levels auto --chord 0.05 --sharp angle:30 --sharpness 2" + reported());
-  EXPECT_GE(report()["rounds"].get<unsigned>(), 1u);
-}
-
-TEST_F(Pn_subdivide_chord, TooManyRoundsAreAFailure)
-{
-  folder.write("o.ply", "untouched");
-  expect_one_line(surface("cube.off", "o.ply", "--levels auto --chord 1e-13" + ball()), 1,
-                  "--chord 1e-13");
-  EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "untouched");
-}
-
 // \name Options
 
 TEST_F(Pn_subdivide_chord, WhatDoesNotGoTogether)
@@ -341,7 +299,7 @@ TEST_F(Pn_subdivide_chord, WhatDoesNotGoTogether)
     EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "untouched");
   };
   refused("--chord 0.1 --levels 3", "--levels 3");
-  refused("--levels auto", "--levels auto");
+  refused("--levels auto", "--levels N");
   for (const std::string scheme : {"sqrt3", "doo-sabin"})
     refused("--chord 0.1 --scheme " + scheme, scheme);
   for (const std::string normals : {"control", "both"})
@@ -357,7 +315,6 @@ TEST_F(Pn_subdivide_chord, WhatDoesNotGoTogether)
   refused("--chord 0.1 --chord-bound exact", "--chord-bound 'exact'");
   for (const std::string chord : {"0", "-1", "-1%", "nan", "much"})
     refused("--chord " + chord, chord);
-  refused("--levels auto --chord 0.1 --chord-bound proven", "--levels auto");
   const std::string proven = "--chord 0.1 --chord-bound proven";
   expect_one_line(surface("cube.off", "o.ply", proven + " --sharp angle:30"), 1,
                   "vertex number 0, which is sharp");

@@ -386,7 +386,6 @@ TEST_F(Pn_subdivide_part, PartStandsForThreeOptions)
          {"", "--chord 0.02%"},
          {" --chord 1%", "--chord 1%"},
          {" --levels 2", "--levels 2"},
-         {" --levels auto", "--levels auto --chord 0.02%"},
          {" --sharp surfaces --min-facets 25", "--chord 0.02% --min-facets 25"},
          {" --roundness 0 --levels 1", "--roundness 0 --levels 1"},
          {" --curvature mean --levels 1", "--curvature mean --levels 1"}})

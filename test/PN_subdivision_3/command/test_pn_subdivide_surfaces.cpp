@@ -565,109 +565,6 @@ TEST_F(Pn_subdivide_surfaces, FoldsAreTold)
   }
 }
 
-// --- as many rounds as it takes ---
-
-// Of all edges of faces that are no plane, from the cylinders of the shaft.
-double chord_error(const Mesh_data& mesh, const Json& report)
-{
-  double largest = 0;
-  const std::vector<double>& surface = surface_of(mesh);
-  for (std::size_t f = 0; f < surface.size(); ++f) {
-    if (report["surfaces"].at(std::size_t(surface[f]))["kind"] != "cylinder") continue;
-    const auto face = mesh.face(f);
-    for (auto v = face.begin(); v != face.end(); ++v) {
-      const Triple& p = mesh.points[*v];
-      const Triple& q = mesh.points[v + 1 == face.end() ? *face.begin() : *(v + 1)];
-      const double middle = std::hypot((p[0] + q[0]) / 2, (p[1] + q[1]) / 2);
-      largest = (std::max)(largest, (std::min)(std::abs(middle - 1), std::abs(middle - 2)));
-    }
-  }
-  return largest;
-}
-
-TEST_F(Pn_subdivide_surfaces, AutoTakesAsManyRoundsAsTheChord)
-{
-  for (const char* const input : {"shaft.ply", "shaft_3.ply"})
-    for (const double eps : {.1, .01, .004, .0003}) {
-      SCOPED_TRACE(input + std::to_string(eps));
-      const std::string chord = " --chord " + std::to_string(eps);
-      const Mesh_data mesh =
-        refined(input, "o.ply", "--sharp surfaces --levels auto" + chord + reported());
-      const Json json = report();
-      const double error = chord_error(mesh, json);
-      EXPECT_LE(error, eps);
-      EXPECT_NEAR(json["chord"]["measured"].get<double>(), error, 1e-9);
-      EXPECT_NEAR(json["chord"]["asked"].get<double>(), eps, 1e-12);
-      const auto rounds = json["rounds"].get<unsigned>();
-      if (rounds == 0) continue;
-      const Mesh_data less =
-        refined(input, "p.ply", "--sharp surfaces --levels " + std::to_string(rounds - 1));
-      EXPECT_GT(chord_error(less, json), eps);
-    }
-}
-
-TEST_F(Pn_subdivide_surfaces, TheChordMayBeAPartOfTheDiagonal)
-{
-  const double diagonal = std::hypot(4., 4., 3.);
-  written("shaft.ply", "o.ply", "--sharp surfaces --levels auto --chord 0.1%" + reported());
-  EXPECT_NEAR(report()["chord"]["asked"].get<double>(), diagonal / 1000, 1e-9);
-  EXPECT_EQ(report()["rounds"], 1); // 0.0171, 0.0043, and 0.0064 asked for
-}
-
-// Where nothing is recognized distances between rounds tell how many it takes.
-TEST_F(Pn_subdivide_surfaces, UnknownSurfacesAskForRounds)
-{
-  unsigned before = 0;
-  for (const char* const eps : {"0.4", "0.2", "0.07", "0.05"}) {
-    written("stone.ply", "o.ply",
-            std::string("--sharp surfaces --levels auto --chord ") + eps + reported());
-    const Json json = report();
-    EXPECT_LE(json["chord"]["estimated"].get<double>(), std::stod(eps));
-    EXPECT_GT(json["chord"]["estimated"].get<double>(), 0);
-    EXPECT_GE(json["rounds"].get<unsigned>(), before);
-    before = json["rounds"].get<unsigned>();
-    if (before == 0) continue;
-    // the points of one round more are that near to the middles of edges, those of one round less are not
-    std::vector<double> distance;
-    for (const unsigned k : {before - 1, before}) {
-      const std::string all = "--sharp surfaces --scheme catmull-clark --levels ";
-      const Mesh_data old = refined("stone.ply", "p.ply", all + std::to_string(k)),
-                      next = refined("stone.ply", "q.ply", all + std::to_string(k + 1));
-      std::map<std::size_t, std::set<std::size_t>> ends; // of the edges, by their points
-      for (std::size_t f = 0; f < next.number_of_faces(); ++f) {
-        const auto face = next.face(f);
-        for (auto v = face.begin(); v != face.end(); ++v) {
-          const std::size_t a = *v, b = v + 1 == face.end() ? *face.begin() : *(v + 1);
-          if ((std::min)(a, b) < old.points.size()) ends[(std::max)(a, b)].insert((std::min)(a, b));
-        }
-      }
-      double largest = 0;
-      for (const auto& [v, pair] : ends) {
-        if (pair.size() != 2) continue;
-        const Triple &p = old.points[*pair.begin()], &q = old.points[*pair.rbegin()],
-                     &m = next.points[v];
-        largest = (std::max)(largest, std::hypot((p[0] + q[0]) / 2 - m[0], (p[1] + q[1]) / 2 - m[1],
-                                                 (p[2] + q[2]) / 2 - m[2]));
-      }
-      distance.push_back(largest);
-    }
-    EXPECT_GT(distance[0] * 4 / 3, std::stod(eps)) << eps;
-    EXPECT_LE(distance[1] * 4 / 3, std::stod(eps)) << eps;
-    EXPECT_NEAR(distance[1] * 4 / 3, json["chord"]["estimated"].get<double>(), 1e-9);
-  }
-  EXPECT_EQ(before, 3u);
-}
-
-TEST_F(Pn_subdivide_surfaces, TooManyRoundsAreAFailure)
-{
-  folder.write("o.ply", "old");
-  const std::string all = "--sharp surfaces --levels auto --chord ";
-  expect_one_line(surface("shaft.ply", "o.ply", all + "1e-12"), 1, "more than 12 rounds");
-  expect_one_line(surface("shaft_3.ply", "o.ply", all + "2e-9"), 1, "2^31 faces");
-  expect_one_line(surface("stone.ply", "o.ply", all + "1e-12"), 1, "more than 12 rounds");
-  EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
-}
-
 // --- planes from their rims ---
 
 // Has every edge two faces that run along it the other way round?
@@ -884,13 +781,7 @@ TEST_F(Pn_subdivide_surfaces, WhatExcludesEachOther)
   refused("--planes rims --sharp angle:30", {"--planes", "--sharp surfaces"});
   refused(sharp + "--planes all", {"--planes 'all'"});
   refused(sharp + "--planes rims --pieces 2", {"--pieces"});
-  refused("--levels auto", {"--levels auto", "--chord"});
-  refused(sharp + "--levels auto", {"--levels auto", "--chord"});
   refused(sharp + "--chord 1 --levels 3", {"--chord", "--levels 3"});
-  refused(sharp + "--levels auto --chord 0", {"--chord 0"});
-  refused(sharp + "--levels auto --chord -1%", {"--chord -1%"});
-  for (const std::string scheme : {"sqrt3", "doo-sabin"})
-    refused("--levels auto --chord 1 --scheme " + scheme, {"--chord", scheme});
   refused("--levels automatic", {"--levels"});
   expect_one_line(surface("plate.ply", "o.ply", sharp + "--surface-labels /no/such/labels"), 1,
                   "/no/such");

@@ -212,22 +212,26 @@ TEST(Creases_roundness, RimsOfLinesAndArcsKeepTheVolume)
 // Steps in a plane: tangents along their diagonal are those of no arc. Ends mirror them.
 TEST(Creases_roundness, StepsAreNotRound)
 {
-  for (unsigned steps : {2u, 5u}) { // edges of the crease; of two both ends are darts
-    Mesh mesh;
-    const unsigned n = 8;
-    for (unsigned j = 0; j <= n; ++j)
-      for (unsigned i = 0; i <= n; ++i) mesh.add_vertex(Point(i, j, 0));
-    const auto v = [&](unsigned i, unsigned j) { return Mesh::Vertex_index(j * (n + 1) + i); };
-    for (unsigned j = 0; j < n; ++j)
-      for (unsigned i = 0; i < n; ++i)
-        mesh.add_face(v(i, j), v(i + 1, j), v(i + 1, j + 1), v(i, j + 1));
-    const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("sharp", false).first;
-    for (unsigned k = 0; k < steps; ++k)
-      sharp[mesh.edge(
-        mesh.halfedge(v(2 + (k + 1) / 2, 2 + k / 2), v(2 + (k + 2) / 2, 2 + (k + 1) / 2)))] = true;
-    const auto result = PN::compare_with_linear(
-      mesh, PN::CatmullClark_scheme(),
-      CGAL::parameters::number_of_iterations(1).edge_is_constrained_map(sharp));
-    EXPECT_LE(result.largest_distance, 1e-9) << steps;
-  }
+  for (const bool ends_are_corners : {false, true}) // or darts
+    for (unsigned steps : {2u, 5u}) {               // edges of the crease; of two both end
+      Mesh mesh;
+      const unsigned n = 8;
+      for (unsigned j = 0; j <= n; ++j)
+        for (unsigned i = 0; i <= n; ++i) mesh.add_vertex(Point(i, j, 0));
+      const auto v = [&](unsigned i, unsigned j) { return Mesh::Vertex_index(j * (n + 1) + i); };
+      for (unsigned j = 0; j < n; ++j)
+        for (unsigned i = 0; i < n; ++i)
+          mesh.add_face(v(i, j), v(i + 1, j), v(i + 1, j + 1), v(i, j + 1));
+      const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("sharp", false).first;
+      const auto corner = mesh.add_property_map<Mesh::Vertex_index, bool>("corner", false).first;
+      const auto on_crease = [&](unsigned k) { return v(2 + (k + 1) / 2, 2 + k / 2); };
+      for (unsigned k = 0; k < steps; ++k)
+        sharp[mesh.edge(mesh.halfedge(on_crease(k), on_crease(k + 1)))] = true;
+      for (unsigned k : {0u, steps}) corner[on_crease(k)] = ends_are_corners;
+      const auto result = PN::compare_with_linear(mesh, PN::CatmullClark_scheme(),
+                                                  CGAL::parameters::number_of_iterations(1)
+                                                    .edge_is_constrained_map(sharp)
+                                                    .vertex_is_constrained_map(corner));
+      EXPECT_LE(result.largest_distance, 1e-9) << steps << ends_are_corners;
+    }
 }
