@@ -235,3 +235,15 @@ TEST(Creases_roundness, StepsAreNotRound)
       EXPECT_LE(result.largest_distance, 1e-9) << steps << ends_are_corners;
     }
 }
+
+// There is an arc through any three points.
+TEST(Creases_roundness, BetweenTwoCornersOneVertexIsNotRound)
+{
+  Turned_part prism(even(12), {{1, 0, true}, {1, 1, true}}, false);
+  for (unsigned i = 0; i < 12; i += 2)
+    prism.sharp[prism.mesh.edge(
+      prism.mesh.halfedge(Mesh::Vertex_index(i), Mesh::Vertex_index(12 + i)))] = true;
+  const auto result =
+    PN::compare_with_linear(prism.mesh, PN::CatmullClark_scheme(), prism.parameters());
+  EXPECT_LE(result.largest_distance, 1e-9);
+}

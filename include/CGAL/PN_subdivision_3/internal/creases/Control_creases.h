@@ -132,7 +132,7 @@ private:
 };
 
 // How round creases are, which their wedges are no more than: where arcs meet. Ends mirror the tangents of their neighbors,
-// and tell nothing: beside corners tangents turn from edges as in a round fan, too, and beside darts none is round.
+// and tell nothing: beside a corner tangents turn from edges as in a round fan, too; beside a dart or two corners none is round.
 template <class FT, class Value>
 class Crease_turns
 {
@@ -174,7 +174,7 @@ private:
   double of_vertex(const Crease_star& star) const
   {
     double least = 1, miss = 0; // cosine of the turns; arcs
-    bool has_end = false;
+    int ends = 0;
     for (Index i = 0; i < star.number_of_ends; ++i) {
       const Crease_end& end = creases_.end(star, i);
       const Crease_edge<FT>& e = creases_.edge(end);
@@ -187,14 +187,14 @@ private:
       const auto cosine = dot<double, 3>(t, u);
       least = (std::min)(least, cosine);
       if (is_dart_[w]) return 0;
-      has_end = has_end || !is_inside_[w];
+      ends += is_inside_[w] ? 0 : 1;
       if (!is_inside_[w]) continue;
       Vector difference_of_arcs = to_double_3<FT>(e.tangent_from[end.side]);
       add_multiple<double, 3>(difference_of_arcs, 2 * cosine, u);
       add_multiple<double, 3>(difference_of_arcs, -1, t);
       miss = (std::max)(miss, length(difference_of_arcs));
     }
-    return share_of_arcs(miss) * (has_end ? share_of_turn(least) : 1);
+    return ends > 1 ? 0 : share_of_arcs(miss) * (ends > 0 ? share_of_turn(least) : 1);
   }
 
   const Level_connectivity& level_;
