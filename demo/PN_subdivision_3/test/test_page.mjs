@@ -326,6 +326,17 @@ test("GLB is opened as it was saved", async () => {
     await page.waitForFunction(() => window.page.editor.name === "moved.glb");
     assert.match(await page.textContent("#about"), /Not kept: materials/);
     const moved = await page.evaluate(() => Array.from(window.page.editor.mesh.state().points));
+    // and it is mirrored, but not inside out
+    const volume = await page.evaluate(() => {
+      const { points: p, corners } = window.page.editor.mesh.state();
+      let sum = 0;
+      for (let c = 0; c < corners.length; c += 3) {
+        const [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = [0, 1, 2].map((k) => p.slice(3 * corners[c + k], 3 * corners[c + k] + 3));
+        sum += ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
+      }
+      return sum / 6;
+    });
+    assert.ok(volume > 0, `${volume}`);
     // x, y, z of the file: turned by half a circle about its z, z mirrored, doubled and shifted; then y up becomes z up
     triples(saved).forEach(([x, y, z]) => {
       const expected = [10 - 2 * x, -(30 - 2 * z), 20 - 2 * y];

@@ -235,9 +235,10 @@ test("where a worker cannot be started the page says why, and shows fewer rounds
     });
 });
 
-/** Waits for the files and for what is done while the first of them is read. */
-const openMeanwhile = (page, texts, meanwhile) => page.evaluate(`(async () => {
+/** Waits for the files and for what is done while the first of them is read: by the browser or, a moment later, by a worker. */
+const openMeanwhile = (page, texts, meanwhile, isInWorker = false) => page.evaluate(`(async () => {
   const opened = ${JSON.stringify(texts)}.map(([name, text]) => window.page.panel.open([new File([text], name)]));
+  while (${isInWorker} && !window.page.editor.remote.endReading) await new Promise((resolve) => setTimeout(resolve));
   await (${meanwhile})();
   await Promise.all(opened);
 })()`);
@@ -246,6 +247,8 @@ const nameOf = (page) => page.evaluate(() => window.page.editor.name);
 test("what was chosen last is shown", async () => {
   await withPage(file, { hash: "#head" }, async (page) => {
     const [slow, small] = [grid(80), grid(2)];
+    await openMeanwhile(page, [["slow.off", slow]], () => window.page.panel.showExample("ring"), true);
+    assert.equal(await nameOf(page), "ring");
     for (const meanwhile of [
       () => window.page.panel.showExample("ring"),
       () => window.page.editor.undo(),
