@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// As Instances.h, for tests of limits.
+// As Instances.h, for tests of limits, the command and its tests.
 
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_LIMIT_INSTANCES_H
 #define CGAL_PN_SUBDIVISION_3_TEST_LIMIT_INSTANCES_H
