@@ -49,17 +49,17 @@ function(pn_use_precompiled_in_command name)
   pn_join(pn_subdivide_io reading io/Ply_header io/Ply_origin io/Ply_values io/normals_of_file io/read_obj io/read_off
           io/read_ply)
   pn_join(pn_subdivide_io reports io/Report io/Text_reader io/read_stl surface/diverging_colors surface/replayed_rounds)
-  pn_join(pn_subdivide_io soups io/border_edges io/corner_normals io/merge_points io/near_points io/orient_outwards
+  pn_join(pn_subdivide_io soups io/border_edges io/corner_normals io/merge_points io/near_points io/orient_outwards io/orient_soup
           io/selection io/soup_check io/soup_repair)
   pn_join(pn_subdivide_io writing io/write_obj io/write_off io/write_ply io/write_vtp)
-  pn_join(pn_subdivide_command checks surface/Linear_check surface/chord_rounds surface/split_polygon surface/surface_command
+  pn_join(pn_subdivide_command checks surface/Linear_check surface/split_polygon surface/surface_command
           surface/triangulate surface/verification)
   pn_join(pn_subdivide_command curves curve/curve_command curve/curve_corners curve/curve_picture curve/curve_schemes
           curve/level_masks)
   pn_join(pn_subdivide_command output surface/Crease_plan surface/Output_normals surface/Surface_table surface/attributes
           surface/control_mesh surface/mesh_origin surface/output_mesh)
   pn_join(pn_subdivide_command parts surface/Planes_from_rims surface/Planes_of_part surface/Recognized_part
-          surface/part_borders surface/part_choice)
+          surface/common_curves surface/cut_vertices surface/part_borders surface/part_choice)
   pn_join(pn_subdivide_command pieces pieces/Finished_pieces pieces/Output_lock pieces/Output_names pieces/Piece_count
           pieces/Piece_folder pieces/Row_writer pieces/Shared_file)
   pn_join(pn_subdivide_command piece_files pieces/Ply_pieces pieces/Vtp_pieces pieces/pieces_command pieces/write_pieces)
