@@ -38,7 +38,7 @@ export function commandFor(editor: Editor, format: string): string {
   const { settings, roundness } = editor;
   const isLinear = settings.layout === "linear";
   const words = ["pn_subdivide", "surface", controlFile(editor), surfaceFile(editor, format === "glb" ? "ply" : format),
-    "--scheme", settings.scheme, "--levels", String(settings.rounds)];
+    "--scheme", settings.scheme, "--levels", String(settings.rounds), "--no-mend"];
   const hasCreases = editor.mesh.numberOfSharpEdges() > 0;
   if (hasCreases) words.push("--sharp", "file");
   words.push(...(isLinear ? ["--linear"] : ["--normals", "file"]));

@@ -175,12 +175,11 @@ void remove_duplicates(Mesh_data& mesh, Soup_repair& repair, Old_faces& old_face
 
 std::size_t split_fans(Mesh_data& mesh)
 {
-  Soup_repair repair;
   const Old_faces old_faces(mesh);
   std::vector<bool> is_reversed(mesh.number_of_faces(), false);
-  orient(mesh, repair, is_reversed);
+  const std::size_t added = orient_soup(mesh, is_reversed);
   old_faces.put_values(mesh);
-  return repair.added_vertices;
+  return added;
 }
 
 Soup_repair repair_soup(Mesh_data& mesh)
