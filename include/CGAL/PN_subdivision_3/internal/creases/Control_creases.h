@@ -132,7 +132,8 @@ private:
 };
 
 // How round creases are, which their wedges are no more than: where arcs meet. Ends mirror the tangents of their neighbors,
-// and tell nothing: beside a corner tangents turn from edges as in a round fan, too; beside a dart or two corners none is round.
+// and tell nothing: beside a corner tangents turn from edges as in a round fan, too; beside a dart none is round, between
+// two corners what is straight.
 template <class FT, class Value>
 class Crease_turns
 {
@@ -194,7 +195,9 @@ private:
       add_multiple<double, 3>(difference_of_arcs, -1, t);
       miss = (std::max)(miss, length(difference_of_arcs));
     }
-    return ends > 1 ? 0 : share_of_arcs(miss) * (ends > 0 ? share_of_turn(least) : 1);
+    if (ends > 1) // through any three points there is an arc
+      return 1 - smooth_window(std::sqrt((std::max)(0., 2 - 2 * least)), 0.01, 0.1);
+    return share_of_arcs(miss) * (ends > 0 ? share_of_turn(least) : 1);
   }
 
   const Level_connectivity& level_;

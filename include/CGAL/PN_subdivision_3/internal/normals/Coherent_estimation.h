@@ -308,13 +308,14 @@ private:
       const Vector e = edge(h);
       const double e_length = quick_length(e);
       const double miss = std::abs(dot<double, 3>(s.normal, e) + dot<double, 3>(t.normal, e));
-      const auto beside = [&](Index k) {
+      const auto beside = [&](Index own, Index k) {
         const double share = uneven.empty() ? 0 : uneven[k];
-        const double error = e_length > 0 ? miss * inverse_width(k, share, e_length) : 1;
+        const bool is_evidence = e_length > 0 && !(is_mirrored(own) && !is_mirrored(k));
+        const double error = is_evidence ? miss * inverse_width(k, share, e_length) : 1;
         return roundness_beside(alone[k], error);
       };
-      least[i] = (std::min)(least[i], beside(j));
-      least[j] = (std::min)(least[j], beside(i));
+      least[i] = (std::min)(least[i], beside(i, j));
+      least[j] = (std::min)(least[j], beside(j, i));
     });
     for (Index s = 0; s < shares.size(); ++s) shares[s] *= least[s];
   }
