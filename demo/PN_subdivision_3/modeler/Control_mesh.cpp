@@ -60,7 +60,7 @@ void require_manifold(const Mesh_data& mesh)
       last_face[v] = f;
     }
   const pn_subdivide::Soup_defects defects = pn_subdivide::find_defects(mesh);
-  if (!defects.none()) throw Error("this is no oriented manifold: " + defects.description());
+  if (!defects.none()) throw Error("this is no oriented manifold: " + defects.description(mesh));
 }
 
 // As the command does without --normals. Returns where the normals come from then.
