@@ -347,7 +347,7 @@ test("back and forward lead through what was looked at", async () => {
 test("a link of a newer page is refused, and a large mesh has no address", async () => {
   const packed = (value) => deflateRawSync(JSON.stringify(value)).toString("base64url");
   await withPage(file, { hash: `#ring=${packed({ version: 1000 })}` }, async (page) => {
-    assert.equal(await message(page), "The link cannot be read: it is of a newer version of this page");
+    assert.equal(await message(page), "The link cannot be read: it is of a newer version of this page.");
     const n = 120;
     const vertices = Array.from({ length: (n + 1) ** 2 }, (_, i) => `${i % (n + 1)} ${Math.floor(i / (n + 1))} 0`);
     const faces = Array.from({ length: n * n }, (_, i) => {
