@@ -175,9 +175,10 @@ Opposing_normals find_opposing_normals(const Mesh_data& mesh)
   }
   for (std::size_t slot = 0; slot < slots.size(); ++slot) {
     result.of += along[slot] != 0;
-    if (along[slot] < right_angle) result.add(mesh.number_in_file(slots.vertex(slot)));
+    if (along[slot] < right_angle) result.add(mesh.original(slots.vertex(slot)));
   }
   if (result.number > 0) {
+    result.first_vertex = mesh.number_in_file(result.first_vertex);
     const std::vector<bool> all = oppose_all(mesh, slots);
     result.of_all_faces = std::size_t(std::count(all.begin(), all.end(), true));
   }
@@ -191,9 +192,10 @@ Opposing_normals turn_opposing_normals(Mesh_data& mesh)
   const Normal_slots slots(mesh);
   const std::vector<bool> is_turned = oppose_all(mesh, slots);
   for (std::size_t slot = 0; slot < slots.size(); ++slot)
-    if (is_turned[slot]) turned.add(mesh.number_in_file(slots.vertex(slot)));
+    if (is_turned[slot]) turned.add(mesh.original(slots.vertex(slot)));
   turned.of_all_faces = turned.number;
   if (turned.number == 0) return turned;
+  turned.first_vertex = mesh.number_in_file(turned.first_vertex); // searches, so once
   if (!mesh.corner_normals.empty()) {
     turn_corners(mesh, slots, is_turned);
     return turned;
