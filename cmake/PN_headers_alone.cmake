@@ -1,6 +1,6 @@
 # Target pn_headers_alone: all headers compile in the company of what <windows.h>, Qt and <X11/Xlib.h> define; with PN_TEST_FULL
 # together without it and every one alone, too, those with a documented name where they are used
-# (test/PN_subdivision_3/headers). The internal ones take the headers of others precompiled, which saves minutes: that
+# (test/PACKAGE/headers). The internal ones take the headers of others precompiled, which saves minutes: that
 # they include those themselves is seen where precompiled headers are off (build preset clang-headers).
 # Only checked, not translated: no code is generated.
 set(include_dir ${PN_subdivision_3_SOURCE_DIR}/include)
@@ -15,9 +15,9 @@ foreach(header ${headers})
   file(RELATIVE_PATH relative ${include_dir} ${header})
   string(MAKE_C_IDENTIFIER ${relative} name)
   set(in_use "")
-  string(REGEX REPLACE "^CGAL/PN_subdivision_3/(.*)\\.h$" "\\1" short ${relative})
-  if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/../test/PN_subdivision_3/headers/${short}.cpp)
-    set(in_use "#include \"${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/headers/${short}.cpp\"\n")
+  string(REGEX REPLACE "^CGAL/([^/]*)/(.*)\\.h$" "test/\\1/headers/\\2.cpp" use ${relative})
+  if(EXISTS ${PN_subdivision_3_SOURCE_DIR}/${use})
+    set(in_use "#include \"${PN_subdivision_3_SOURCE_DIR}/${use}\"\n")
   endif()
   file(GENERATE OUTPUT ${generated}/${name}.cpp
        CONTENT "#include <${relative}>\n#include <${relative}>\n${in_use}")
@@ -75,6 +75,7 @@ else()
 endif()
 foreach(target ${targets})
   pn_own_target(${target})
+  target_include_directories(${target} PRIVATE ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3)
   set_target_properties(${target} PROPERTIES
                         CXX_COMPILER_LAUNCHER "${PN_subdivision_3_SOURCE_DIR}/cmake/PN_check_only.sh")
 endforeach()

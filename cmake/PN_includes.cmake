@@ -3,7 +3,8 @@
 
 set(pn_include_folders ${PN_subdivision_3_SOURCE_DIR}/include ${PN_subdivision_3_SOURCE_DIR}/src/pn_subdivide
                        ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3
-                       ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/support)
+                       ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/support
+                       ${PN_subdivision_3_SOURCE_DIR}/examples/PN_subdivision_3)
 
 # pn_external_includes(result source): the headers of others that a source of the package includes,
 # directly or by headers of the package.

@@ -152,7 +152,7 @@ function(pn_add_test_of_library name source)
 endfunction()
 
 # --- the programs ---
-file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*/test_*.cpp)
+file(GLOB unit_tests CONFIGURE_DEPENDS ${PN_subdivision_3_SOURCE_DIR}/test/PN_*/*/test_*.cpp)
 pn_leave_out_without_eigen(unit_tests "tests")
 set(groups)
 foreach(unit_test ${unit_tests})

@@ -6,9 +6,9 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""Checks that the headers lie in layers. A row of the table is a layer: the folders NAME and internal/NAME of
-include/CGAL/PN_subdivision_3, with what belongs there and is elsewhere, and the layers above in the table, or packages, that it
-may include. !NAME:3 is an arrow that has to go, with the includes that are left: there may be no more, and fewer are written down.
+"""Checks that the headers lie in layers. A row of the table is a layer: the folders NAME and internal/NAME of the
+package's folder below include/CGAL, with what else belongs there (`.`: the package's folder), and the layers above in the table,
+or packages, that it may include.
 
     scripts/check_layers.py [ROOT]              exit code 1 if a header includes what it may not
     scripts/check_layers.py --circles [ROOT]    prints the pairs of folders, and of layers, that include each other
@@ -17,57 +17,56 @@ may include. !NAME:3 is an arrow that has to go, with the includes that are left
 import argparse
 import re
 import sys
-from collections import Counter, defaultdict
+from collections import defaultdict
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-# packages to come, with their layers
+# packages with their layers
 TABLE = """
 PN_subdivision_3
-  base        version.h internal/needs_eigen.h parameters.h internal/own_parameters.h Control_element.h Default_visitor.h Estimated_control_normals.h |
-  average     rational_normals.h sqrt_extension_normals.h boost_multiprecision_floats.h |
-  hosts       | average
-  rows        | average hosts
-  schemes     | base average hosts rows
-  rounds      | average hosts rows schemes
-  normals     | average hosts schemes
-  creases     | average hosts rows schemes rounds normals
-  refinement  | average hosts rows schemes rounds normals creases
-  meshes      Refinable_mesh_traits.h | base average hosts schemes rounds normals creases refinement
-  attributes  attributes.h | base average hosts rows schemes rounds creases refinement meshes
+  base        version.h internal parameters levels |
+  numbers     rational_normals.h sqrt_extension_normals.h boost_multiprecision_floats.h |
+  average     | numbers
+  concepts    | base
+  scheme_parts  | base numbers concepts
+  hosts       | base numbers average
+  rows        | base numbers average hosts
+  schemes     | base numbers average concepts scheme_parts hosts rows
+  rounds      | base numbers average concepts scheme_parts hosts rows schemes
+  normals     | base numbers average concepts scheme_parts hosts schemes
+  creases     | base numbers average concepts scheme_parts hosts rows schemes rounds normals
+  refinement  | base numbers average concepts scheme_parts hosts rows schemes rounds normals creases
+  meshes      | base numbers average concepts scheme_parts hosts schemes rounds normals creases refinement
+  attributes  attributes.h | base numbers average concepts scheme_parts hosts rows schemes rounds creases refinement meshes
   calls       subdivide.h control_mesh_io.h subdivision_methods_3.h detect_creases.h estimate_control_normals.h
-              | base average hosts schemes rounds normals creases refinement meshes attributes
-  refiner     Surface_refiner.h | average hosts rows schemes rounds normals creases refinement meshes attributes calls
-  pieces      Surface_piece.h refine_in_pieces.h
-              | base average hosts schemes rounds creases refinement meshes attributes calls !limit:9
+              | base numbers average concepts scheme_parts hosts schemes rounds normals creases refinement meshes attributes
+  refiner     Surface_refiner.h | base numbers average concepts scheme_parts hosts rows schemes rounds normals creases refinement
+              meshes attributes calls
 PN_cgal_masks_3
-  cgal_masks  PN_mask_3.h Subdivision_method_3.h | PN_subdivision_3
+  cgal_masks  . internal masks | PN_subdivision_3
 PN_limit_surface_3
   curvature   estimate_curvature.h | PN_subdivision_3
   limit       limit_points.h subdivide_to_limit.h | PN_subdivision_3 curvature
+  pieces      Surface_piece.h refine_in_pieces.h | PN_subdivision_3 limit
   limit_surface  Face_patch.h Limit_surface.h Limit_surface_queries.h | PN_subdivision_3 limit
-  tessellation   tessellate.h Tessellation_result.h | PN_subdivision_3 limit limit_surface
+  tessellation   tessellate.h | PN_subdivision_3 limit limit_surface pieces
 PN_curves
-  curves      subdivide_curve.h curve_limit_points.h | PN_subdivision_3 limit
+  curves      . internal masks | PN_subdivision_3 limit
 PN_recognition_3
-  recognition recognize_surfaces.h Recognized_surface.h triangulate_planes.h curves/recognize_arcs.h
-              | base average hosts normals creases meshes calls curves
+  recognition . internal surfaces | base numbers average concepts hosts normals creases meshes calls curves
 PN_fitting_3
-  interpolation  interpolate_limit_points.h interpolate_curve.h prescribe_limit_data.h smooth_control_normals.h
-              | PN_subdivision_3 PN_limit_surface_3 curves
+  fitting     . internal interpolation | PN_subdivision_3 PN_limit_surface_3 curves
 PN_certificates_3
-  exact       enclose.h reproduction.h | PN_subdivision_3 curves
-  comparison  compare_with_linear.h | PN_subdivision_3
+  certificates  . internal exact | PN_subdivision_3 curves
 test_support
   analysis    | PN_subdivision_3 curvature limit curves
 umbrellas
-  umbrellas   PN_subdivision_3.h PN_subdivision_curve.h PN_subdivision_limit_3.h
-              | PN_subdivision_3 PN_limit_surface_3 PN_curves PN_recognition_3 PN_fitting_3
+  umbrellas   PN_subdivision_3.h PN_subdivision_curve.h PN_subdivision_limit_3.h PN_fitting_3.h PN_recognition_3.h
+              PN_certificates_3.h PN_cgal_masks_3.h
+              | PN_subdivision_3 PN_limit_surface_3 PN_curves PN_recognition_3 PN_fitting_3 PN_certificates_3 PN_cgal_masks_3
 """
 INCLUDE = re.compile(r"^ *# *include [<\"]CGAL/(PN_[^>\"]+)", re.MULTILINE)
-
-
 Circles = tuple[list[tuple[str, str]], list[str]]
 
 
@@ -75,7 +74,6 @@ class Layer(NamedTuple):
     package: str
     places: list[str]
     allowed: set[str]
-    leaving: dict[str, int]
 
 
 def layers() -> dict[str, Layer]:
@@ -87,20 +85,15 @@ def layers() -> dict[str, Layer]:
             package = line
             continue
         (name, *places), entries = (part.split() for part in line.split("|"))
-        marks = dict(entry[1:].split(":") for entry in entries if entry.startswith("!"))
         allowed: set[str] = set()
-        for entry in set(entries) - {"!" + ":".join(mark) for mark in marks.items()}:
+        for entry in entries:
             of_entry = {other for other, layer in result.items() if entry in (other, layer.package)}
             if not of_entry:
                 raise SystemExit(f"check_layers.py: {entry}, which {name} may include, is not above it in the table")
             allowed |= of_entry
-        result[name] = Layer(package, [name, f"internal/{name}", *places], allowed,
-                             {other: int(number) for other, number in marks.items()})
+        folder = "" if package == "umbrellas" else "PN_subdivision_3/" if package == "test_support" else f"{package}/"
+        result[name] = Layer(package, [str(Path(folder + place)) for place in (name, f"internal/{name}", *places)], allowed)
     return result
-
-
-def short(header: Path) -> str:
-    return str(header).removeprefix("PN_subdivision_3/")
 
 
 def headers(root: Path) -> dict[Path, list[Path]]:
@@ -115,7 +108,7 @@ def layers_of_headers(root: Path) -> tuple[dict[Path, str], list[Path]]:
     of_place = {place: name for name, layer in layers().items() for place in layer.places}
     found: dict[Path, str] = {}
     for header in headers(root):
-        name = of_place.get(short(header)) or of_place.get(str(Path(short(header)).parent))
+        name = of_place.get(str(header)) or of_place.get(str(header.parent))
         if name:
             found[header] = name
     return found, [header for header in headers(root) if header not in found]
@@ -125,21 +118,13 @@ def check(root: Path) -> list[str]:
     table = layers()
     of_header, others = layers_of_headers(root)
     wrong = [f"{header}: belongs to no layer of the table in scripts/check_layers.py" for header in others]
-    leaving: Counter[tuple[str, str]] = Counter()
     for header, included in headers(root).items():
         for other in included:
             if header not in of_header or other not in of_header:
                 continue
             here, there = of_header[header], of_header[other]
-            if here == there or there in table[here].allowed:
-                continue
-            leaving[here, there] += 1
-            if leaving[here, there] > table[here].leaving.get(there, 0):
+            if here != there and there not in table[here].allowed:
                 wrong.append(f"{header} includes {other}: {here} may not include {there}")
-    for here, layer in table.items():
-        for there, number in layer.leaving.items():
-            if leaving[here, there] < number:
-                wrong.append(f"scripts/check_layers.py: of !{there}:{number} of {here}, {leaving[here, there]} are left: write that")
     return wrong
 
 

@@ -35,7 +35,7 @@ if [[ $chosen == --changed ]]; then
 fi
 folder=build/portability
 mkdir -p "$folder"
-headers=(include/CGAL/*.h include/CGAL/PN_subdivision_3/*.h)
+headers=(include/CGAL/*.h include/CGAL/PN_*/*.h)
 warnings=(-Wall -Wextra -Wpedantic -Wshadow -Werror)
 
 # all public headers in one source

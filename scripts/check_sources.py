@@ -85,39 +85,47 @@ def check_notices(fix: bool) -> list[str]:
     return wrong
 
 
-def included_headers(compiler: list[str]) -> list[Path]:
-    """CGAL's headers that the package's headers include, by the compiler's list of dependencies."""
+def included_headers(compiler: list[str], package: str) -> list[Path]:
+    """CGAL's and our headers that a package's headers include, by the compiler's list of dependencies."""
     include = ROOT / "include"
     with tempfile.NamedTemporaryFile("w", suffix=".cpp") as file:
-        for header in sorted(include.rglob("*.h")):
+        for header in sorted((include / "CGAL" / package).rglob("*.h")):
             file.write(f"#include <{header.relative_to(include)}>\n")
         file.flush()
         rule = subprocess.run([*compiler, "-std=c++17", "-M", f"-I{include}", file.name], check=True,
                               capture_output=True, text=True).stdout
-    paths = map(Path, rule.replace("\\\n", " ").split()[1:])
-    return [p for p in paths if "CGAL" in p.parts and not p.is_relative_to(include)]
+    return [p for p in map(Path, rule.replace("\\\n", " ").split()[1:]) if "CGAL" in p.parts]
 
 
-def check_dependencies(compiler: list[str], fix: bool) -> list[str]:
-    packages, versions = {NAME}, set()
-    for header in included_headers(compiler):
+def packages_of(headers: list[Path]) -> tuple[set[str], set[str]]:
+    """The packages that headers are of, and CGAL's versions."""
+    packages, versions = set(), set()
+    for header in headers:
+        if header.is_relative_to(ROOT / "include"):
+            packages.add(header.relative_to(ROOT / "include" / "CGAL").parts[0])
+            continue
         # $URL: https://github.com/CGAL/cgal/blob/v5.5.1/BGL/include/CGAL/... $
         where = re.search(r"\$URL: \S+/v([0-9.]+)/(\w+)/", header.read_text(errors="replace"))
         if where:
             versions.add(where[1])
             packages.add(where[2])
-    path = ROOT / "package_info" / NAME / "dependencies"
-    listed = set(path.read_text().split())
-    if not all(version.startswith(REFERENCE_CGAL) for version in versions):
-        print(f"dependencies: not checked, since this is not CGAL {REFERENCE_CGAL}")
-        return []
-    if fix:
-        path.write_text("".join(f"{package}\n" for package in sorted(packages)))
-        return []
-    return ([f"{path.relative_to(ROOT)} lacks {p}, which is included" for p in
-             sorted(packages - listed)] +
-            [f"{path.relative_to(ROOT)} lists {p}, which is not included" for p in
-             sorted(listed - packages)])
+    return packages, versions
+
+
+def check_dependencies(compiler: list[str], fix: bool) -> list[str]:
+    wrong = []
+    for package in sorted(path.name for path in (ROOT / "package_info").iterdir()):
+        packages, versions = packages_of(included_headers(compiler, package))
+        path = ROOT / "package_info" / package / "dependencies"
+        if not all(version.startswith(REFERENCE_CGAL) for version in versions):
+            print(f"dependencies: not checked, since this is not CGAL {REFERENCE_CGAL}")
+            return []
+        if fix:
+            path.write_text("".join(f"{name}\n" for name in sorted(packages)))
+        listed = set(path.read_text().split())
+        wrong += [f"{path.relative_to(ROOT)} lacks {p}, which is included" for p in sorted(packages - listed)]
+        wrong += [f"{path.relative_to(ROOT)} lists {p}, which is not included" for p in sorted(listed - packages)]
+    return wrong
 
 
 def check_version() -> list[str]:

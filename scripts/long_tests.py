@@ -31,7 +31,7 @@ TESTS = ROOT / "test" / "PN_subdivision_3"
 EXAMPLES = ROOT / "examples" / "PN_subdivision_3"
 BUILD = ROOT / "build" / "tests"
 LEFT = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache")) / "PN_subdivision_3" / "long_tests_left.txt"
-FOLDERS = [ROOT / "include", TESTS, TESTS / "support", ROOT / "src" / "pn_subdivide"]
+FOLDERS = [ROOT / "include", TESTS, TESTS / "support", EXAMPLES, ROOT / "src" / "pn_subdivide"]
 AT_A_TIME = 4  # programs that are built before their tests are run
 COMMAND = "the command as users build it"
 DRAWN = ("figure_", "numbers_", "control_meshes_")
@@ -54,12 +54,12 @@ def listed() -> list[str]:
 def sources(name: str) -> list[Path]:
     """What a line of the list is made of."""
     if name.startswith("test_"):
-        found = list(TESTS.glob(f"*/{name}.cpp"))
+        found = list(ROOT.glob(f"test/*/*/{name}.cpp"))
         return found + [path for first in found for path in first.parent.glob(f"{name.removeprefix('test_')}_*.cpp")]
     if name.startswith(("example_", "figure_")):
-        return [EXAMPLES / f"{name.split('_', 1)[1]}.cpp", *ROOT.glob(f"doc/PN_subdivision_3/fig/{name.removeprefix('figure_')}.svg")]
+        return [*ROOT.glob(f"examples/*/{name.split('_', 1)[1]}.cpp"), *ROOT.glob(f"doc/PN_subdivision_3/fig/{name.removeprefix('figure_')}.svg")]
     if name.startswith("rejected_"):
-        return list(TESTS.glob(f"*/{name}.cpp"))
+        return list(ROOT.glob(f"test/*/*/{name}.cpp"))
     if name == "documented_commands":
         return [ROOT / "README.md", *ROOT.glob("doc/PN_subdivision_3/*.txt"), *ROOT.glob("src/pn_subdivide/*/*.cpp")]
     if name == "render_draws":

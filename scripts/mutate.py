@@ -35,7 +35,7 @@ import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TESTS = ROOT / "test" / "PN_subdivision_3"
-HEADERS = pathlib.Path("CGAL") / "PN_subdivision_3"
+HEADERS = pathlib.Path("CGAL")
 RESULTS = ROOT / "scripts" / "mutation_results.tsv"
 WORK = ROOT / "build" / "mutate"
 TIME_LIMIT = 1800  # seconds of one change, after which there is no verdict
@@ -133,7 +133,7 @@ def prepare(jobs):
 
 def sources(test):
     """A test has further sources as cmake/PN_unit_tests.cmake has it: test_NAME.cpp and NAME_*.cpp."""
-    first = TESTS / (test + ".cpp")
+    first = next(ROOT.glob(f"test/*/{test}.cpp"), TESTS / f"{test}.cpp")
     further = first.parent.glob(first.stem[len("test_"):] + "_*.cpp") if first.stem.startswith("test_") else []
     return [first, *sorted(further)]
 
@@ -154,7 +154,7 @@ def compile_test(test, folder, deadline):
         done = subprocess.run(command, capture_output=True, text=True, timeout=deadline - time.monotonic())
         if done.returncode != 0:
             errors = [line for line in done.stderr.splitlines() if "error" in line]
-            failed = next((line for line in errors if line.startswith(str(TESTS)) and "static" in line and "assert" in line), None)
+            failed = next((line for line in errors if line.startswith(str(TESTS.parent)) and "static" in line and "assert" in line), None)
             return None, f"{STATIC}{failed}" if failed else "does not compile: " + (errors[0] if errors else done.stderr[:200])
     return program, ""
 
@@ -238,7 +238,7 @@ in `scripts/mutation_results.tsv`; run the script again to get missing ones.
 \\section PN_subdivision_3_mutations_numbers Numbers
 
 Of {all} changes {run} were run, of which {caught} are caught and {survive} survive; {missing} were not run.
-By the folder of the changed header below `include/CGAL/PN_subdivision_3/`, or below `internal/` there (`.`: in none):
+By the folder of the changed header below `include/CGAL/`:
 
 | Headers | Changes | Caught | Survive | Not run |
 |---|---:|---:|---:|---:|
@@ -260,7 +260,7 @@ def write_table(name):
     results = read_results()
     subjects = {}
     for m in mutations():
-        subject = pathlib.PurePath(m["file"].removeprefix("internal/")).parent.name or "."
+        subject = str(pathlib.PurePath(m["file"].replace("/internal", "")).parent)
         verdict = results.get(m["name"], {"verdict": ""})["verdict"]
         subjects.setdefault(subject, []).append(verdict if verdict in ("caught", "survives", "SURVIVED") else "")
     subjects["**all**"] = sum(subjects.values(), [])

@@ -84,7 +84,7 @@ containers()
   "$compiler" "${flags[@]}" -c "$gtest/src/gtest-all.cc" -o "$folder/gtest-all.o"
   "$compiler" "${flags[@]}" -c "$gtest/src/gtest_main.cc" -o "$folder/gtest_main.o"
   for name in "${programs[@]}"; do
-    source=$(ls test/PN_subdivision_3/*/"$name".cpp)
+    source=$(ls test/*/*/"$name".cpp)
     local sources=("$source" "$(dirname "$source")/${name#test_}"_*.cpp test/PN_subdivision_3/reference/*.cpp)
     local objects=()
     for source in "${sources[@]}"; do

@@ -11,17 +11,17 @@
 
 /*!
 \file PN_subdivision_3.h
-Schemes and the functions that subdivide meshes. Not included are curves (`PN_subdivision_curve.h`), the limit surface and
-`Surface_refiner` (`PN_subdivision_limit_3.h`), interpolation (`interpolate_limit_points.h`), files (`control_mesh_io.h`), pieces (`refine_in_pieces.h`), recognition (`recognize_surfaces.h`, `triangulate_planes.h`),
-`smooth_control_normals.h`, `compare_with_linear.h`, `estimate_curvature.h`, schemes by name (`schemes/scheme_by_name.h`), headers for \cgal's
-subdivision methods (`PN_mask_3.h`, `Subdivision_method_3.h`), and measurements (`reproduction.h`, `enclose.h`, the folder `analysis`).
+Schemes and the functions that subdivide meshes. Other packages have curves (`PN_subdivision_curve.h`), the limit surface and
+`Surface_refiner` (`PN_subdivision_limit_3.h`), fitting (`PN_fitting_3.h`), recognition (`PN_recognition_3.h`), certificates
+(`PN_certificates_3.h`) and \cgal's own masks (`PN_cgal_masks_3.h`). Not included are files (`control_mesh_io.h`), pieces (`refine_in_pieces.h`),
+`estimate_curvature.h` and schemes by name (`schemes/scheme_by_name.h`).
 */
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/Grid_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/PN_subdivision_3/subdivision_methods_3.h>

@@ -8,7 +8,7 @@
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
 
-#include "mesh.h"
+#include "headers/mesh.h"
 
 using namespace CGAL::PN_subdivision_3;
 

@@ -8,7 +8,7 @@
 
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 
-#include "mesh.h"
+#include "headers/mesh.h"
 
 using namespace CGAL::PN_subdivision_3;
 
