@@ -24,6 +24,8 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
+import moves
+
 ROOT = Path(__file__).resolve().parent.parent
 NAME = "PN_subdivision_3"
 NOTICE = f"""Copyright (c) 2026  {NAME} developers
@@ -196,6 +198,14 @@ def check_lengths() -> list[str]:
     return wrong
 
 
+def check_moves(fix: bool) -> list[str]:
+    page, text = ROOT / "doc" / NAME / "moving.txt", moves.page()
+    if fix:
+        page.write_text(text)
+    wrong = [f"scripts/moves.tsv: {new} is not there" for _, new in moves.table("moves.tsv") if not (ROOT / new).is_file()]
+    return wrong + ([] if page.read_text() == text else [f"{page.relative_to(ROOT)} is not what scripts/moves.py --page prints"])
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--compiler", default="c++ -I/usr/include/eigen3", type=shlex.split,
@@ -203,7 +213,7 @@ def main() -> int:
     parser.add_argument("--fix", action="store_true", help="write what can be derived")
     arguments = parser.parse_args()
     wrong = check_notices(arguments.fix) + check_version() + check_links() + check_lengths()
-    wrong += check_dependencies(arguments.compiler, arguments.fix)
+    wrong += check_moves(arguments.fix) + check_dependencies(arguments.compiler, arguments.fix)
     for line in wrong:
         print(line, file=sys.stderr)
     if wrong:
