@@ -8,10 +8,10 @@
 #ifndef CGAL_PN_SUBDIVISION_3_BENCHMARK_MEASURED_LIMITS_H
 #define CGAL_PN_SUBDIVISION_3_BENCHMARK_MEASURED_LIMITS_H
 
-#include "../../examples/PN_subdivision_3/Closed_samples.h"
+#include "../../examples/PN_certificates_3/Closed_samples.h"
 
-#include <CGAL/PN_subdivision_3/limit_points.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_limit_surface_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <algorithm>

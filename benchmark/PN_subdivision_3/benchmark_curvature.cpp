@@ -14,8 +14,8 @@
 #include "Control_meshes.h"
 #include "Ratio_reporter.h"
 
+#include <CGAL/PN_limit_surface_3/estimate_curvature.h>
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/estimate_curvature.h>
 
 #include <benchmark/benchmark.h>
 

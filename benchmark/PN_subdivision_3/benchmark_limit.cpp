@@ -13,8 +13,8 @@
 
 #include "Control_meshes.h"
 
+#include <CGAL/PN_limit_surface_3/limit_points.h>
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/limit_points.h>
 
 #include <benchmark/benchmark.h>
 

@@ -25,8 +25,8 @@
 #include "Control_meshes.h"
 #include "Ratio_reporter.h"
 
+#include <CGAL/PN_cgal_masks_3/Subdivision_method_3.h>
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/Subdivision_method_3.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/subdivision_method_3.h>
 

@@ -15,7 +15,7 @@
 //
 //   check_hypotheses
 
-#include "../../examples/PN_subdivision_3/Order_samples.h"
+#include "../../examples/PN_certificates_3/Order_samples.h"
 
 #include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>

@@ -16,11 +16,11 @@
 #include "peers/by_method/Curves.h"
 #include "peers/by_method/Patches.h"
 
-#include <CGAL/PN_subdivision_3/curve_limit_points.h>
-#include <CGAL/PN_subdivision_3/curves/curve_masks.h>
-#include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
+#include <CGAL/PN_curves/curve_limit_points.h>
+#include <CGAL/PN_curves/masks/curve_masks.h>
+#include <CGAL/PN_fitting_3/interpolate_limit_points.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_curve.h>
 #include <CGAL/Timer.h>
 

@@ -11,9 +11,9 @@
 //
 //   oblique_crease
 
-#include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_limit_surface_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

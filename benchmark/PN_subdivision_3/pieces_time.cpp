@@ -15,7 +15,7 @@
 
 #include "Control_meshes.h"
 
-#include <CGAL/PN_subdivision_3/refine_in_pieces.h>
+#include <CGAL/PN_limit_surface_3/refine_in_pieces.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 
 #include <cstdint>

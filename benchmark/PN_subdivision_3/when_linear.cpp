@@ -13,17 +13,17 @@
 
 #include "Measured_limits.h"
 
-#include <CGAL/PN_subdivision_3/compare_with_linear.h>
-#include <CGAL/PN_subdivision_3/curve_limit_points.h>
-#include <CGAL/PN_subdivision_3/curves/curve_masks.h>
+#include <CGAL/PN_certificates_3/compare_with_linear.h>
+#include <CGAL/PN_curves/curve_limit_points.h>
+#include <CGAL/PN_curves/masks/curve_masks.h>
+#include <CGAL/PN_fitting_3/interpolate_limit_points.h>
+#include <CGAL/PN_fitting_3/smooth_control_normals.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
-#include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
-#include <CGAL/PN_subdivision_3/smooth_control_normals.h>
 #include <CGAL/PN_subdivision_curve.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>

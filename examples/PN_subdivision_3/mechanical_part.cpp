@@ -16,8 +16,8 @@
 
 #include "Part_file.h"
 
+#include <CGAL/PN_certificates_3/reproduction.h>
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/reproduction.h>
 
 #include <CGAL/Exact_rational.h>
 

@@ -22,8 +22,8 @@
 #include "Part_file.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/PN_certificates_3/reproduction.h>
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/reproduction.h>
 #include <CGAL/Real_timer.h>
 
 #include <cstdlib>

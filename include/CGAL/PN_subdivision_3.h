@@ -19,9 +19,9 @@ subdivision methods (`PN_mask_3.h`, `Subdivision_method_3.h`), and measurements 
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/Grid_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/PN_subdivision_3/subdivision_methods_3.h>

@@ -15,11 +15,11 @@ Point-normal subdivision of curves in the plane and in space. Not included are t
 interpolation (`interpolate_curve.h`), and what measures them (`analysis/curve_analysis.h`).
 */
 
-#include <CGAL/PN_subdivision_3/curves/Curve_end.h>
-#include <CGAL/PN_subdivision_3/curves/curve_control_normals.h>
-#include <CGAL/PN_subdivision_3/curves/curve_corners.h>
-#include <CGAL/PN_subdivision_3/curves/curve_masks.h>
-#include <CGAL/PN_subdivision_3/curves/recognize_arcs.h>
-#include <CGAL/PN_subdivision_3/subdivide_curve.h>
+#include <CGAL/PN_curves/curve_control_normals.h>
+#include <CGAL/PN_curves/curve_corners.h>
+#include <CGAL/PN_curves/masks/Curve_end.h>
+#include <CGAL/PN_curves/masks/curve_masks.h>
+#include <CGAL/PN_curves/subdivide_curve.h>
+#include <CGAL/PN_recognition_3/recognize_arcs.h>
 
 #endif // CGAL_PN_SUBDIVISION_CURVE_H

@@ -15,12 +15,12 @@ Limit surfaces: their points and normals, points between these, tessellation, an
 needs \ref thirdpartyEigen "Eigen": `interpolate_limit_points.h` and `prescribe_limit_data.h`.
 */
 
+#include <CGAL/PN_limit_surface_3/Face_patch.h>
+#include <CGAL/PN_limit_surface_3/Limit_surface.h>
+#include <CGAL/PN_limit_surface_3/limit_points.h>
+#include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
+#include <CGAL/PN_limit_surface_3/tessellate.h>
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/Face_patch.h>
-#include <CGAL/PN_subdivision_3/Limit_surface.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
-#include <CGAL/PN_subdivision_3/limit_points.h>
-#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
-#include <CGAL/PN_subdivision_3/tessellate.h>
 
 #endif // CGAL_PN_SUBDIVISION_LIMIT_3_H

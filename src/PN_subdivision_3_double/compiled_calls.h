@@ -16,7 +16,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/compiled_call.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

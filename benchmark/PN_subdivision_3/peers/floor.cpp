@@ -12,7 +12,7 @@
 #include "Job.h"
 #include "for_each_scheme.h"
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <sys/mman.h>
 

@@ -19,7 +19,7 @@
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

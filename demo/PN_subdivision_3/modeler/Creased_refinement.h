@@ -13,7 +13,7 @@
 
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/boost/graph/iterator.h>
 
 namespace pn_demo {

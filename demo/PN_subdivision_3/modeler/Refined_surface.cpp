@@ -10,9 +10,9 @@
 
 #include "io/Error.h"
 
-#include <CGAL/PN_subdivision_3/estimate_curvature.h>
-#include <CGAL/PN_subdivision_3/limit_points.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_limit_surface_3/estimate_curvature.h>
+#include <CGAL/PN_limit_surface_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 
 #include <numeric>

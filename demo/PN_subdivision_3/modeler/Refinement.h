@@ -12,7 +12,7 @@
 #include "Control_mesh.h"
 #include "surface/Scheme.h"
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <cstdint>
 #include <memory>

@@ -12,7 +12,7 @@
 #include "Refinement.h"
 
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 
 #include <type_traits>
 

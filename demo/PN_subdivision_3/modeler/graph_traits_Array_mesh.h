@@ -13,7 +13,7 @@
 
 #include "Array_mesh.h"
 
-#include <CGAL/PN_subdivision_3/Refinable_mesh_traits.h>
+#include <CGAL/PN_subdivision_3/meshes/Refinable_mesh_traits.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>

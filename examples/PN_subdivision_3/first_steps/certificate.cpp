@@ -11,7 +11,7 @@
 #include <CGAL/Gmpq.h>
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/rational_normals.h>
-#include <CGAL/PN_subdivision_3/reproduction.h>
+#include <CGAL/PN_certificates_3/reproduction.h>
 #include <CGAL/PN_subdivision_3/sqrt_extension_normals.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

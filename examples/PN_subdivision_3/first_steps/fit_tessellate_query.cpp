@@ -7,10 +7,10 @@
 // Author(s): PN_subdivision_3 developers
 
 // A surface through the points of a mesh, its triangles to a tolerance, and its point closest to the origin.
+#include <CGAL/PN_fitting_3/interpolate_limit_points.h>
+#include <CGAL/PN_limit_surface_3/Limit_surface_queries.h>
+#include <CGAL/PN_limit_surface_3/tessellate.h>
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/Limit_surface_queries.h>
-#include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
-#include <CGAL/PN_subdivision_3/tessellate.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>

@@ -7,8 +7,8 @@
 // Author(s): PN_subdivision_3 developers
 
 // A mesh of points becomes a surface for a renderer: points on the limit surface, and its normals.
+#include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>

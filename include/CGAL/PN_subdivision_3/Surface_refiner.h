@@ -11,7 +11,6 @@
 
 #include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Kept_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
@@ -26,6 +25,7 @@
 #include <CGAL/PN_subdivision_3/internal/refiner/Kept_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <cstddef>

@@ -9,11 +9,11 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ATTRIBUTES_H
 #define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_H
 
-#include <CGAL/PN_subdivision_3/Control_element.h>
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/parameters/Control_element.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>

@@ -9,12 +9,12 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ESTIMATE_CONTROL_NORMALS_H
 #define CGAL_PN_SUBDIVISION_3_ESTIMATE_CONTROL_NORMALS_H
 
-#include <CGAL/PN_subdivision_3/Estimated_control_normals.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/estimate_corner_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
+#include <CGAL/PN_subdivision_3/parameters/Estimated_control_normals.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -19,7 +19,7 @@ only. Included before anything of the package is called with the type, it makes 
 normals that have roots already, are refused. The umbrella header does not include it.
 */
 
-#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Sqrt_extension.h>

@@ -11,7 +11,7 @@
 #include "io/Error.h"
 #include "io/Text_reader.h"
 
-#include <CGAL/PN_subdivision_3/curves/recognize_arcs.h>
+#include <CGAL/PN_recognition_3/recognize_arcs.h>
 
 #include <algorithm>
 #include <new>

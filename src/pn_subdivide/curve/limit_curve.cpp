@@ -10,14 +10,14 @@
 
 #include "io/Error.h"
 
-#include <CGAL/PN_subdivision_3/curve_limit_points.h>
+#include <CGAL/PN_curves/curve_limit_points.h>
 
 #include <algorithm>
 #include <type_traits>
 #include <utility>
 
 #if __has_include(<Eigen/Core>)
-#  include <CGAL/PN_subdivision_3/interpolate_curve.h>
+#  include <CGAL/PN_fitting_3/interpolate_curve.h>
 #endif
 
 namespace pn_subdivide {

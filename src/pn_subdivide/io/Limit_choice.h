@@ -11,8 +11,8 @@
 
 #include "io/Report.h"
 
-#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation.h>
-#include <CGAL/PN_subdivision_3/limit/Limit_point.h>
+#include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
+#include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 
 #include <cstddef>
 #include <optional>

@@ -16,7 +16,7 @@
 #include "surface/surface_schemes.h"
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/PN_subdivision_3/refine_in_pieces.h>
+#include <CGAL/PN_limit_surface_3/refine_in_pieces.h>
 
 #include <cstddef>
 #include <cstdint>

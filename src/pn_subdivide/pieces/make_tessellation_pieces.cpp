@@ -12,7 +12,7 @@
 #include "surface/Tessellation_parameters.h"
 #include "surface/tessellate_surface.h"
 
-#include <CGAL/PN_subdivision_3/internal/tessellation/tessellate_in_pieces.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/tessellate_in_pieces.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>

@@ -13,7 +13,7 @@
 #include "io/selection.h"
 #include "surface/surface_schemes.h"
 
-#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 
 #include <limits>
 #include <optional>

@@ -16,7 +16,7 @@
 #include "surface/refine_surface.h"
 #include "surface/tessellate_surface.h"
 
-#include <CGAL/PN_subdivision_3/compare_with_linear.h>
+#include <CGAL/PN_certificates_3/compare_with_linear.h>
 
 #include <algorithm>
 #include <cmath>

@@ -13,7 +13,7 @@
 #include "surface/output_tags.h"
 #include "surface/surface_command.h"
 
-#include <CGAL/PN_subdivision_3/triangulate_planes.h>
+#include <CGAL/PN_recognition_3/triangulate_planes.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -11,8 +11,8 @@
 #include "surface/creases.h"
 #include "surface/refine_surface.h"
 
+#include <CGAL/PN_recognition_3/triangulate_planes.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
-#include <CGAL/PN_subdivision_3/triangulate_planes.h>
 
 #include <algorithm>
 #include <cmath>

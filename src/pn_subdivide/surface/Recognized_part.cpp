@@ -11,9 +11,9 @@
 #include "io/corner_normals.h"
 #include "surface/Wedges.h"
 
-#include <CGAL/PN_subdivision_3/internal/recognition/file_rounding.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
-#include <CGAL/PN_subdivision_3/recognize_surfaces.h>
+#include <CGAL/PN_recognition_3/internal/file_rounding.h>
+#include <CGAL/PN_recognition_3/recognize_surfaces.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>

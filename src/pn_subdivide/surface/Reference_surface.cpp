@@ -10,7 +10,7 @@
 
 #include "surface/Recognized_part.h"
 
-#include <CGAL/PN_subdivision_3/internal/recognition/Shape.h>
+#include <CGAL/PN_recognition_3/internal/Shape.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/boost/graph/iterator.h>

@@ -12,7 +12,7 @@
 #include "io/Mesh_data.h"
 #include "surface/Surface_type.h"
 
-#include <CGAL/PN_subdivision_3/Estimated_control_normals.h>
+#include <CGAL/PN_subdivision_3/parameters/Estimated_control_normals.h>
 
 #include <boost/property_map/property_map.hpp>
 

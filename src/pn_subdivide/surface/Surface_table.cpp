@@ -11,7 +11,7 @@
 #include "surface/Surface.h"
 #include "surface/output_tags.h"
 
-#include <CGAL/PN_subdivision_3/internal/recognition/Shape.h>
+#include <CGAL/PN_recognition_3/internal/Shape.h>
 
 #include <algorithm>
 #include <array>

@@ -16,8 +16,8 @@
 #include "surface/Surface.h"
 #include "surface/Wedges.h"
 
+#include <CGAL/PN_fitting_3/smooth_control_normals.h>
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/smooth_control_normals.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 
 #include "surface/cut_vertices.h"
 
-#include <CGAL/PN_subdivision_3/internal/recognition/Shape.h>
+#include <CGAL/PN_recognition_3/internal/Shape.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>

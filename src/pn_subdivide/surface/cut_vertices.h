@@ -11,7 +11,7 @@
 
 #include "surface/Surface.h"
 
-#include <CGAL/PN_subdivision_3/Recognized_surface.h>
+#include <CGAL/PN_recognition_3/surfaces/Recognized_surface.h>
 
 #include <cstddef>
 #include <vector>

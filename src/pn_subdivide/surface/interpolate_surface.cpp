@@ -14,7 +14,7 @@
 #include <CGAL/PN_subdivision_3.h>
 
 #if __has_include(<Eigen/Core>)
-#  include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
+#  include <CGAL/PN_fitting_3/interpolate_limit_points.h>
 #endif
 
 #ifdef CGAL_LINKED_WITH_TBB

@@ -11,7 +11,7 @@
 #include "io/Error.h"
 #include "surface/Scheme.h"
 
-#include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_limit_surface_3/limit_points.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -10,7 +10,7 @@
 
 #include "surface/Surface.h"
 
-#include <CGAL/PN_subdivision_3/curves/recognize_arcs.h>
+#include <CGAL/PN_recognition_3/recognize_arcs.h>
 
 #include <algorithm>
 #include <cmath>

@@ -13,7 +13,7 @@
 #include "surface/Tessellation_parameters.h"
 #include "surface/surface_command.h"
 
-#include <CGAL/PN_subdivision_3/tessellate.h>
+#include <CGAL/PN_limit_surface_3/tessellate.h>
 
 #include <cstdio>
 #include <utility>

@@ -15,7 +15,7 @@
 #include "surface/creases.h"
 #include "surface/surface_schemes.h"
 
-#include <CGAL/PN_subdivision_3/Tessellation_result.h>
+#include <CGAL/PN_limit_surface_3/tessellation/Tessellation_result.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
 
 #include <array>

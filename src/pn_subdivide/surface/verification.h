@@ -14,7 +14,7 @@
 #include "io/curve_io.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/PN_subdivision_3/reproduction.h>
+#include <CGAL/PN_certificates_3/reproduction.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cstdio>

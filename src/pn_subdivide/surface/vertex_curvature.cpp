@@ -14,7 +14,7 @@
 #include "surface/limit_surface.h"
 
 #if __has_include(<Eigen/Core>)
-#  include <CGAL/PN_subdivision_3/estimate_curvature.h>
+#  include <CGAL/PN_limit_surface_3/estimate_curvature.h>
 
 #  include <boost/property_map/property_map.hpp>
 #endif

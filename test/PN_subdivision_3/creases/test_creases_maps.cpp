@@ -8,10 +8,10 @@
 // What maps of sharpness and of tangents may hold: integers whose largest value means for ever, tangents that somebody
 // has set.
 
-#include <CGAL/PN_subdivision_3/average/Crease_average.h>
+#include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
+#include <CGAL/PN_subdivision_3/creases/Crease_average.h>
 #include <CGAL/PN_subdivision_3/detect_creases.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>

@@ -16,7 +16,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Gmpfr.h>
 #include <CGAL/Interval_nt.h>
-#include <CGAL/PN_subdivision_3/average/Crease_average.h>
+#include <CGAL/PN_subdivision_3/creases/Crease_average.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>

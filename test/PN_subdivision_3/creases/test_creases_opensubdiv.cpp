@@ -16,8 +16,8 @@
 
 #  include "OpenSubdiv_peer.h"
 
+#  include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #  include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#  include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 namespace {
 

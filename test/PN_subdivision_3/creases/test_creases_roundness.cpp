@@ -8,7 +8,7 @@
 
 // Roundness of wedges and creases from points and tags alone.
 
-#include <CGAL/PN_subdivision_3/compare_with_linear.h>
+#include <CGAL/PN_certificates_3/compare_with_linear.h>
 #include <CGAL/PN_subdivision_3/detect_creases.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>

@@ -12,9 +12,9 @@
 #include "Random_creases.h"
 #include "reference/Crease_rule.h"
 
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <gtest/gtest.h>
 

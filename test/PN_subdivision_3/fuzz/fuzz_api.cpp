@@ -9,9 +9,9 @@
 // valid manifold with finite points and unit or zero normals, or an exception with a message is thrown and the
 // mesh is as it was. Sanitizers watch the rest.
 
+#include <CGAL/PN_limit_surface_3/limit_points.h>
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
-#include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>

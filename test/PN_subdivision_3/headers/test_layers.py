@@ -63,7 +63,7 @@ class Layers(unittest.TestCase):
 
     def test_arrow_that_has_gone_is_still_marked(self) -> None:
         path = self.headers / "refine_in_pieces.h"
-        path.write_text(path.read_text().replace("#include <CGAL/PN_subdivision_3/limit/Limit_point.h>\n", ""))
+        path.write_text(path.read_text().replace("#include <CGAL/PN_limit_surface_3/limit/Limit_point.h>\n", ""))
         (wrong,) = check_layers.check(self.root)
         self.assertRegex(wrong, r"of !limit:\d+ of pieces, \d+ are left")
 

@@ -13,9 +13,9 @@
 #ifdef CGAL_USE_MPFI
 
 #  include <CGAL/Gmpq.h>
+#  include <CGAL/PN_certificates_3/enclose.h>
 #  include <CGAL/PN_subdivision_3.h>
 #  include <CGAL/PN_subdivision_3/boost_multiprecision_floats.h>
-#  include <CGAL/PN_subdivision_3/enclose.h>
 
 #  include <cstddef>
 #  include <stdexcept>

@@ -11,10 +11,10 @@
 #include "Feature_matrix.h"
 #include "Pieces_cases.h"
 
+#include <CGAL/PN_limit_surface_3/refine_in_pieces.h>
+#include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
-#include <CGAL/PN_subdivision_3/refine_in_pieces.h>
-#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 
 #include <algorithm>
 #include <cmath>

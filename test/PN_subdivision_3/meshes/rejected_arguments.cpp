@@ -9,14 +9,14 @@
 // Calls that must not compile, each with the line that the compiler is to say. The test
 // rejected_arguments compiles this file and looks for the lines; nothing else may be an error.
 
+#include <CGAL/PN_certificates_3/compare_with_linear.h>
+#include <CGAL/PN_limit_surface_3/Limit_surface.h>
+#include <CGAL/PN_limit_surface_3/limit_points.h>
+#include <CGAL/PN_limit_surface_3/refine_in_pieces.h>
+#include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/Limit_surface.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
-#include <CGAL/PN_subdivision_3/compare_with_linear.h>
-#include <CGAL/PN_subdivision_3/limit_points.h>
-#include <CGAL/PN_subdivision_3/refine_in_pieces.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
-#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

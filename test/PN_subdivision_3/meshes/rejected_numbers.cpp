@@ -10,10 +10,10 @@
 
 #include <CGAL/Gmpz.h>
 #include <CGAL/Mpzf.h>
+#include <CGAL/PN_certificates_3/reproduction.h>
+#include <CGAL/PN_limit_surface_3/limit_points.h>
+#include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/limit_points.h>
-#include <CGAL/PN_subdivision_3/reproduction.h>
-#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_curve.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Simple_homogeneous.h>

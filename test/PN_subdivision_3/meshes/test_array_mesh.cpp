@@ -12,7 +12,7 @@
 
 #include "../../../demo/PN_subdivision_3/modeler/graph_traits_Array_mesh.h"
 
-#include <CGAL/PN_subdivision_3/estimate_curvature.h>
+#include <CGAL/PN_limit_surface_3/estimate_curvature.h>
 
 #include <limits>
 #include <stdexcept>

@@ -10,11 +10,11 @@
 
 #include "support/Exact_rational.h"
 
-#include <CGAL/PN_subdivision_3/compare_with_linear.h>
+#include <CGAL/PN_certificates_3/compare_with_linear.h>
 
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>

@@ -11,15 +11,15 @@
 #include "support/Temporary_folder.h"
 
 #include <CGAL/Gmpq.h>
+#include <CGAL/PN_certificates_3/reproduction.h>
+#include <CGAL/PN_fitting_3/interpolate_limit_points.h>
+#include <CGAL/PN_limit_surface_3/Limit_surface_queries.h>
+#include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
+#include <CGAL/PN_limit_surface_3/tessellate.h>
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/Limit_surface_queries.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
-#include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
 #include <CGAL/PN_subdivision_3/rational_normals.h>
-#include <CGAL/PN_subdivision_3/reproduction.h>
 #include <CGAL/PN_subdivision_3/sqrt_extension_normals.h>
-#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
-#include <CGAL/PN_subdivision_3/tessellate.h>
 #include <CGAL/PN_subdivision_curve.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

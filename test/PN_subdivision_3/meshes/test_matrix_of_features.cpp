@@ -15,8 +15,8 @@
 #include "Feature_matrix.h"
 #include "support/Options.h"
 
+#include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
-#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 
 #include <functional>
 #include <string>

@@ -9,9 +9,9 @@
 // Meshes with edges without length, coincident points and faces without area: what becomes of them turns with them, in each of
 // the 48 exact ways to exchange and reflect the axes, and does not depend on numbers of vertices and faces and first corners.
 
+#include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
+#include <CGAL/PN_limit_surface_3/tessellate.h>
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
-#include <CGAL/PN_subdivision_3/tessellate.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

@@ -7,8 +7,8 @@
 // Author(s): PN_subdivision_3 developers
 // What visitors are called for, and what is kept alive while it is referred to.
 
-#include <CGAL/PN_subdivision_3/Default_visitor.h>
-#include <CGAL/PN_subdivision_3/refine_in_pieces.h>
+#include <CGAL/PN_limit_surface_3/refine_in_pieces.h>
+#include <CGAL/PN_subdivision_3/parameters/Default_visitor.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>

@@ -14,7 +14,7 @@
 #include "support/Exact_rational.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/PN_subdivision_3/compare_with_linear.h>
+#include <CGAL/PN_certificates_3/compare_with_linear.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 

@@ -13,9 +13,9 @@
 #include "Sampled_surfaces.h"
 #include "support/Exact_rational.h"
 
+#include <CGAL/PN_fitting_3/smooth_control_normals.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/smooth_control_normals.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

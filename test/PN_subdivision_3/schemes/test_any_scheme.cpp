@@ -11,17 +11,17 @@
 #include "Mesh_cases.h"
 #include "support/Options.h"
 
+#include <CGAL/PN_fitting_3/interpolate_limit_points.h>
+#include <CGAL/PN_limit_surface_3/Limit_surface.h>
+#include <CGAL/PN_limit_surface_3/refine_in_pieces.h>
+#include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/Limit_surface.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/PN_subdivision_3/analysis/extraordinary_eigenvalues.h>
 #include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
-#include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
-#include <CGAL/PN_subdivision_3/refine_in_pieces.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/estimated_row_entries.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
-#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>

@@ -8,10 +8,10 @@
 // Points and normals of a surface as control data: the orders of the manual's page "Approximation Order", by
 // nets that shrink. The surface is known in closed form; no digits of errors are compared.
 
-#include "../../examples/PN_subdivision_3/Order_curves.h"
-#include "../../examples/PN_subdivision_3/Order_limits.h"
+#include "../../examples/PN_certificates_3/Order_curves.h"
+#include "../../examples/PN_certificates_3/Order_limits.h"
 
-#include <CGAL/PN_subdivision_3/curves/curve_masks.h>
+#include <CGAL/PN_curves/masks/curve_masks.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
 
 #include <gtest/gtest.h>

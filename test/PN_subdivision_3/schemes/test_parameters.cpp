@@ -9,17 +9,17 @@
 // Named parameters of the package: chained with each other and with those of CGAL, and what they say of the border and of
 // creases.
 
+#include <CGAL/PN_limit_surface_3/limit_points.h>
+#include <CGAL/PN_limit_surface_3/refine_in_pieces.h>
+#include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
-#include <CGAL/PN_subdivision_3/limit_points.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
-#include <CGAL/PN_subdivision_3/refine_in_pieces.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
-#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3/subdivision_methods_3.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -11,10 +11,10 @@
 #include "support/Options.h"
 
 #include <CGAL/Gmpq.h>
+#include <CGAL/PN_limit_surface_3/refine_in_pieces.h>
+#include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
-#include <CGAL/PN_subdivision_3/refine_in_pieces.h>
-#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>

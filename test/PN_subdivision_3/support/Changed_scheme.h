@@ -12,7 +12,7 @@
 #define CGAL_PN_SUBDIVISION_3_TEST_CHANGED_SCHEME_H
 
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 
 template <class Mask, class FT>
 struct Changed_mask

@@ -15,7 +15,7 @@
 #include "Random_creases.h"
 #include "Tagged_meshes.h"
 
-#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
+#include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>

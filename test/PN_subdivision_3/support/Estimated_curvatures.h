@@ -13,7 +13,7 @@
 
 #include "Curved_surfaces.h"
 
-#include <CGAL/PN_subdivision_3/estimate_curvature.h>
+#include <CGAL/PN_limit_surface_3/estimate_curvature.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

@@ -15,7 +15,7 @@
 #include "Limit_cases.h"
 #include "Options.h"
 
-#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation.h>
+#include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 
 namespace interpolation_cases {
 

@@ -15,7 +15,7 @@
 #include "Scheme_runs.h"
 #include "reference/Limit.h"
 
-#include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_limit_surface_3/limit_points.h>
 
 namespace limit_cases {
 

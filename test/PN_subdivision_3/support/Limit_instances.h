@@ -13,7 +13,7 @@
 
 #include "Instances.h"
 
-#include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
+#include <CGAL/PN_fitting_3/interpolate_limit_points.h>
 #include <CGAL/PN_subdivision_limit_3.h>
 
 #include <Eigen/Dense>

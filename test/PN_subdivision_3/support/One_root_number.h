@@ -13,7 +13,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_ONE_ROOT_NUMBER_H
 #define CGAL_PN_SUBDIVISION_3_TEST_ONE_ROOT_NUMBER_H
 
-#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 
 #include <CGAL/Coercion_traits.h>
 #include <CGAL/Gmpq.h>

@@ -11,7 +11,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_PN_MASK_3_CASES_H
 #define CGAL_PN_SUBDIVISION_3_TEST_PN_MASK_3_CASES_H
 
-#include <CGAL/PN_subdivision_3/PN_mask_3.h>
+#include <CGAL/PN_cgal_masks_3/PN_mask_3.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/boost/graph/properties.h>

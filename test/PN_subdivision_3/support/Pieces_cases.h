@@ -12,8 +12,8 @@
 #include "Mesh_cases.h"
 #include "Random_meshes.h"
 
+#include <CGAL/PN_limit_surface_3/refine_in_pieces.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
-#include <CGAL/PN_subdivision_3/refine_in_pieces.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -14,7 +14,7 @@
 #include "Interpolation_cases.h"
 #include "Options.h"
 
-#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation.h>
+#include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 
 #include <optional>
 

@@ -9,7 +9,7 @@
 #ifndef PN_SUBDIVISION_3_TEST_TESSELLATION_PIECE_CASES_H
 #define PN_SUBDIVISION_3_TEST_TESSELLATION_PIECE_CASES_H
 
-#include <CGAL/PN_subdivision_3/internal/tessellation/tessellate_in_pieces.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/tessellate_in_pieces.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

@@ -9,8 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_PANEL_H
 #define CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_PANEL_H
 
+#include <CGAL/PN_curves/masks/Curve_end.h>
 #include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
-#include <CGAL/PN_subdivision_3/curves/Curve_end.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -9,8 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_ANALYSIS_H
 #define CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_ANALYSIS_H
 
-#include <CGAL/PN_subdivision_3/internal/curves/Curve_points.h>
-#include <CGAL/PN_subdivision_3/internal/curves/Univariate_rows.h>
+#include <CGAL/PN_curves/internal/Curve_points.h>
+#include <CGAL/PN_curves/internal/Univariate_rows.h>
 
 #include <algorithm>
 #include <array>

@@ -9,12 +9,12 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_EXTRAORDINARY_CURVATURE_H
 #define CGAL_PN_SUBDIVISION_3_ANALYSIS_EXTRAORDINARY_CURVATURE_H
 
+#include <CGAL/PN_limit_surface_3/curvature/Extraordinary_net.h>
+#include <CGAL/PN_limit_surface_3/internal/curvature/Extraordinary_limit.h>
+#include <CGAL/PN_limit_surface_3/internal/curvature/Regular_jet.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/curvature/Extraordinary_net.h>
-#include <CGAL/PN_subdivision_3/internal/curvature/Extraordinary_limit.h>
-#include <CGAL/PN_subdivision_3/internal/curvature/Regular_jet.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>

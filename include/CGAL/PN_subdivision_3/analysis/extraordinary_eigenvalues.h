@@ -9,10 +9,10 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_EXTRAORDINARY_EIGENVALUES_H
 #define CGAL_PN_SUBDIVISION_3_ANALYSIS_EXTRAORDINARY_EIGENVALUES_H
 
-#include <CGAL/PN_subdivision_3/internal/curvature/Extraordinary_limit.h>
+#include <CGAL/PN_limit_surface_3/internal/curvature/Extraordinary_limit.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
-#include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>

@@ -9,9 +9,9 @@
 #ifndef CGAL_PN_SUBDIVISION_3_HOSTS_DQQ_HOST_H
 #define CGAL_PN_SUBDIVISION_3_HOSTS_DQQ_HOST_H
 
-#include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/numberings.h>
+#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/container/vector.hpp>
 

@@ -9,11 +9,11 @@
 #ifndef CGAL_PN_SUBDIVISION_3_HOSTS_PTQ_HOST_H
 #define CGAL_PN_SUBDIVISION_3_HOSTS_PTQ_HOST_H
 
-#include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/numberings.h>
+#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

@@ -9,10 +9,10 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_ANY_SCHEME_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_ANY_SCHEME_H
 
-#include <CGAL/PN_subdivision_3/internal/hosts/Level_origins.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Level_origins.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Scheme_on_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 
 #include <string>
 #include <type_traits>

@@ -9,8 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_BILINEAR_SCHEME_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_BILINEAR_SCHEME_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
 #include <CGAL/PN_subdivision_3/schemes/Midpoint_scheme.h>
 

@@ -9,9 +9,9 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_CATMULLCLARK_SCHEME_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_CATMULLCLARK_SCHEME_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
 
 namespace CGAL {

@@ -10,10 +10,10 @@
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_DOOSABIN_SCHEME_H
 
 #include <CGAL/PN_subdivision_3/hosts/DQQ_host.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
-#include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
 
 #include <cstddef>
 #include <map>

@@ -9,11 +9,11 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_GRID_CATMULLCLARK_SCHEME_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_GRID_CATMULLCLARK_SCHEME_H
 
-#include <CGAL/PN_subdivision_3/average/Grid_average.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Grid_average.h>
 
 #include <array>
 

@@ -9,13 +9,13 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_KOBBELT_SCHEME_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_KOBBELT_SCHEME_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Merged_row.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
-#include <CGAL/PN_subdivision_3/schemes/Scheme_parameter.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/Scheme_parameter.h>
 #include <CGAL/Uncertain.h>
 
 #include <stdexcept>

@@ -9,10 +9,10 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_SQRT3_SCHEME_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_SQRT3_SCHEME_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
-#include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

@@ -9,14 +9,14 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_TUNED_CATMULLCLARK_SCHEME_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_TUNED_CATMULLCLARK_SCHEME_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/Weight_number.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Weight_number.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/Scheme_parameter.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
-#include <CGAL/PN_subdivision_3/schemes/Scheme_parameter.h>
 
 #include <array>
 #include <cstddef>

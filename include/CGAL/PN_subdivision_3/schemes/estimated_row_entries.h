@@ -9,9 +9,9 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_ESTIMATED_ROW_ENTRIES_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_ESTIMATED_ROW_ENTRIES_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

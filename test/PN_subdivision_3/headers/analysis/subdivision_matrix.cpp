@@ -9,8 +9,8 @@
 #include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
 
 #include "mesh.h"
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 using namespace CGAL::PN_subdivision_3;
 

@@ -9,11 +9,11 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIED_THROUGH_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIED_THROUGH_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <cstddef>
 #include <memory>

@@ -9,12 +9,12 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIER_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIER_H
 
-#include <CGAL/PN_subdivision_3/Control_element.h>
-#include <CGAL/PN_subdivision_3/Default_visitor.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
-#include <CGAL/PN_subdivision_3/internal/hosts/Level_origins.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Level_origins.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/parameters/Control_element.h>
+#include <CGAL/PN_subdivision_3/parameters/Default_visitor.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -10,11 +10,11 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CHARTS_H
 
 #include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <cstddef>
 #include <utility>

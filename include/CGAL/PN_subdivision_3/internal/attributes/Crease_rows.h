@@ -9,7 +9,6 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CREASE_ROWS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CREASE_ROWS_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
@@ -17,6 +16,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
 #include <array>

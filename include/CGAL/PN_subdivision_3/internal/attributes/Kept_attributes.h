@@ -10,7 +10,6 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_KEPT_ATTRIBUTES_H
 
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Carried_through.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
@@ -18,11 +17,12 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/hosts/Level_origins.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Level_origins.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 
 #include <boost/container/vector.hpp>
 #include <boost/property_map/property_map.hpp>

@@ -9,8 +9,6 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_LINEAR_CORNERS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_LINEAR_CORNERS_H
 
-#include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Crease_rows.h>
@@ -19,6 +17,8 @@
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <array>
 #include <cstddef>

@@ -10,9 +10,9 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_MAP_VALUES_H
 
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/assertions.h>
 
 #include <boost/container/vector.hpp>

@@ -9,10 +9,10 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_NEAREST_VALUES_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_NEAREST_VALUES_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <CGAL/number_type_basic.h>
 

@@ -9,18 +9,18 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_READ_ATTRIBUTES_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_READ_ATTRIBUTES_H
 
-#include <CGAL/PN_subdivision_3/Control_element.h>
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Nearest_values.h>
-#include <CGAL/PN_subdivision_3/internal/hosts/Level_origins.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Level_origins.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/parameters/Control_element.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -10,8 +10,8 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_LOCAL_FRAME_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/average/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 
 #include <algorithm>
 #include <array>

@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_KERNEL_CHECKS_H
 
 #include <CGAL/Algebraic_structure_traits.h>
-#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
 #include <CGAL/Real_embeddable_traits.h>
 #include <CGAL/representation_tags.h>
 #include <CGAL/tags.h>

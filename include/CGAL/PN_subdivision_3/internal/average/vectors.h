@@ -10,9 +10,9 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_VECTORS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
-#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
-#include <CGAL/PN_subdivision_3/internal/average/number_functions.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
+#include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/utils.h>

@@ -10,12 +10,12 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CALLS_CONCEPT_CHECKS_H
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/property_map_checks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>

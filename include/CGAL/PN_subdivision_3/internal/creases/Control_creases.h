@@ -10,8 +10,6 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_CREASES_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Control_tangents.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
@@ -20,7 +18,9 @@
 #include <CGAL/PN_subdivision_3/internal/normals/area_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/roundness.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,13 +10,13 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_TANGENTS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
-#include <CGAL/PN_subdivision_3/internal/average/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/normals/roundness.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 
 #include <array>
 #include <cmath>

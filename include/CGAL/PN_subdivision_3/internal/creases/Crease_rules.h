@@ -9,16 +9,16 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASE_RULES_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASE_RULES_H
 
-#include <CGAL/PN_subdivision_3/average/Crease_average.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/creases/Crease_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/Uncertain.h>
 
 #include <algorithm>

@@ -10,10 +10,10 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASES_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
 #include <array>

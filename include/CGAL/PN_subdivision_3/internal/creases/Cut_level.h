@@ -9,8 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CUT_LEVEL_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CUT_LEVEL_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <utility>
 #include <vector>

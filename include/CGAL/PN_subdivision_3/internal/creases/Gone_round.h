@@ -9,8 +9,6 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_ROUND_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_ROUND_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
@@ -18,7 +16,9 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Gone_creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -9,10 +9,10 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_SMOOTH_ROWS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_SMOOTH_ROWS_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/scheme_traits.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <CGAL/number_type_basic.h>
 

@@ -9,11 +9,11 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_MAKE_CREASES_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_MAKE_CREASES_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_CHECK_CONNECTIVITY_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_CHECK_CONNECTIVITY_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
 #include <cstdint>

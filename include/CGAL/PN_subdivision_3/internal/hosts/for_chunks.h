@@ -9,8 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_FOR_CHUNKS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_FOR_CHUNKS_H
 
-#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 
 #include <CGAL/tags.h>
 

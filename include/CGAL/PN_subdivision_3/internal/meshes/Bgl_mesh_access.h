@@ -9,9 +9,9 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_BGL_MESH_ACCESS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_BGL_MESH_ACCESS_H
 
-#include <CGAL/PN_subdivision_3/Refinable_mesh_traits.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/meshes/Refinable_mesh_traits.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/graph/graph_traits.hpp>

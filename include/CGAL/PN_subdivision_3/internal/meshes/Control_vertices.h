@@ -9,8 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONTROL_VERTICES_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONTROL_VERTICES_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/own_parameters.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>

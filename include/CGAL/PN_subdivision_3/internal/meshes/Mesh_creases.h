@@ -10,7 +10,6 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_CREASES_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Gone_creases.h>
@@ -22,7 +21,8 @@
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 
 #include <algorithm>
 #include <cstddef>

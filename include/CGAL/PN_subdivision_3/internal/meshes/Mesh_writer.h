@@ -10,13 +10,13 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_WRITER_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/property_map/property_map.hpp>
 

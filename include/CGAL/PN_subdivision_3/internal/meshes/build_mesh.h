@@ -9,9 +9,9 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_BUILD_MESH_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_BUILD_MESH_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/property_map/property_map.hpp>
 

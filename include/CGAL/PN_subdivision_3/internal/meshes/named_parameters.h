@@ -10,12 +10,12 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NAMED_PARAMETERS_H
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/PN_subdivision_3/Default_visitor.h>
-#include <CGAL/PN_subdivision_3/Estimated_control_normals.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/parameters/Default_visitor.h>
+#include <CGAL/PN_subdivision_3/parameters/Estimated_control_normals.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>

@@ -10,7 +10,6 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_COHERENT_ESTIMATION_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Lift_above_neighbors.h>
@@ -18,6 +17,7 @@
 #include <CGAL/PN_subdivision_3/internal/normals/Spread_of_arcs.h>
 #include <CGAL/PN_subdivision_3/internal/normals/area_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/roundness.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,9 +10,9 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_FAN_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 
 #include <algorithm>
 #include <cmath>

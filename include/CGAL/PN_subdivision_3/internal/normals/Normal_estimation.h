@@ -10,12 +10,12 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_NORMAL_ESTIMATION_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/reciprocal_normals.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <cmath>
 #include <optional>

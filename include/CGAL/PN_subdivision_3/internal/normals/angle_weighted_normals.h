@@ -10,12 +10,12 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ANGLE_WEIGHTED_NORMALS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
-#include <CGAL/PN_subdivision_3/internal/average/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/cosine_of_number_type.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/cosine_of_number_type.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
 #include <cmath>

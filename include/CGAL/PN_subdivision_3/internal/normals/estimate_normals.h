@@ -10,13 +10,13 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ESTIMATE_NORMALS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Coherent_estimation.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
 #include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

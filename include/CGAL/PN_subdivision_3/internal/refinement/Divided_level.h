@@ -9,10 +9,10 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_DIVIDED_LEVEL_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_DIVIDED_LEVEL_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Whole_level.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
 #include <array>

@@ -9,11 +9,11 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_LEVEL_PART_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_LEVEL_PART_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <utility>
 #include <vector>

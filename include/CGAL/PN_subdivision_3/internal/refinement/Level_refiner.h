@@ -9,12 +9,12 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_LEVEL_REFINER_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_LEVEL_REFINER_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/container/vector.hpp>
 

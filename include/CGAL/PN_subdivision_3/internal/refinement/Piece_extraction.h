@@ -9,8 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_PIECE_EXTRACTION_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_PIECE_EXTRACTION_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/container/vector.hpp>
 

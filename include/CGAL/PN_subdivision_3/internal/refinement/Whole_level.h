@@ -10,11 +10,11 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_WHOLE_LEVEL_H
 
 #include <CGAL/PN_subdivision_3/hosts/DQQ_host.h>
-#include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/container/vector.hpp>
 

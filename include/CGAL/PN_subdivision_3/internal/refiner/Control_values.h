@@ -10,13 +10,13 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_CONTROL_VALUES_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -9,9 +9,9 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_REFINEMENT_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_REFINEMENT_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Control_values.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <cstddef>
 #include <vector>

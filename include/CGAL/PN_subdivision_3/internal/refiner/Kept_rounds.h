@@ -10,7 +10,6 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_ROUNDS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
@@ -22,6 +21,7 @@
 #include <CGAL/PN_subdivision_3/internal/refiner/Dependents.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Kept_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/container/vector.hpp>
 

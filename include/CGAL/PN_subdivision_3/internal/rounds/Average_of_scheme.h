@@ -8,11 +8,11 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_AVERAGE_OF_SCHEME_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_AVERAGE_OF_SCHEME_H
 
-#include <CGAL/PN_subdivision_3/average/Grid_average.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/scheme_traits.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/Grid_average.h>
 
 #include <type_traits>
 

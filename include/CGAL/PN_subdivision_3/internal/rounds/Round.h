@@ -9,15 +9,15 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_ROUND_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_ROUND_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Transferred_normals.h>
 #include <CGAL/PN_subdivision_3/internal/rows/PN_average_block.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>
 #include <CGAL/number_type_basic.h>

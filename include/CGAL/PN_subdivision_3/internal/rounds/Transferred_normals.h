@@ -10,10 +10,10 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_TRANSFERRED_NORMALS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_MERGED_ROW_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_MERGED_ROW_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>

@@ -9,10 +9,10 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_RING_TUNING_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_RING_TUNING_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
-#include <CGAL/PN_subdivision_3/schemes/Scheme_parameter.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/Scheme_parameter.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/Uncertain.h>
 
 #include <algorithm>

@@ -10,17 +10,17 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SCHEME_ON_HOST_H
 
 #include <CGAL/PN_subdivision_3/hosts/DQQ_host.h>
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/scheme_traits.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 
 #include <functional>
 #include <memory>

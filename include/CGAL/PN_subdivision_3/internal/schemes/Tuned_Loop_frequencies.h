@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_TUNED_LOOP_FREQUENCIES_H
 
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
-#include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
 #include <CGAL/Uncertain.h>
 
 #include <cstddef>

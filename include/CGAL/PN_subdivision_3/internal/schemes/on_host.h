@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 
 #include <stdexcept>
 #include <string>

@@ -9,8 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SCHEME_FACTS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SCHEME_FACTS_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/scheme_traits.h>
+#include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
 
 #include <algorithm>

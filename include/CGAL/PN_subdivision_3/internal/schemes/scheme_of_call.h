@@ -10,9 +10,9 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SCHEME_OF_CALL_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/scheme_traits.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/Uncertain.h>
 
 #include <array>

@@ -1,0 +1,296 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_CGAL_MASKS_3_INTERNAL_MASKED_ROUND_H
+#define CGAL_PN_CGAL_MASKS_3_INTERNAL_MASKED_ROUND_H
+
+#include <CGAL/Origin.h>
+#include <CGAL/PN_cgal_masks_3/internal/Cgal_ordered_host.h>
+#include <CGAL/PN_subdivision_3/hosts/DQQ_host.h>
+#include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
+#include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
+#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/meshes/Refinable_mesh_traits.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// every new vertex is a copy of an old one
+class Copying_mask
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  explicit Copying_mask(const Level_connectivity& level)
+    : level_(level)
+  {}
+
+  template <class Stencil>
+  void vertex(Index v, Stencil& s) const
+  {
+    s.add(v, 1);
+  }
+  template <class Stencil>
+  void edge(Index e, Stencil& s) const
+  {
+    s.add(level_.target(Level_connectivity::halfedge_of_edge(e)), 1);
+  }
+  template <class Stencil>
+  void face(Index f, Stencil& s) const
+  {
+    s.add(level_.target(level_.halfedge_of_face(f)), 1);
+  }
+  template <class Stencil>
+  void corner(Index h, Stencil& s) const
+  {
+    s.add(level_.target(h), 1);
+  }
+  template <class Stencil>
+  void border_vertex(Index h, Stencil& s) const
+  {
+    s.add(level_.target(h), 1);
+  }
+  template <class Stencil>
+  void border_edge(Index h, Index, Stencil& s) const
+  {
+    s.add(level_.target(h), 1);
+  }
+
+private:
+  const Level_connectivity& level_;
+};
+
+template <class Host_>
+struct Copying_scheme
+{
+  using Host = Host_;
+  template <class FT>
+  Copying_mask mask(const Level_connectivity& level, unsigned /*round*/) const
+  {
+    return Copying_mask(level);
+  }
+};
+
+// in the place of points that others compute
+template <class Vertex>
+struct No_points
+{
+  using key_type = Vertex;
+  using value_type = Simple_cartesian<double>::Point_3;
+  using reference = value_type;
+  using category = boost::read_write_property_map_tag;
+
+  friend value_type get(const No_points&, const Vertex&) { return value_type(ORIGIN); }
+  friend void put(const No_points&, const Vertex&, const value_type&) {}
+};
+
+template <class Mesh>
+constexpr bool recycles_v = Refinable_mesh_traits<Mesh>::recycles;
+
+// Refines the connectivity of a mesh as the host does, in the order of CGAL's; points stay as they are.
+template <class Host, class Mesh>
+void refine_connectivity(Mesh& mesh)
+{
+  using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
+  PN_subdivision_3::subdivide(mesh,
+                              linear(Copying_scheme<Cgal_ordered_host<Host, recycles_v<Mesh>>>()),
+                              CGAL::parameters::vertex_point_map(No_points<Vertex>()));
+}
+
+// Rounds with a geometry policy of CGAL's. All its nodes are computed before the mesh is touched, in the order in which
+// CGAL's hosts ask for them; what it does not set, such as vertices without edges, stays as it is.
+template <class Mesh, class Point_map, class Mask>
+class Masked_round
+{
+  using Traits = boost::graph_traits<Mesh>;
+  using Vertex = typename Traits::vertex_descriptor;
+  using Halfedge = typename Traits::halfedge_descriptor;
+  using Point = typename boost::property_traits<Point_map>::value_type;
+
+public:
+  // the mask is a copy, as that of CGAL's hosts
+  Masked_round(Mesh& mesh, Point_map points, const Mask& mask)
+    : mesh_(mesh)
+    , points_(points)
+    , mask_(mask)
+
+    , index_(get(dynamic_vertex_property_t<std::size_t>(), mesh))
+  {
+    for (Vertex v : vertices(mesh_)) {
+      put(index_, v, nodes_.size());
+      nodes_.push_back(get(points_, v));
+    }
+    is_on_border_.assign(nodes_.size(), false);
+  }
+
+  void pqq()
+  {
+    std::vector<Point> of_faces;
+    for (auto f : faces(mesh_)) {
+      of_faces.push_back(some_point(f));
+      mask_.face_node(f, of_faces.back());
+    }
+    edges_and_vertices();
+    nodes_.insert(nodes_.end(), of_faces.begin(), of_faces.end());
+    refine<PQQ_host>();
+  }
+
+  void ptq()
+  {
+    edges_and_vertices();
+    refine<PTQ_host>();
+  }
+
+  void dqq()
+  {
+    nodes_.clear();
+    for (Vertex v : vertices(mesh_)) {
+      const Halfedge first = first_around(v);
+      if (first == Traits::null_halfedge()) continue;
+      Halfedge h = first;
+      do {
+        if (!CGAL::is_border(h, mesh_)) {
+          nodes_.push_back(get(points_, target(h, mesh_)));
+          mask_.corner_node(h, nodes_.back());
+        }
+        h = opposite(next(h, mesh_), mesh_);
+      } while (h != first);
+    }
+    refine<DQQ_host>();
+  }
+
+  void sqrt3(bool refines_border)
+  {
+    const std::vector<Point> old = nodes_;
+    for (auto f : faces(mesh_)) {
+      const Halfedge h = refines_border ? border_side(halfedge(f, mesh_)) : Traits::null_halfedge();
+      if (h == Traits::null_halfedge()) {
+        nodes_.push_back(some_point(f));
+        mask_.face_node(f, nodes_.back());
+        continue;
+      }
+      const std::size_t v = get(index_, target(h, mesh_));
+      Point first = nodes_[v], second = nodes_[v], at = old[v];
+      mask_.border_node(h, first, second, at);
+      nodes_[v] = at;
+      nodes_.push_back(second);
+      nodes_.push_back(first);
+    }
+    std::size_t i = 0;
+    for (Vertex v : vertices(mesh_)) {
+      if (!is_isolated(v) && !is_border_vertex(v)) mask_.vertex_node(v, nodes_[i]);
+      ++i;
+    }
+    if (refines_border)
+      refine<Border_refining_sqrt3_host>();
+    else
+      refine<Sqrt3_host>();
+  }
+
+private:
+  // the second round of sqrt(3)
+  struct Border_refining_sqrt3_host : Sqrt3_host
+  {
+    Border_refining_sqrt3_host(const Level_connectivity& level, unsigned)
+      : Sqrt3_host(level, 2)
+    {}
+    static Level_size refined_size(const Level_size& size, unsigned)
+    {
+      return Sqrt3_host::refined_size(size, 2);
+    }
+  };
+
+  template <class Face>
+  Point some_point(Face f) const
+  {
+    return get(points_, target(halfedge(f, mesh_), mesh_));
+  }
+  bool is_isolated(Vertex v) const { return halfedge(v, mesh_) == Traits::null_halfedge(); }
+  bool is_border_vertex(Vertex v) const { return CGAL::is_border(first_around(v), mesh_); }
+
+  // a half-edge to v, on the border if v is
+  Halfedge first_around(Vertex v) const
+  {
+    const Halfedge first = halfedge(v, mesh_);
+    if (first == Traits::null_halfedge()) return first;
+    Halfedge h = first;
+    do {
+      if (CGAL::is_border(h, mesh_)) return h;
+      h = opposite(next(h, mesh_), mesh_);
+    } while (h != first);
+    return first;
+  }
+
+  Halfedge border_side(Halfedge first) const
+  {
+    Halfedge h = first;
+    do {
+      if (CGAL::is_border(opposite(h, mesh_), mesh_)) return h;
+      h = next(h, mesh_);
+    } while (h != first);
+    return Traits::null_halfedge();
+  }
+
+  void edges_and_vertices()
+  {
+    const std::size_t number = nodes_.size();
+    for (auto e : edges(mesh_)) {
+      Halfedge h = halfedge(e, mesh_);
+      nodes_.push_back(get(points_, target(h, mesh_)));
+      Point& node = nodes_.back();
+      if (!CGAL::is_border(h, mesh_) && !CGAL::is_border(opposite(h, mesh_), mesh_)) {
+        mask_.edge_node(h, node);
+        continue;
+      }
+      if (CGAL::is_border(h, mesh_)) h = opposite(h, mesh_);
+      const std::size_t v = get(index_, target(h, mesh_));
+      mask_.border_node(h, node, nodes_[v]);
+      is_on_border_[v] = true;
+    }
+    std::size_t i = 0;
+    for (Vertex v : vertices(mesh_)) {
+      if (!is_on_border_[i] && !is_isolated(v)) mask_.vertex_node(v, nodes_[i]);
+      if (++i == number) break;
+    }
+  }
+
+  template <class Host>
+  void refine()
+  {
+    refine_connectivity<Host>(mesh_);
+    std::size_t i = 0;
+    for (Vertex v : vertices(mesh_)) put(points_, v, nodes_[i++]);
+  }
+
+  Mesh& mesh_;
+  Point_map points_;
+  Mask mask_;
+  std::vector<Point>
+    nodes_; // of the vertices, then of what becomes one, in the order of the refined mesh
+  std::vector<bool> is_on_border_;
+  typename boost::property_map<Mesh, dynamic_vertex_property_t<std::size_t>>::type index_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_CGAL_MASKS_3_INTERNAL_MASKED_ROUND_H

@@ -1,0 +1,295 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_CURVES_INTERNAL_CURVE_SUBDIVISION_H
+#define CGAL_PN_CURVES_INTERNAL_CURVE_SUBDIVISION_H
+
+#include <CGAL/PN_curves/internal/Univariate_rows.h>
+#include <CGAL/PN_curves/masks/curve_masks.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/rows/PN_average_block.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
+#include <CGAL/Uncertain.h>
+
+#include <boost/container/vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+template <class Mask>
+struct Is_linear_mask : std::false_type
+{};
+template <class Mask>
+struct Is_linear_mask<Linear_mask<Mask>> : std::true_type
+{};
+
+// The rows of the normals: the points' own, or those of another mask with the same center.
+template <class FT, class Mask>
+struct Normal_rows
+{
+  static constexpr bool differ = false;
+  explicit Normal_rows(const Mask&) {}
+};
+template <class FT, class Mask, class Normal_mask>
+struct Normal_rows<FT, Mask_with_normals<Mask, Normal_mask>>
+{
+  static constexpr bool differ = true;
+  explicit Normal_rows(const Mask_with_normals<Mask, Normal_mask>& m)
+    : rows(m.normal_mask)
+  {}
+  Univariate_rows<FT> rows;
+};
+
+template <class FT, int dimension, class Mask>
+class Curve_subdivision
+{
+  using Round_mask = Mask_in_round<Mask>;
+  static constexpr bool is_pn = !Is_linear_mask<Round_mask>::value;
+  using Average = Average_of<is_pn, FT, dimension>;
+  using Value = typename Average::Value;
+  using Block = typename Block_of<Average>::type;
+  using Stored_value = typename Block::Stored_value;
+  using Values = boost::container::vector<Stored_value>;
+  using Index = typename Univariate_rows<FT>::Index;
+  using Vector_coordinates = Coordinates<FT, dimension>;
+
+public:
+  // the roundness is that of all points
+  Curve_subdivision(const Mask& mask, Curve_end end, const FT& roundness = FT(1))
+    : block_(average_of_roundness<Average>(roundness))
+    , mask_(mask)
+    , rows_(mask_in_round(mask, 1))
+    , normal_rows_(mask_in_round(mask, 1))
+    , end_(end)
+  {
+    check_centers();
+  }
+
+  template <class Point, class Vector>
+  void add(const Point& point, const Vector& normal)
+  {
+    const auto name = [this] { return "point " + std::to_string(values_.size()); };
+    Point_normal<FT, dimension> value{coordinates(point), coordinates(normal)};
+    check_finite<FT, dimension>(value.point, "position", name);
+    check_finite<FT, dimension>(value.normal, "normal", name);
+    if (is_near_overflow<FT, dimension>(value.point)) is_near_overflow_ = true;
+    if constexpr (is_pn) {
+      normalize_control_normal<FT, dimension>(value.normal, name);
+      values_.push_back(value);
+    } else
+      values_.push_back(value.point);
+  }
+
+  template <class Point, class Vector>
+  std::vector<std::pair<Point, Vector>> result(unsigned iterations)
+  {
+    return result<std::pair<Point, Vector>>(iterations, [](const Value& value) {
+      return std::pair<Point, Vector>(make<Point>(point_of(value)), make<Vector>(normal_of(value)));
+    });
+  }
+
+  // the curve as items that make_item(value) returns; the last round writes nothing else
+  template <class Item, class Make_item>
+  std::vector<Item> result(unsigned iterations, const Make_item& make_item)
+  {
+    std::vector<Item> curve;
+    const auto append = [&](const Value* values, std::size_t n) {
+      for (std::size_t i = 0; i < n; ++i) {
+        if (is_near_overflow_)
+          check_in_range<FT, dimension>(point_of(values[i]), [&] {
+            return "point " + std::to_string(curve.size()) + " of the curve";
+          });
+        curve.push_back(make_item(values[i]));
+      }
+    };
+    if (iterations == 0 || values_.empty()) {
+      curve.reserve(values_.size());
+      for (const Stored_value& value : values_) curve.push_back(make_item(value));
+      return curve;
+    }
+    check_sizes(iterations);
+    begin_round(1);
+    for (unsigned k = 1; k < iterations; ++k) {
+      refine();
+      begin_round(k + 1);
+    }
+    const auto [first, last] = range(size());
+    curve.reserve(static_cast<std::size_t>(last - first));
+    evaluate(first, last, append);
+    return curve;
+  }
+
+private:
+  template <class Point_or_vector>
+  static Vector_coordinates coordinates(const Point_or_vector& p)
+  {
+    Vector_coordinates c;
+    for (int i = 0; i < dimension; ++i) c[static_cast<std::size_t>(i)] = FT(p.cartesian(i));
+    return c;
+  }
+  template <class Point_or_vector>
+  static Point_or_vector make(const Vector_coordinates& c)
+  {
+    if constexpr (dimension == 2)
+      return Point_or_vector(c[0], c[1]);
+    else
+      return Point_or_vector(c[0], c[1], c[2]);
+  }
+  static const Vector_coordinates& point_of(const Value& value)
+  {
+    if constexpr (is_pn)
+      return value.point;
+    else
+      return value;
+  }
+  static Vector_coordinates normal_of([[maybe_unused]] const Value& value)
+  {
+    if constexpr (is_pn)
+      return value.normal;
+    else {
+      Vector_coordinates zero;
+      zero.fill(FT(0));
+      return zero;
+    }
+  }
+
+  Index size() const { return static_cast<Index>(values_.size()); }
+
+  void check_centers() const
+  {
+    if constexpr (Normal_rows<FT, Round_mask>::differ)
+      if (!rows_.has_same_center(normal_rows_.rows))
+        throw std::invalid_argument(
+          "PN_subdivision_3: the masks of points and normals must both be "
+          "primal or both dual, with the same center");
+  }
+
+  void begin_round([[maybe_unused]] unsigned k)
+  {
+    if constexpr (Is_level_dependent<Mask>::value) {
+      const Round_mask mask = mask_in_round(mask_, k);
+      rows_ = Univariate_rows<FT>(mask);
+      normal_rows_ = Normal_rows<FT, Round_mask>(mask);
+      check_centers();
+    }
+  }
+
+  // the new points of a polygon with n points
+  std::pair<Index, Index> range(Index n) const
+  {
+    std::pair<Index, Index> r = rows_.range(n, end_);
+    if constexpr (Normal_rows<FT, Round_mask>::differ) {
+      const std::pair<Index, Index> other = normal_rows_.rows.range(n, end_);
+      r = {(std::max)(r.first, other.first), (std::min)(r.second, other.second)};
+    }
+    return r;
+  }
+
+  // before the first round: none may need more points than can be numbered
+  void check_sizes(unsigned iterations)
+  {
+    Index n = size();
+    for (unsigned k = 1; k <= iterations; ++k) {
+      begin_round(k);
+      const auto [first, last] = range(n);
+      if (last - first >= static_cast<Index>(UINT32_MAX))
+        throw std::length_error("PN_subdivision_3: round " + std::to_string(k) + " of " +
+                                std::to_string(iterations) + " would make " +
+                                std::to_string(last - first) +
+                                " points, more than can be numbered: ask for fewer rounds");
+      if (last - first == n && !Is_level_dependent<Mask>::value)
+        return; // in all further rounds, too
+      n = last - first;
+    }
+  }
+
+  void refine()
+  {
+    const auto [first, last] = range(size());
+    Values refined(static_cast<std::size_t>(last - first), boost::container::default_init);
+    Stored_value* next = refined.data();
+    evaluate(first, last, [&next](const Value* values, std::size_t n) {
+      for (std::size_t i = 0; i < n; ++i) *next++ = values[i];
+    });
+    values_ = std::move(refined);
+  }
+
+  // Computes the new points [first, last) and hands them to sink(values, how many) in their order.
+  // Rows of the same parity, which are equally long, are averaged together.
+  template <class Sink>
+  void evaluate(Index first, Index last, const Sink& sink) const
+  {
+    constexpr auto half = static_cast<Index>(block_size_v<FT>);
+    Stencil_block<FT> rows, normal_rows;
+    std::array<Value, static_cast<std::size_t>(half)> values;
+    std::array<Value, static_cast<std::size_t>(2 * half)> ordered;
+    for (Index begin = first; begin < last; begin += 2 * half) {
+      const Index end = (std::min)(begin + 2 * half, last);
+      for (const Index start : {begin, begin + 1}) {
+        emit_row(rows_, start, end, rows);
+        if constexpr (Normal_rows<FT, Round_mask>::differ)
+          emit_row(normal_rows_.rows, start, end, normal_rows);
+        average(rows, normal_rows, values.data(), start);
+        for (std::size_t r = 0; r < rows.number_of_rows(); ++r)
+          ordered[static_cast<std::size_t>(start - begin) + 2 * r] = values[r];
+      }
+      sink(ordered.data(), static_cast<std::size_t>(end - begin));
+    }
+  }
+
+  void emit_row(const Univariate_rows<FT>& source, Index start, Index end,
+                Stencil_block<FT>& rows) const
+  {
+    rows.clear();
+    for (Index i = start; i < end; i += 2) {
+      source.emit_row(i, size(), end_, rows.row());
+      rows.close_row();
+    }
+  }
+
+  void average(const Stencil_block<FT>& rows, [[maybe_unused]] const Stencil_block<FT>& normal_rows,
+               Value* result, Index start) const
+  try {
+    if (rows.number_of_rows() == 0) return;
+    if constexpr (Normal_rows<FT, Round_mask>::differ)
+      block_(rows, normal_rows, values_.data(), result);
+    else
+      block_(rows, values_.data(), result);
+  } catch (const Uncertain_conversion_exception&) {
+    throw std::domain_error(
+      "PN_subdivision_3: the precision of the number type does not decide whether "
+      "the normal of new point " +
+      std::to_string(start) + " vanishes or is opposite to a neighbor's: use a higher precision");
+  }
+
+  Block block_;
+  const Mask& mask_;
+  Univariate_rows<FT> rows_;
+  Normal_rows<FT, Round_mask> normal_rows_;
+  Curve_end end_;
+  Values values_;
+  bool is_near_overflow_ = false;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_CURVES_INTERNAL_CURVE_SUBDIVISION_H

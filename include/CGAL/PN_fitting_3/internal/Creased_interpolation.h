@@ -1,0 +1,349 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+#ifndef CGAL_PN_FITTING_3_INTERNAL_CREASED_INTERPOLATION_H
+#define CGAL_PN_FITTING_3_INTERNAL_CREASED_INTERPOLATION_H
+
+#include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
+#include <CGAL/PN_fitting_3/internal/interpolate_mesh.h>
+#include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Control points whose limits on a surface with creases are given points. With the normals of the wedges and the
+// tangents of the creases as they are, limits are linear in the control points: L p = P. L is not made, but
+// evaluated, and GMRES solves for the corrections.
+template <class Scheme>
+class Creased_interpolation
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Value = typename Average_of_scheme<Scheme, double>::Value;
+  using Level = Valued_level<Value>;
+  using Data = Interpolation_data<3>;
+
+  // `level` has the values of the slots, of which `vertex_of_slot` are the vertices; the vertices of the data are sorted
+  Creased_interpolation(const Scheme& scheme, Level& level, const Creases<double>& creases,
+                        const std::vector<Index>& vertex_of_slot, const Data& data,
+                        const For_chunks& for_chunks)
+    : scheme_(scheme)
+    , level_(level)
+    , creases_(creases)
+    , vertex_of_slot_(vertex_of_slot)
+    , data_(data)
+    , for_chunks_(for_chunks)
+    , size_(box_size<3>(data.points))
+  {}
+
+  Interpolation_result<3> operator()()
+  {
+    Interpolation_result<3> result;
+    result.report.tolerance = data_.tolerance;
+    const Vector wanted = of_unknowns(data_.points);
+    Vector p = wanted;
+    Vector rest = wanted - limits_at(p, &result.report);
+    result.report.residual = largest(rest);
+    while (!(result.report.residual <= data_.tolerance) && result.report.steps < most_steps()) {
+      const Vector next = p + correction(rest);
+      ++result.report.steps;
+      Limit_interpolation report = result.report;
+      const Vector next_rest = wanted - limits_at(next, &report);
+      report.residual = largest(next_rest);
+      if (!(report.residual < result.report.residual)) break;
+      p = next;
+      rest = next_rest;
+      result.report = report;
+    }
+    result.points = data_.points;
+    for (std::size_t i = 0; i < data_.vertices.size(); ++i)
+      result.points[data_.vertices[i]] = p.segment<3>(3 * Eigen::Index(i));
+    return result;
+  }
+
+private:
+  using Vector = Eigen::VectorXd;
+
+  static constexpr int most_directions = 60;
+  static constexpr double reduction = 1e-4; // of the residual in a step
+
+  unsigned most_steps() const { return (std::min)(12u, data_.max_steps); }
+
+  Vector of_unknowns(const Vectors<3>& of_vertices) const
+  {
+    Vector x(3 * Eigen::Index(data_.vertices.size()));
+    for (std::size_t i = 0; i < data_.vertices.size(); ++i)
+      x.segment<3>(3 * Eigen::Index(i)) = of_vertices[data_.vertices[i]];
+    return x;
+  }
+
+  static double largest(const Vector& x)
+  {
+    double length = 0;
+    for (Eigen::Index i = 0; i < x.size(); i += 3)
+      length = (std::max)(length, finite_or_infinite(x.segment<3>(i).norm()));
+    return length;
+  }
+
+  // of the control points, those that are not sought as they are
+  Vector limits_at(const Vector& unknowns, Limit_interpolation* report)
+  {
+    return limits(unknowns, data_.points, data_.precision().tolerance, report);
+  }
+  // of those that are not sought as zero
+  Vector limits_of_direction(const Vector& direction)
+  {
+    const double scale = size_ / direction.lpNorm<Eigen::Infinity>();
+    const Vectors<3> none(data_.points.size(), Eigen_vector<3>::Zero());
+    return limits(scale * direction, none, reduction / 100 * size_, nullptr) / scale;
+  }
+
+  Vector limits(const Vector& unknowns, Vectors<3> points, double tolerance,
+                Limit_interpolation* report)
+  {
+    for (std::size_t i = 0; i < data_.vertices.size(); ++i)
+      points[data_.vertices[i]] = unknowns.segment<3>(3 * Eigen::Index(i));
+    for (std::size_t slot = 0; slot < level_.values.size(); ++slot)
+      point_of(level_.values[slot]) = to_coordinates<3>(points[vertex_of_slot_[slot]]);
+    Limit_demand demand;
+    demand.tolerance = tolerance;
+    demand.max_depth = data_.max_depth;
+    Creases<double> creases = creases_; // whose tangents become those of the limit
+    const auto results =
+      limits_at_slots<double>(scheme_, demand, for_chunks_, level_, creases, 1, &data_.vertices);
+    if (report != nullptr) report->error = report->depth = 0;
+    for (const Index v : data_.vertices) {
+      points[v] = to_eigen<3>(point_of(results[v].value));
+      if (report == nullptr) continue;
+      report->error = (std::max)(report->error, results[v].error);
+      report->depth = (std::max)(report->depth, results[v].depth);
+    }
+    return of_unknowns(points);
+  }
+
+  // GMRES
+  Vector correction(const Vector& rest)
+  {
+    const double length = rest.norm();
+    std::vector<Vector> basis{rest / length};
+    Eigen::MatrixXd h = Eigen::MatrixXd::Zero(most_directions + 1, most_directions);
+    for (int k = 0;; ++k) {
+      Vector next = limits_of_direction(basis.back());
+      for (int i = 0; i <= k; ++i) {
+        h(i, k) = next.dot(basis[std::size_t(i)]);
+        next -= h(i, k) * basis[std::size_t(i)];
+      }
+      h(k + 1, k) = next.norm();
+      Vector wanted = Vector::Zero(k + 2);
+      wanted[0] = length;
+      const auto part = h.topLeftCorner(k + 2, k + 1);
+      const Vector y = part.colPivHouseholderQr().solve(wanted);
+      const bool is_last = k + 1 == most_directions || !(h(k + 1, k) > 1e-12);
+      if (is_last || !((part * y - wanted).norm() > reduction * length)) {
+        Vector x = Vector::Zero(rest.size());
+        for (int i = 0; i <= k; ++i) x += y[i] * basis[std::size_t(i)];
+        return x;
+      }
+      basis.push_back(next / h(k + 1, k));
+    }
+  }
+
+  const Scheme& scheme_;
+  Level& level_;
+  const Creases<double>& creases_;
+  const std::vector<Index>& vertex_of_slot_;
+  const Data& data_;
+  For_chunks for_chunks_;
+  double size_;
+};
+
+template <class FT>
+Creases<double> in_double(const Creases<FT>& creases)
+{
+  if constexpr (std::is_same_v<FT, double>)
+    return creases;
+  else {
+    Creases<double> result;
+    for (const Crease_edge<FT>& e : creases.edges)
+      result.edges.push_back({e.edge,
+                              e.control_edge,
+                              e.sharpness,
+                              e.border_side,
+                              e.after,
+                              e.before,
+                              {to_double_3(e.tangent_from[0]), to_double_3(e.tangent_from[1])}});
+    result.ends = creases.ends;
+    result.stars = creases.stars;
+    result.number_of_slots = creases.number_of_slots;
+    result.has_fixed_border = creases.has_fixed_border;
+    return result;
+  }
+}
+
+template <class Scheme, class FT, class Value>
+auto slots_in_double(const std::vector<Value>& values)
+{
+  std::vector<typename Average_of_scheme<Scheme, double>::Value> result(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    point_of(result[i]) = to_double_3(point_of(values[i]));
+    if constexpr (is_pn_v<Scheme>) {
+      result[i].normal = to_double_3(values[i].normal);
+      result[i].roundness = CGAL::to_double(values[i].roundness);
+    }
+  }
+  return result;
+}
+
+// What stays that of the data has to reach the calls that refine the result.
+template <class Scheme, class FT, class Access, class Normal_map>
+void require_fixed_creases([[maybe_unused]] const Access& access,
+                           [[maybe_unused]] const Creases<FT>& creases, const Normal_map&)
+{
+  if constexpr (is_pn_v<Scheme>) {
+    if (!has_crease_tangents_v<Scheme> && !creases.edges.empty())
+      throw std::invalid_argument(
+        "PN_subdivision_3: " + Edge_of_mesh::name(access, creases.edges.front().edge) +
+        " is sharp, and the result is interpolated with the tangents of the data: take "
+        "a crease_tangent_map, with which the result is refined, too");
+    if constexpr (!is_of_halfedges_v<Access, Normal_map>)
+      for (const Crease_star& star : creases.stars)
+        if (star.number_of_wedges > 1)
+          throw std::invalid_argument(
+            "PN_subdivision_3: " + access.vertex_name(star.vertex) +
+            " has a normal on each side of its creases, which has to stay that of the data: give "
+            "a vertex_normal_map of half-edges, see estimate_control_normals()");
+  }
+}
+
+// what a call tells of that is sharp, or that it has normals of wedges; empty if there is neither
+template <class Scheme, class Access, class Normal_map, class Edge_map, class Vertex_map>
+std::string what_is_sharp(const Scheme& scheme, const Access& access,
+                          const Level_connectivity& level, const Normal_map&, Edge_map edge_map,
+                          Vertex_map vertex_map)
+{
+  std::string what;
+  refuse_sharp_elements(scheme, access, level, edge_map, vertex_map,
+                        [&](const std::string& element) {
+                          if (what.empty()) what = element + " is sharp";
+                        });
+  if (what.empty() && is_of_halfedges_v<Access, Normal_map>) what = "corners have normals";
+  return what;
+}
+
+template <class Options>
+void require_creased_options(const Options& options, const std::string& what_is_sharp)
+{
+  const auto require = [&](bool is_so, const std::string& what) {
+    if (!is_so)
+      throw std::invalid_argument("PN_subdivision_3: " + what_is_sharp + ", but " + what +
+                                  ": take Limit_interpolation::Mode::strict with given "
+                                  "normals and Limit_interpolation::Free::fixed, or make all edges "
+                                  "and vertices smooth");
+  };
+  require(options.mode == Limit_interpolation::Mode::strict,
+          "control points slide on surfaces without creases only");
+  require(options.normals == Limit_interpolation::Normals::given,
+          "control normals are found on surfaces without creases only");
+  require(options.free == Limit_interpolation::Free::fixed,
+          "control points move along on surfaces without creases only");
+}
+
+// Reads a mesh, some of which is sharp forever, interpolates, and writes the control points, the normals of the wedges
+// and the tangents of the creases. is_interpolated(v) tells the vertices.
+template <class FT, class Access, class Scheme, class Mesh, class NamedParameters, class Options,
+          class Is_interpolated>
+Limit_interpolation
+interpolate_with_creases(const Access& access, const Scheme& given_scheme,
+                         const Level_connectivity& level, Mesh& mesh, const NamedParameters& np,
+                         const Options& options, const std::string& what_is_sharp,
+                         const For_chunks& for_chunks, const Is_interpolated& is_interpolated)
+{
+  using Parameters = Surface_parameters<Mesh, NamedParameters>;
+  const auto normals = Parameters::normal_map(np);
+  const auto points = Parameters::point_map(mesh, np);
+  using Normal_map = std::decay_t<decltype(normals)>;
+  check_scheme(given_scheme, level, access);
+  const Given_roundness<FT> roundness = read_roundness<FT, Parameters>(access, np);
+  using Scheme_of_call = With_roundness<Scheme, FT>;
+  const Scheme_of_call scheme{{given_scheme}, &roundness};
+  const auto edge_map = Parameters::edge_constraint_map(np);
+  const auto vertex_map = Parameters::vertex_constraint_map(np);
+  require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+  Mesh_creases<Scheme_of_call, FT, Access, std::decay_t<decltype(edge_map)>,
+               std::decay_t<decltype(vertex_map)>, true>
+    of_mesh(scheme, access, level, edge_map, vertex_map);
+  Creases<FT> creases = of_mesh.creases(level);
+  require_sharp_for_ever<FT>(access, creases, 0);
+  require_creased_options(options, what_is_sharp);
+  require_fixed_creases<Scheme>(access, creases, normals);
+  of_mesh.read_tangents(creases);
+  const auto values = of_mesh.values(level, points, normals, creases);
+
+  Interpolation_data<3> data;
+  const Level_connectivity::Index n = level.number_of_vertices();
+  for (Level_connectivity::Index v = 0; v < n; ++v) {
+    data.points.push_back(to_eigen<3>(to_double_3(point_of(values[v]))));
+    if (is_interpolated(v)) data.vertices.push_back(v);
+  }
+  divide_by_size(data);
+  data.tolerance = options.tolerance * box_size<3>(data.points);
+  data.max_depth = (std::max)(1u, options.max_depth);
+  data.max_steps = options.max_steps;
+  std::vector<Level_connectivity::Index> vertex_of_slot(n);
+  std::iota(vertex_of_slot.begin(), vertex_of_slot.end(), Level_connectivity::Index(0));
+  const auto extra = vertices_of_extra_slots(creases, n);
+  vertex_of_slot.insert(vertex_of_slot.end(), extra.begin(), extra.end());
+  Valued_level<typename Average_of_scheme<Scheme_of_call, double>::Value> valued{
+    level, slots_in_double<Scheme_of_call, FT>(values)};
+  const Creases<double> fixed = in_double(creases);
+  auto result = Creased_interpolation<Rules_of<Scheme_of_call>>(rules_of(scheme), valued, fixed,
+                                                                vertex_of_slot, data, for_chunks)();
+  multiply_by_size(data.exponent, result.report);
+  multiply_by_size<FT, 3>(data.exponent, data.points);
+  multiply_by_size<FT, 3>(data.exponent, result.points);
+
+  Changed_values<Access, std::decay_t<decltype(points)>> new_points(access, points);
+  for (Level_connectivity::Index v = 0; v < n; ++v)
+    if (result.points[v] != data.points[v]) new_points.template change<FT>(v, result.points[v]);
+  using Writers = Normal_writers<Access, Normal_map>;
+  typename Writers::Corner_writer corners(access, level, normals);
+  if constexpr (Writers::Corner_writer::takes_corners && is_pn_v<Scheme>)
+    corners.put_all(level, creases, values);
+  of_mesh.put_tangents(creases, level.size());
+  new_points.keep();
+  corners.keep();
+  of_mesh.keep();
+  return result.report;
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_FITTING_3_INTERNAL_CREASED_INTERPOLATION_H

@@ -1,0 +1,365 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_FITTING_3_INTERNAL_MESH_LIMIT_FUNCTIONALS_H
+#define CGAL_PN_FITTING_3_INTERNAL_MESH_LIMIT_FUNCTIONALS_H
+
+#include <CGAL/PN_fitting_3/internal/Curvature_prescription.h>
+#include <CGAL/PN_fitting_3/internal/Limit_distance.h>
+#include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_classes.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The limit functionals at vertices of a control mesh. As in Limit_evaluation, the faces around
+// vertices whose neighborhood is not settled are cut out and refined until it is; the functionals are
+// then pulled back through these rounds too. A linear scheme is one of zero normals.
+template <class Scheme>
+class Mesh_limit_functionals final : public Surface_limits
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Value = Point_normal_roundness<double, 3>;
+  using typename Surface_limits::Functionals;
+  using typename Surface_limits::Values;
+
+  Mesh_limit_functionals(const Scheme& scheme, const Level_connectivity& level,
+                         const For_chunks& for_chunks)
+    : scheme_(scheme)
+    , level_(level)
+    , for_chunks_(for_chunks)
+    , classes_(scheme)
+  {}
+
+  const Level_connectivity& level() const { return level_; }
+
+  std::vector<Functionals> operator()(const Values& values, const std::vector<Index>& vertices,
+                                      const Limit_precision& precision) override
+  {
+    precision_ = precision;
+    std::vector<Functionals> result(vertices.size());
+    std::vector<std::size_t> all(vertices.size());
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    evaluate(Stage{level_, values, nullptr, nullptr, nullptr}, vertices, all, 1, 0, result);
+    for (std::size_t i = 0; i < vertices.size(); ++i) result[i].center = vertices[i];
+    return result;
+  }
+
+  Farthest_point farthest(const Values& values, const Vectors<3>& points,
+                          const std::vector<Index>& vertices, double tolerance) override
+  {
+    constexpr unsigned most_checks = 16;
+    std::vector<Foot> feet;
+    for (const Index v : vertices)
+      if (!level_.is_isolated(v)) feet.emplace_back(to_coordinates<3>(points[v]), v, v);
+    const Limit_distance<Scheme> distance(scheme_, for_chunks_);
+    Farthest_point known;
+    for (unsigned k = 0;; ++k) {
+      const Farthest_point next = distance(level_, values, feet, tolerance, known);
+      if (!(next.distance > known.distance) || k == most_checks) return next;
+      const Farthest_point nearest = about_others(distance, values, next, points, tolerance);
+      if (nearest.distance > known.distance) known = nearest;
+      if (nearest.distance == next.distance) return known;
+      feet.erase(std::find_if(feet.begin(), feet.end(),
+                              [&](const Foot& f) { return f.vertex == next.vertex; }));
+    }
+  }
+
+private:
+  using Average = PN_average<double, 3, Value>;
+  using One_round = Round<Scheme, Average>;
+  using Kind = typename Limit_classes<Scheme, double>::Kind;
+  using Tower = Functional_tower<3, 2>;
+  using Entry = Functionals::Entry;
+
+  using Foot = typename Limit_distance<Scheme>::Foot;
+
+  static constexpr unsigned most_rounds = 6;
+
+  // The surface may be nearer to a point about other vertices than about its own.
+  Farthest_point about_others(const Limit_distance<Scheme>& distance, const Values& values,
+                              Farthest_point nearest, const Vectors<3>& points,
+                              double tolerance) const
+  {
+    const Eigen_vector<3>& p = points[nearest.vertex];
+    const auto at = [&](Index v) { return to_eigen<3>(values[v].point); };
+    for (Index v = 0; v < level_.number_of_vertices(); ++v) {
+      if (v == nearest.vertex || level_.is_isolated(v)) continue;
+      double edge = 0;
+      level_.for_each_neighbor(level_.halfedge_of_vertex(v),
+                               [&](Index w) { edge = (std::max)(edge, (at(w) - at(v)).norm()); });
+      if (!((at(v) - p).norm() <= nearest.distance + edge)) continue;
+      const Farthest_point other =
+        distance(level_, values, {Foot(to_coordinates<3>(p), nearest.vertex, v)}, tolerance);
+      if (other.distance < 31. / 32 * nearest.distance) nearest = other;
+    }
+    return nearest;
+  }
+
+  // A level that is evaluated at, and how it came from the one before.
+  struct Stage
+  {
+    const Level_connectivity& level;
+    const std::vector<Value>& values;
+    const Stage* parent;
+    const Sub_level* cut;
+    const One_round* round;
+  };
+
+  // the values that the round has refined
+  struct Cut_values
+  {
+    const std::vector<Value>& values;
+    const std::vector<Index>& origin;
+    const Value& operator[](std::size_t v) const { return values[origin[v]]; }
+  };
+
+  struct Ring_of_kind
+  {
+    const Kind* kind = nullptr;
+    Ring_rule rule;
+  };
+
+  // result[positions[i]] is that of vertices[i]
+  void evaluate(const Stage& stage, const std::vector<Index>& vertices,
+                const std::vector<std::size_t>& positions, unsigned next_round, unsigned depth,
+                std::vector<Functionals>& result)
+  {
+    const unsigned first_final_round = first_tuned_round(scheme_);
+    const Settled_neighborhood<Scheme> is_settled(scheme_, stage.level,
+                                                  next_round >= first_final_round);
+    std::vector<const Ring_of_kind*> kinds(vertices.size(), nullptr);
+    std::vector<Index> unsettled;
+    std::vector<std::size_t> unsettled_positions;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const Index v = vertices[i];
+      if (stage.level.is_isolated(v))
+        continue;
+      else if (is_settled(v))
+        kinds[i] = &ring_of_kind(stage.level, v, next_round);
+      else {
+        unsettled.push_back(v);
+        unsettled_positions.push_back(positions[i]);
+      }
+    }
+    for_chunks_(static_cast<Index>(vertices.size()), [&](Index begin, Index end) {
+      Tower tower;
+      std::vector<Index> ring;
+      for (Index i = begin; i < end; ++i) {
+        Functionals& f = result[positions[i]];
+        f.depth = f.rounds = depth;
+        if (kinds[i] != nullptr)
+          run(stage, vertices[i], *kinds[i], tower, ring, f);
+        else if (stage.level.is_isolated(vertices[i]))
+          set_isolated(stage, vertices[i], f);
+      }
+    });
+    if (unsettled.empty()) return;
+    if (depth == most_rounds && next_round < first_final_round)
+      throw std::invalid_argument(
+        "PN_subdivision_3: the first round of the rules of the scheme is " +
+        std::to_string(first_final_round) + ", but interpolation looks for limits in the first " +
+        std::to_string(most_rounds) + " rounds: take an earlier first round");
+    if (depth == most_rounds)
+      throw std::invalid_argument(
+        "PN_subdivision_3: the scheme does not settle about its vertices: "
+        "it has no limit masks");
+    const Sub_level cut(stage.level, unsettled, cut_rings(scheme_));
+    const One_round round(scheme_, cut.level(), next_round);
+    const auto [fine, fine_values] = refined(stage, cut, round);
+    evaluate(Stage{fine, fine_values, &stage, &cut, &round}, cut.centers(), unsettled_positions,
+             next_round + 1, depth + 1, result);
+  }
+
+  const Ring_of_kind& ring_of_kind(const Level_connectivity& level, Index v, unsigned next_round)
+  {
+    const Kind& kind = classes_.at(level, v, next_round);
+    Ring_of_kind& ring = rings_[&kind];
+    if (ring.kind != nullptr) return ring;
+    const auto& c = *kind.ring_class;
+    ring.kind = &kind;
+    ring.rule.rows_of_points = Ring_rule::rows(c.matrix());
+    ring.rule.rows_of_normals = Ring_rule::rows(c.normal_matrix());
+    ring.rule.limit = Ring_rule::row(c.limit_row());
+    ring.rule.normal_limit = Ring_rule::row(c.normal_limit_row());
+    if (c.has_tangents()) ring.rule.tangents.assign(c.tangents().begin(), c.tangents().end());
+    ring.rule.error_factor = c.error_factor();
+    ring.rule.error_ratio = c.error_ratio();
+    return ring;
+  }
+
+  void run(const Stage& stage, Index v, const Ring_of_kind& kind, Tower& tower,
+           std::vector<Index>& ring, Functionals& f) const
+  {
+    ring.clear();
+    Limit_classes<Scheme, double>::append_ring(stage.level, v, *kind.kind, ring);
+    std::vector<Value> values;
+    for (const Index w : ring) {
+      values.push_back(stage.values[w]);
+      for (std::size_t c = 0; c < 3; ++c) values.back().point[c] -= stage.values[v].point[c];
+    }
+    tower.run(kind.rule, values,
+              precision_at(*kind.kind->ring_class, stage.level.is_border_vertex(v)));
+    f.limit_point = to_eigen<3>(tower.limit().point) + to_eigen<3>(stage.values[v].point);
+    f.control_normal = to_eigen<3>(tower.limit().normal);
+    f.error = tower.error();
+    f.depth += tower.depth();
+    f.has_tangents = !kind.rule.tangents.empty();
+    if (precision_.second_forms > 0)
+      if (const auto jet = surface_jet(stage.level, v, *kind.kind->ring_class, tower)) {
+        f.second_form = second_form(*jet);
+        f.has_second_form = true;
+        if (!is_spline_at(stage.level, v)) f.share_of_slopes = tower.limit().roundness;
+      }
+    if (!precision_.with_blocks) return;
+    std::vector<double> weights(ring.size(), 0.);
+    for (const auto& e : kind.rule.limit) weights[e.vertex] += e.weight;
+    for (std::size_t p = 0; p < ring.size(); ++p)
+      f.entries.push_back({ring[p], weights[p], tower.block(p)});
+    for (const Stage* s = &stage; s->parent != nullptr; s = s->parent)
+      f.entries = pulled_back(*s, f.entries);
+  }
+
+  // Errors of tangents and second forms fall by lambda^2 a round, on borders by lambda.
+  template <class Ring_class>
+  Limit_precision precision_at(const Ring_class& ring_class, bool is_at_border) const
+  {
+    Limit_precision p = precision_;
+    const double factor = ring_class.lambda() * (is_at_border ? 1 : ring_class.lambda());
+    if (!ring_class.has_tangents() || !(factor < 1)) return p;
+    for (const double error : {p.tangents, p.second_forms})
+      if (error > 0)
+        p.min_depth = (std::max)(
+          p.min_depth, static_cast<unsigned>(std::ceil(std::log(error) / std::log(factor))));
+    p.min_depth = (std::min)(p.min_depth, p.max_depth);
+    // deeper down they drown in rounding
+    if (p.second_forms > 0) p.max_depth = p.min_depth;
+    return p;
+  }
+
+  // through the round that has made the stage's level
+  std::vector<Entry> pulled_back(const Stage& stage, const std::vector<Entry>& entries) const
+  {
+    const std::vector<Index>& origin = stage.cut->origin();
+    std::vector<Entry> result;
+    std::unordered_map<Index, std::size_t> place;
+    PN_row_blocks<3> row_blocks;
+    Stencil_block<double> rows;
+    for (const Entry& x : entries) {
+      rows.clear();
+      stage.round->host().stencil(stage.round->mask(), x.vertex, rows.row());
+      rows.close_row();
+      row_blocks.assign(rows.begin(0), rows.end(0), Cut_values{stage.parent->values, origin},
+                        stage.values[x.vertex]);
+      const auto xn = (x.block * row_blocks.normal()).eval();
+      for (auto e = rows.begin(0); e != rows.end(0); ++e) {
+        const Index w = origin[e->vertex];
+        const auto found = place.emplace(w, result.size());
+        if (found.second) result.push_back({w, 0., Entry::zero()});
+        Entry& y = result[found.first->second];
+        const auto j = static_cast<std::size_t>(e - rows.begin(0));
+        y.weight += e->weight * x.weight;
+        y.block += e->weight * (x.block + xn * row_blocks.direction(j).transpose());
+      }
+    }
+    return result;
+  }
+
+  // at regular vertices that of the spline; by the slopes of the control normals where the ring matrix
+  // has no part of second order that would last
+  std::optional<Surface_jet<double>>
+  surface_jet(const Level_connectivity& level, Index v,
+              const typename Limit_classes<Scheme, double>::Class& ring_class,
+              const Tower& tower) const
+  {
+    static constexpr Index quads[] = {0, 1, 6, 2, 7, 3, 8, 4, 5};
+    static constexpr Index triangles[] = {0, 1, 2, 3, 4, 5, 6};
+    constexpr bool is_quads = Scheme::Host::refined_degree == 4;
+    if (level.is_border_vertex(v) || !ring_class.has_tangents() ||
+        Average::is_zero(tower.limit().normal))
+      return std::nullopt;
+    const std::vector<Point_normal<double, 3>> ring(tower.top().begin(), tower.top().end());
+    if (is_spline_at(level, v))
+      return Regular_jet<double>(is_quads ? 4 : 3)
+        .surface_jet(is_quads ? quads : triangles, ring.data(), tower.limit().roundness);
+    const double lambda2 = ring_class.lambda() * ring_class.lambda();
+    const Ring_geometry geometry(ring, tower.limit(), ring_class.tangents(),
+                                 tower.limit().roundness);
+    if (!(ring_class.largest_other() < 0.9 * lambda2) || !geometry.is_regular())
+      return std::nullopt;
+    return geometry.extraordinary_jet();
+  }
+
+  bool is_spline_at(const Level_connectivity& level, Index v) const
+  {
+    return limit_neighborhood(scheme_).is_spline &&
+           level.valence(v) == Settled_neighborhood<Scheme>::regular_valence;
+  }
+
+  static void set_isolated(const Stage& stage, Index v, Functionals& f)
+  {
+    Entry e{v, 1., Entry::zero()};
+    e.block.template topRows<3>().setIdentity();
+    f.entries.assign(1, e);
+    f.control_normal = to_eigen<3>(stage.values[v].normal);
+    f.limit_point = to_eigen<3>(stage.values[v].point);
+  }
+
+  std::pair<Level_connectivity, std::vector<Value>>
+  refined(const Stage& stage, const Sub_level& cut, const One_round& round) const
+  {
+    using Stored_value = typename One_round::Stored_value;
+    std::vector<Stored_value> old;
+    for (const Index v : cut.origin()) old.emplace_back(stage.values[v]);
+    Level_connectivity fine = child_level(round, for_chunks_);
+    std::vector<Value> values(fine.number_of_vertices());
+    const auto transfers = round.transfers(old.data(), for_chunks_);
+    for_chunks_(fine.number_of_vertices(), [&](Index begin, Index end) {
+      round.evaluate(
+        begin, end, old.data(), transfers, [&](Index v, const Value* refined, Index n) {
+          std::copy(refined, refined + n, values.begin() + static_cast<std::ptrdiff_t>(v));
+        });
+    });
+    return {std::move(fine), std::move(values)};
+  }
+
+  const Scheme& scheme_;
+  const Level_connectivity& level_;
+  For_chunks for_chunks_;
+  Limit_classes<Scheme, double> classes_;
+  std::map<const Kind*, Ring_of_kind> rings_;
+  Limit_precision precision_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_FITTING_3_INTERNAL_MESH_LIMIT_FUNCTIONALS_H

@@ -1,0 +1,300 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_FITTING_3_INTERNAL_NORMAL_SMOOTHING_H
+#define CGAL_PN_FITTING_3_INTERNAL_NORMAL_SMOOTHING_H
+
+#include <CGAL/PN_fitting_3/internal/Functional_tower.h>
+#include <CGAL/PN_fitting_3/internal/change_of_curvature.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+
+#include <Eigen/Core>
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// See smooth_control_normals(). Points and unit normals, or zero ones, of the vertices of a level that is cut open
+// along creases; lengths have squares in the range of double.
+class Normal_smoothing
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Vector = Eigen_vector<3>;
+
+  Normal_smoothing(const Level_connectivity& level, const Vectors<3>& points,
+                   const Vectors<3>& normals)
+    : level_(level)
+    , points_(points)
+    , normals_(normals)
+    , arc_of_edge_(level.number_of_edges(), none)
+    , is_free_(normals.size(), false)
+  {
+    collect_arcs();
+  }
+
+  // the new normals; vertices that are not free have the old ones
+  Vectors<3> operator()()
+  {
+    if (std::find(is_free_.begin(), is_free_.end(), true) == is_free_.end()) return normals_;
+    estimate_noise();
+    if (!(strength_ > 0)) return normals_;
+    Vectors<3> smooth = solution();
+    double least = change_of_curvature(level_, points_, normals_);
+    if (change_of_curvature(level_, points_, smooth) < least) return smooth;
+    // it is the points that have noise, then, or the shape is like that
+    for (const double w : {0.75, 0.5, 0.25, 0.}) {
+      const double change = change_of_curvature(level_, points_, smooth, w);
+      if (!(change < least)) continue;
+      least = change;
+      roundness_ = w;
+    }
+    if (roundness_ > 0 && roundness_ < 1) return smooth;
+    strength_ = 0;
+    return normals_;
+  }
+
+  // root mean squares, in radians
+  double noise() const { return std::sqrt(noise_); }
+  double defect() const { return std::sqrt(defect_); }
+  double strength() const { return strength_; }
+  // with which the surface is the fairest
+  double roundness() const { return roundness_; }
+
+private:
+  struct Arc
+  {
+    Index from, to;
+    Vector direction;
+    double length, defect;
+  };
+
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  static constexpr double holds = 1e-9;
+  static constexpr int least_freedom = 3;
+  static constexpr std::size_t most_arcs = 64; // of a neighborhood, the factors of which are dense
+  // of the squared defects of arcs that are that of the shape in any case
+  static constexpr double least_share = 0.1;
+  static constexpr double least_model = 1e-3; // of the noise
+
+  void collect_arcs()
+  {
+    for (Index e = 0; e < level_.number_of_edges(); ++e) {
+      const Index a = level_.source(2 * e), b = level_.target(2 * e);
+      const Vector d = points_[b] - points_[a];
+      const double length = d.norm();
+      // nor is there one from a normal to one that is reversed
+      if (!(normals_[a].dot(normals_[b]) > 0) || !(length > 0)) continue;
+      const double defect = (normals_[a] + normals_[b]).dot(d) / length;
+      arc_of_edge_[e] = arcs_.size();
+      arcs_.push_back({a, b, d / length, length, defect});
+      if (std::abs(defect) > holds) is_free_[a] = is_free_[b] = true;
+    }
+  }
+
+  // of the edges of the faces of a vertex
+  std::vector<std::size_t> arcs_about(Index v) const
+  {
+    std::vector<std::size_t> arcs;
+    if (level_.is_isolated(v)) return arcs;
+    const Index first = level_.halfedge_of_vertex(v);
+    Index h = first;
+    do {
+      if (!level_.is_border(h)) {
+        Index g = h;
+        do {
+          const std::size_t arc = arc_of_edge_[Level_connectivity::edge(g)];
+          if (arc != none) arcs.push_back(arc);
+          g = level_.next(g);
+        } while (g != h && arcs.size() <= 2 * most_arcs);
+      }
+      h = level_.next_around_target(h);
+    } while (h != first && arcs.size() <= 2 * most_arcs);
+    std::sort(arcs.begin(), arcs.end());
+    arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
+    return arcs;
+  }
+
+  // a row: the cubic form of the tangent plane at v in the vector of an arc, over its length
+  Eigen::MatrixXd cubic_forms(Index v, const std::vector<std::size_t>& arcs) const
+  {
+    const Vector t = normals_[v].unitOrthogonal(), u = normals_[v].cross(t);
+    double longest = 0;
+    for (const std::size_t i : arcs) longest = (std::max)(longest, arcs_[i].length);
+    Eigen::MatrixXd forms(static_cast<Eigen::Index>(arcs.size()), 4);
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      const Arc& arc = arcs_[arcs[i]];
+      const double x = arc.direction.dot(t), y = arc.direction.dot(u);
+      const double square = (arc.length / longest) * (arc.length / longest);
+      forms.row(static_cast<Eigen::Index>(i)) << square * x * x * x, square * x * x * y,
+        square * x * y * y, square * y * y * y;
+    }
+    return forms;
+  }
+
+  // a row: how a defect depends on the normals of the vertices about, which turn only
+  Eigen::MatrixXd turns(const std::vector<std::size_t>& arcs) const
+  {
+    std::vector<Index> vertices;
+    for (const std::size_t i : arcs)
+      for (const Index w : {arcs_[i].from, arcs_[i].to}) vertices.push_back(w);
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(arcs.size()),
+                                                static_cast<Eigen::Index>(3 * vertices.size()));
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      const Arc& arc = arcs_[arcs[i]];
+      for (const Index w : {arc.from, arc.to}) {
+        const auto place = std::lower_bound(vertices.begin(), vertices.end(), w);
+        const Vector turn = arc.direction - normals_[w].dot(arc.direction) * normals_[w];
+        all.block<1, 3>(static_cast<Eigen::Index>(i), 3 * (place - vertices.begin())) =
+          turn.transpose();
+      }
+    }
+    return all;
+  }
+
+  // of a mean of n squares of normal variables (Wilson and Hilferty)
+  static double mean_of_median(double median, double n)
+  {
+    const double root = 1 - 2 / (9 * n);
+    return median / (root * root * root);
+  }
+
+  static double median(std::vector<double>& x)
+  {
+    if (x.empty()) return 0;
+    const auto middle = x.begin() + std::ptrdiff_t(x.size() / 2);
+    std::nth_element(x.begin(), middle, x.end());
+    return *middle;
+  }
+
+  // Where the normals are exact the defects next to a vertex are a cubic form, the derivative of the second fundamental
+  // form, but for terms of higher order. What a fit of it leaves is noise.
+  void estimate_noise()
+  {
+    std::vector<double> noise, defect;
+    for (Index v = 0; v < normals_.size(); ++v) {
+      if (normals_[v].isZero(0)) continue;
+      const std::vector<std::size_t> arcs = arcs_about(v);
+      const auto n = static_cast<Eigen::Index>(arcs.size());
+      if (n < least_freedom || arcs.size() > most_arcs) continue;
+      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(n, 4);
+      factors.setThreshold(1e-6);
+      factors.compute(cubic_forms(v, arcs));
+      const Eigen::Index freedom = n - factors.rank();
+      if (freedom < least_freedom) continue;
+      Eigen::VectorXd r(n);
+      for (Eigen::Index i = 0; i < n; ++i) r[i] = arcs_[arcs[std::size_t(i)]].defect;
+      const Eigen::MatrixXd q = factors.householderQ();
+      const auto rest = q.rightCols(freedom).transpose();
+      // each of the two directions has half of the square of a turn
+      const double share = (rest * turns(arcs)).squaredNorm() / 2;
+      noise.push_back(mean_of_median((rest * r).squaredNorm() / share, double(freedom)));
+      defect.push_back(mean_of_median(r.squaredNorm() / double(n), double(n)));
+    }
+    noise_ = median(noise);
+    defect_ = median(defect);
+    const double above = noise_ - least_share * defect_;
+    if (!(above > 0)) return;
+    // how far the two may be off by chance
+    const double error = (std::min)(0.2, 2 / std::sqrt(double(noise.size())));
+    strength_ = above / 2 / (std::max)(defect_ - (1 + error) * noise_, least_model * noise_);
+  }
+
+  // a third of each triangle's area, and so on, relative to the mean
+  std::vector<double> areas() const
+  {
+    constexpr double least = 1e-3;
+    std::vector<double> area(normals_.size(), 0);
+    double sum = 0, number = 0;
+    for (Index f = 0; f < level_.number_of_faces(); ++f) {
+      const Index first = level_.halfedge_of_face(f);
+      const Vector origin = points_[level_.target(first)];
+      Vector normal = Vector::Zero();
+      double degree = 0;
+      const auto for_each = [&](const auto& function) {
+        Index h = first;
+        do {
+          function(h);
+          h = level_.next(h);
+        } while (h != first);
+      };
+      for_each([&](Index h) {
+        normal +=
+          (points_[level_.source(h)] - origin).cross(points_[level_.target(h)] - origin) / 2;
+        ++degree;
+      });
+      for_each([&](Index h) { area[level_.target(h)] += normal.norm() / degree; });
+      sum += normal.norm();
+    }
+    for (Index v = 0; v < area.size(); ++v) number += level_.is_isolated(v) ? 0 : 1;
+    for (double& a : area) a = sum > 0 ? (std::max)(a * number / sum, least) : 1;
+    return area;
+  }
+
+  Vectors<3> solution() const
+  {
+    const std::vector<double> area = areas();
+    const std::size_t entries = 3 * normals_.size() + 36 * arcs_.size();
+    if (entries > std::size_t((std::numeric_limits<int>::max)()))
+      throw std::length_error("PN_subdivision_3: the mesh has more vertices than Eigen's int can "
+                              "number entries of a matrix: smooth the normals of a smaller one");
+    std::vector<Eigen::Triplet<double>> triplets;
+    triplets.reserve(entries);
+    Eigen::VectorXd right(static_cast<Eigen::Index>(3 * normals_.size()));
+    for (std::size_t v = 0; v < normals_.size(); ++v) {
+      for (int k = 0; k < 3; ++k) triplets.emplace_back(int(3 * v) + k, int(3 * v) + k, area[v]);
+      right.segment<3>(static_cast<Eigen::Index>(3 * v)) = area[v] * normals_[v];
+    }
+    for (const Arc& arc : arcs_)
+      for (const Index a : {arc.from, arc.to})
+        for (const Index b : {arc.from, arc.to})
+          for (int k = 0; k < 3; ++k)
+            for (int l = 0; l < 3; ++l)
+              triplets.emplace_back(int(3 * a) + k, int(3 * b) + l,
+                                    strength_ * arc.direction[k] * arc.direction[l]);
+    Eigen::SparseMatrix<double> matrix(right.size(), right.size());
+    matrix.setFromTriplets(triplets.begin(), triplets.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(matrix);
+    // ComputationInfo() is Success, of which X11 has a macro
+    if (factors.info() != Eigen::ComputationInfo()) return normals_;
+    const Eigen::VectorXd x = factors.solve(right);
+    Vectors<3> smooth = normals_;
+    for (std::size_t v = 0; v < normals_.size(); ++v) {
+      const Vector n = x.segment<3>(static_cast<Eigen::Index>(3 * v));
+      const double length = n.norm();
+      if (is_free_[v] && n.dot(normals_[v]) > 0) smooth[v] = n / length;
+    }
+    return smooth;
+  }
+
+  const Level_connectivity& level_;
+  const Vectors<3>&points_, &normals_;
+  std::vector<Arc> arcs_;
+  std::vector<std::size_t> arc_of_edge_;
+  std::vector<bool> is_free_; // has an arc that does not hold
+  double noise_ = 0, defect_ = 0, strength_ = 0, roundness_ = 1;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_FITTING_3_INTERNAL_NORMAL_SMOOTHING_H

@@ -1,0 +1,283 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_FITTING_3_INTERNAL_SLIDE_INTERPOLATION_H
+#define CGAL_PN_FITTING_3_INTERNAL_SLIDE_INTERPOLATION_H
+
+#include <CGAL/PN_fitting_3/internal/Anderson_iteration.h>
+#include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Control points p_v = P_v + s_v M_v, control normals M_v: P_v and the limit point L_v with the normal
+// nu_v of the limit surface shall lie on one PN arc,
+//   w_v = (M_v + nu_v) . (P_v - L_v) / ((M_v + nu_v) . nu_v) = 0.
+// The limits are near the control points: s goes by w, in each component of its own, and no further than an edge. On borders
+// the limit control normal is taken for nu. A curve in space slides along its binormal too, along which L_v shall
+// not be away from P_v.
+template <int dimension, int tangents>
+class Slide_interpolation
+{
+public:
+  static constexpr int freedom = dimension - tangents; // of a control point
+
+  using Source = Limit_source<dimension, tangents>;
+  using Data = Interpolation_data<dimension>;
+  using Result = Interpolation_result<dimension>;
+
+  // \pre the vertices of the data have normals
+  Slide_interpolation(const Data& data, Source& source)
+    : data_(data)
+    , source_(source)
+    , points_(data.points)
+  {
+    for (std::size_t i = 0; i < data.vertices.size(); ++i) {
+      const auto v = data.vertices[i];
+      Directions& d = directions_.emplace_back();
+      d.col(0) = data.normals[v];
+      if constexpr (freedom == 2) d.col(1) = data.binormals[v];
+      const std::size_t component = data.components.empty() ? 0 : data.components[v];
+      if (components_.size() <= component) components_.resize(component + 1);
+      components_[component].push_back(i);
+    }
+  }
+
+  Result operator()()
+  {
+    // the functionals are those of the depths that are right for the data, then for the result
+    for (int k = 0; k < 3; ++k) {
+      functionals_ = source_(to_values<dimension>(points_, data_.normals, data_), data_.vertices,
+                             data_.precision());
+      bool is_changed = false;
+      for (const Rows& rows : components_)
+        if (slide(rows)) is_changed = true;
+      if (!is_changed) break;
+    }
+    Result result;
+    note_evaluation(functionals_, report_);
+    report_.tolerance = data_.tolerance;
+    for (std::size_t i = 0; i < functionals_.size(); ++i) {
+      const auto v = data_.vertices[i];
+      const double slip = this->slip(i);
+      report_.residual = (std::max)(report_.residual, finite_or_infinite(w(i).norm()));
+      report_.slip = (std::max)(report_.slip, slip);
+      if (data_.edge_length[v] > 0)
+        report_.slip_of_edge = (std::max)(report_.slip_of_edge, slip / data_.edge_length[v]);
+    }
+    result.points = std::move(points_);
+    result.normals = data_.normals;
+    result.report = report_;
+    return result;
+  }
+
+private:
+  using Vector = Eigen_vector<dimension>;
+  using Functionals = typename Source::Functionals;
+  using Directions = Eigen::Matrix<double, dimension, freedom>;
+  using Offset = Eigen::Matrix<double, freedom, 1>;
+  using Rows = std::vector<std::size_t>; // positions of vertices of the data
+
+  // Changes the points of a component as long as that makes it better; whether it has.
+  bool slide(const Rows& rows)
+  {
+    constexpr unsigned most_without_gain = 8;
+    const auto n = static_cast<Eigen::Index>(rows.size());
+    Eigen::VectorXd x(freedom * n), r(freedom * n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const std::size_t i = rows[static_cast<std::size_t>(j)];
+      const auto v = data_.vertices[i];
+      x.segment<freedom>(freedom * j) = directions_[i].transpose() * (points_[v] - data_.points[v]);
+    }
+    Anderson_iteration iteration(20, true);
+    Eigen::VectorXd best = x;
+    double least = residual(rows, r);
+    unsigned without_gain = 0;
+    const double first = least;
+    for (unsigned step = 1;
+         least > data_.tolerance && step <= data_.max_steps && without_gain < most_without_gain;
+         ++step) {
+      x = iteration.next(x, r);
+      put(rows, x);
+      const double now = residual(rows, r);
+      report_.steps = (std::max)(report_.steps, step);
+      without_gain = now < 0.9 * least ? 0 : without_gain + 1;
+      if (!(now < least)) continue;
+      least = now;
+      best = x;
+    }
+    put(rows, best);
+    return least < first;
+  }
+
+  // moves the control points, by an edge at most
+  void put(const Rows& rows, Eigen::VectorXd& x)
+  {
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+      const auto v = data_.vertices[rows[j]];
+      auto s = x.segment<freedom>(freedom * static_cast<Eigen::Index>(j));
+      const double length = s.norm();
+      if (length > data_.edge_length[v]) s *= data_.edge_length[v] / length;
+      points_[v] = data_.points[v] + directions_[rows[j]] * s;
+    }
+  }
+
+  // What P - L shall be perpendicular to: (M + nu) / ((M + nu) . nu), and a binormal.
+  Directions conditions(std::size_t i) const
+  {
+    const auto v = data_.vertices[i];
+    const Functionals& f = functionals_[i];
+    Vector m = data_.normals[v];
+    const bool has_control_normal = f.control_normal.squaredNorm() > 0.5;
+    const Vector nu = data_.is_at_border[v] ? (has_control_normal ? f.control_normal : m)
+                                            : f.surface_normal(points_, m);
+    if (m.dot(nu) < 0) m = -m;
+    const Vector sum = m + nu;
+    Directions d;
+    d.col(0) = sum / (std::max)(sum.dot(nu), 1e-3);
+    if constexpr (freedom == 2) {
+      const Vector b =
+        f.has_tangents ? Vector(nu.cross(f.tangent(0, points_))) : Vector(Vector::Zero());
+      d.col(1) = b.norm() > 0 ? Vector(b.normalized()) : Vector(directions_[i].col(1));
+    }
+    return d;
+  }
+
+  Offset w(std::size_t i) const { return conditions(i).transpose() * missing(i); }
+  Vector missing(std::size_t i) const
+  {
+    return data_.points[data_.vertices[i]] - functionals_[i].limit(points_);
+  }
+  double slip(std::size_t i) const { return missing(i).norm(); }
+
+  // sets w; the largest one, where an arc that is longer than an edge counts by its length
+  double residual(const Rows& rows, Eigen::VectorXd& r) const
+  {
+    double largest = 0;
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+      const Offset w = this->w(rows[j]);
+      r.segment<freedom>(freedom * static_cast<Eigen::Index>(j)) = w;
+      const double slip = this->slip(rows[j]);
+      const bool is_far = slip > data_.edge_length[data_.vertices[rows[j]]];
+      largest = (std::max)(largest, finite_or_infinite(is_far ? slip : w.norm()));
+    }
+    return largest;
+  }
+
+  const Data& data_;
+  Source& source_;
+  std::vector<Functionals> functionals_;
+  std::vector<Directions>
+    directions_; // in which control points slide, of the vertices that are interpolated
+  std::vector<Rows> components_;
+  Vectors<dimension> points_;
+  Limit_interpolation report_;
+};
+
+// The same; the residual is the distance of the points from the limit, of which w is an estimate. Where the limit point is the
+// point, nothing need be sought. Where the net is so coarse that arcs may mislead, a component for which the data
+// would be the better net becomes these.
+template <int dimension, int tangents>
+Interpolation_result<dimension> slide_and_measure(const Interpolation_data<dimension>& data,
+                                                  Limit_source<dimension, tangents>& source)
+{
+  constexpr double coarse_slip = 0.25;
+  constexpr unsigned most_changes = 8;
+  auto result = Slide_interpolation<dimension, tangents>(data, source)();
+  Limit_interpolation& report = result.report;
+  if (report.slip <= report.tolerance) return result;
+  const auto farthest_of = [&](const Vectors<dimension>& points) {
+    return source.farthest(to_values<dimension>(points, result.normals, data), data.points,
+                           data.vertices, data.tolerance / 8);
+  };
+  const auto component = [&](std::size_t v) {
+    return data.components.empty() ? 0 : data.components[v];
+  };
+  Farthest_point farthest = farthest_of(result.points);
+  for (unsigned k = 0; k < most_changes && report.slip_of_edge > coarse_slip; ++k) {
+    Vectors<dimension> points = result.points;
+    for (std::size_t v = 0; v < points.size(); ++v)
+      if (component(v) == component(farthest.vertex)) points[v] = data.points[v];
+    const Farthest_point next = farthest_of(points);
+    if (!(next.distance < farthest.distance)) break;
+    farthest = next;
+    result.points = std::move(points);
+  }
+  report.residual = finite_or_infinite(farthest.distance);
+  report.error = finite_or_infinite(farthest.error);
+  return result;
+}
+
+// Normals M that are those of the surface that slides along them: the surface that interpolates with M
+// tells its normals at the points P, and they become the next M. The normal at P is that at the limit
+// point L, carried from L to P by the second fundamental form.
+class Natural_normals
+{
+public:
+  // the data, the normals of which are the first ones
+  Natural_normals(Interpolation_data<3>& data, Surface_limits& source)
+    : data_(data)
+    , source_(source)
+  {}
+
+  void operator()()
+  {
+    double last_change = 0;
+    for (unsigned k = 0; k < most_rounds; ++k) {
+      const auto result = Slide_interpolation<3, 2>(data_, source_)();
+      if (result.report.steps == 0) return; // they are exact
+      Vectors<3> next = next_normals(result.points);
+      double change = 0;
+      for (const auto v : data_.vertices)
+        change = (std::max)(change, (next[v] - data_.normals[v]).norm());
+      if (k > 0 && !(change < 0.8 * last_change)) return;
+      data_.normals = std::move(next);
+      if (change <= 1e-5) return;
+      last_change = change;
+    }
+  }
+
+private:
+  static constexpr unsigned most_rounds = 10;
+
+  Vectors<3> next_normals(const Vectors<3>& points)
+  {
+    Limit_precision precision = data_.precision();
+    precision.second_forms = 2e-5;
+    const auto functionals =
+      source_(to_values<3>(points, data_.normals, data_), data_.vertices, precision);
+    Vectors<3> next = data_.normals;
+    for (std::size_t i = 0; i < functionals.size(); ++i) {
+      const auto v = data_.vertices[i];
+      const auto& f = functionals[i];
+      if (data_.is_at_border[v] != 0 || !f.has_tangents) continue;
+      const Eigen_vector<3> nu = f.surface_normal(points, data_.normals[v]);
+      const Eigen_vector<3> n = nu - f.second_form * (data_.points[v] - f.limit(points));
+      const double length = n.norm();
+      if (!(length > 0.1) || !std::isfinite(length) || n.dot(data_.normals[v]) <= 0) continue;
+      next[v] = n / length;
+    }
+    return next;
+  }
+
+  Interpolation_data<3>& data_;
+  Surface_limits& source_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_FITTING_3_INTERNAL_SLIDE_INTERPOLATION_H

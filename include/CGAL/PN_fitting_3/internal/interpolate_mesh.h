@@ -1,0 +1,242 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_FITTING_3_INTERNAL_INTERPOLATE_MESH_H
+#define CGAL_PN_FITTING_3_INTERNAL_INTERPOLATE_MESH_H
+
+#include <CGAL/PN_fitting_3/internal/Control_normal_solution.h>
+#include <CGAL/PN_fitting_3/internal/Functional_tower.h>
+#include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
+#include <CGAL/PN_fitting_3/internal/Mesh_limit_functionals.h>
+#include <CGAL/PN_fitting_3/internal/Prescription.h>
+#include <CGAL/PN_fitting_3/internal/Slide_interpolation.h>
+#include <CGAL/PN_fitting_3/internal/Strict_interpolation.h>
+#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Writes what has changed into a map of a mesh, and puts the old values back unless it is kept.
+template <class Access, class Map, class Element = Vertex_of_mesh>
+class Changed_values
+{
+  using Index = Level_connectivity::Index;
+  using Value = typename boost::property_traits<Map>::value_type;
+
+public:
+  Changed_values(const Access& access, Map map)
+    : access_(access)
+    , map_(map)
+  {}
+  Changed_values(const Changed_values&) = delete;
+  Changed_values& operator=(const Changed_values&) = delete;
+  // a map that throws here too keeps what it has
+  ~Changed_values()
+  {
+    if (is_kept_) return;
+    for (const auto& [v, value] : old_) try {
+        put(map_, Element::at(access_, v), value);
+      } catch (...) {
+      }
+  }
+
+  template <class FT>
+  void change(Index v, const Eigen_vector<3>& x)
+  {
+    old_.emplace_back(v, get(map_, Element::at(access_, v)));
+    put(map_, Element::at(access_, v), Value(FT(x[0]), FT(x[1]), FT(x[2])));
+  }
+  void keep() { is_kept_ = true; }
+
+private:
+  const Access& access_;
+  Map map_;
+  std::vector<std::pair<Index, Value>> old_;
+  bool is_kept_ = false;
+};
+
+// of what has no such map
+struct Nothing_changed
+{
+  template <class Access, class Map>
+  Nothing_changed(const Access&, const Map&)
+  {}
+};
+
+// Writes the control net in place of the data; points and normals that are the same stay untouched.
+template <class FT, class Access, class Point_map, class Normal_map>
+void write_control_net(const Access& access, Point_map points, [[maybe_unused]] Normal_map normals,
+                       const Vectors<3>& old_points, const Vectors<3>& new_points,
+                       [[maybe_unused]] const Vectors<3>& old_normals,
+                       [[maybe_unused]] const Vectors<3>& new_normals)
+{
+  using Index = Level_connectivity::Index;
+  Changed_values<Access, Point_map> new_point(access, points);
+  for (std::size_t v = 0; v < new_points.size(); ++v)
+    if (new_points[v] != old_points[v])
+      new_point.template change<FT>(static_cast<Index>(v), new_points[v]);
+  if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
+    Changed_values<Access, Normal_map> new_normal(access, normals);
+    for (std::size_t v = 0; v < new_normals.size(); ++v)
+      if (new_normals[v] != old_normals[v])
+        new_normal.template change<FT>(static_cast<Index>(v), new_normals[v]);
+    new_normal.keep();
+  }
+  new_point.keep();
+}
+
+template <class PolygonMesh, class Scheme, class NamedParameters>
+constexpr void check_interpolation_arguments()
+{
+  static_assert(check_no_grid_rows<Scheme>());
+  static_assert(
+    Scheme::Host::keeps_vertices && !std::is_same_v<typename Scheme::Host, Sqrt3_host>,
+    "PN_subdivision_3: interpolation is not known for this scheme: take Catmull-Clark or "
+    "Loop, or their modified forms");
+  static_assert(is_chosen_at_run_time<Scheme>() || !Has_curvature_transfer<Scheme>::value,
+                "PN_subdivision_3: interpolation is not known for schemes that transfer curvature, "
+                "whose normals depend on the points: take their modified forms");
+}
+
+inline void check_tolerance(double tolerance)
+{
+  if (!(tolerance >= 0))
+    throw std::invalid_argument(
+      "PN_subdivision_3: a tolerance must be a number that is not negative");
+}
+
+template <class Options>
+void check_interpolation_options(const Options& options)
+{
+  check_tolerance(options.tolerance);
+  if (options.mode == Limit_interpolation::Mode::slide &&
+      options.free == Limit_interpolation::Free::smooth)
+    throw std::invalid_argument(
+      "PN_subdivision_3: control points slide where they are interpolated "
+      "only: take Limit_interpolation::Free::fixed, or "
+      "Limit_interpolation::Mode::strict");
+}
+
+// The roundness that is given, of vertices of a mesh; nothing where none is.
+template <class FT, class Parameters, class Access, class NamedParameters>
+std::vector<double> read_roundness_of_vertices(const Access& access, std::size_t n,
+                                               const NamedParameters& np)
+{
+  const Given_roundness<FT> given = read_roundness<FT, Parameters>(access, np);
+  if (given.of_all) return std::vector<double>(n, CGAL::to_double(*given.of_all));
+  std::vector<double> roundness;
+  for (const FT& w : given.of_vertices) roundness.push_back(CGAL::to_double(w));
+  return roundness;
+}
+
+// puts the normals that Natural_normals finds from those of the data
+template <class FT, class Scheme, class New_normals>
+void put_natural_normals(const Scheme& scheme, const Level_connectivity& level,
+                         const For_chunks& for_chunks, Interpolation_data<3> data,
+                         New_normals& new_normals)
+{
+  const Level_connectivity::Index n = level.number_of_vertices();
+  for (Level_connectivity::Index v = 0; v < n; ++v)
+    if (!data.normals[v].isZero(0)) data.vertices.push_back(v);
+  data.tolerance = 1e-9 * box_size(data.points);
+  const Rules_of<Scheme>& rules = rules_of(scheme);
+  Mesh_limit_functionals<Rules_of<Scheme>> source(rules, level, for_chunks);
+  Natural_normals natural(data, source);
+  natural();
+  for (Level_connectivity::Index v = 0; v < n; ++v)
+    new_normals.template change<FT>(v, data.normals[v]);
+}
+
+// Points, normals and roundness of a mesh, and what is around the vertices; refuses what is sharp.
+template <class FT, class Access, class Scheme, class Mesh, class NamedParameters, class Normal_map>
+Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme& scheme,
+                                              const Level_connectivity& level, const Mesh& mesh,
+                                              const NamedParameters& np, Normal_map normals)
+{
+  using Parameters = Surface_parameters<Mesh, NamedParameters>;
+  check_scheme(scheme, level, access);
+  if (!limit_neighborhood(scheme).has_tangent_planes)
+    throw std::invalid_argument("PN_subdivision_3: surfaces of " + name_in_message(scheme) +
+                                " pass through the control points as they are, and have no "
+                                "tangent planes there: nothing is left to interpolate");
+  refuse_interpolated_creases(scheme, access, level, Parameters::edge_constraint_map(np),
+                              Parameters::vertex_constraint_map(np));
+  Interpolation_data<3> data = read_points_and_normals<FT>(
+    access, scheme, level, Parameters::const_point_map(mesh, np), normals);
+  data.takes_normals = is_pn_v<Scheme>;
+  data.roundness =
+    read_roundness_of_vertices<FT, Parameters>(access, level.number_of_vertices(), np);
+  set_surroundings(level, data);
+  return data;
+}
+
+inline Interpolation_result<3> interpolate_by_sliding(const Level_connectivity& level,
+                                                      Control_normal_estimate estimate,
+                                                      Interpolation_data<3>& data,
+                                                      Surface_limits& source)
+{
+  estimate_missing_normals(level, estimate, data);
+  const std::size_t left_out = leave_out_without_normal(data);
+  auto result = slide_and_measure<3, 2>(data, source);
+  result.report.left_out = left_out;
+  return result;
+}
+
+// all control points move, as smoothly as they can
+inline Interpolation_result<3> interpolate_smoothly(const Level_connectivity& level,
+                                                    Interpolation_data<3> data,
+                                                    Surface_limits& source,
+                                                    Vectors<3> control_normals)
+{
+  std::vector<Prescribed_vertex> prescribed;
+  for (const auto v : data.vertices) {
+    prescribed.emplace_back().vertex = v;
+    prescribed.back().point = data.points[v];
+  }
+  data.normals = std::move(control_normals);
+  return Prescription(level, data, source, std::move(prescribed),
+                      (std::numeric_limits<unsigned>::max)())();
+}
+
+template <class Options>
+Interpolation_result<3> interpolate_mesh(const Level_connectivity& level,
+                                         Control_normal_estimate estimate, const Options& options,
+                                         Interpolation_data<3>& data, Surface_limits& source)
+{
+  if (options.mode == Limit_interpolation::Mode::slide)
+    return interpolate_by_sliding(level, estimate, data, source);
+  const bool solves = options.normals == Limit_interpolation::Normals::solved && data.takes_normals;
+  Solved_normals<3> control_normals = solved_or_given<3, 2>(solves, data, source);
+  auto result = options.free == Limit_interpolation::Free::smooth
+                  ? interpolate_smoothly(level, data, source, std::move(control_normals.normals))
+                  : Strict_interpolation<3, 2>(data, source)(std::move(control_normals.normals));
+  control_normals.note(result.report);
+  return result;
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_FITTING_3_INTERNAL_INTERPOLATE_MESH_H

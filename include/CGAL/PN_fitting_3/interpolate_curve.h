@@ -1,0 +1,250 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_FITTING_3_INTERPOLATE_CURVE_H
+#define CGAL_PN_FITTING_3_INTERPOLATE_CURVE_H
+
+#include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
+
+#include <CGAL/PN_curves/subdivide_curve.h>
+#include <CGAL/PN_fitting_3/internal/Control_normal_solution.h>
+#include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
+#include <CGAL/PN_fitting_3/internal/Slide_interpolation.h>
+#include <CGAL/PN_fitting_3/internal/Strict_interpolation.h>
+#include <CGAL/PN_fitting_3/internal/interpolate_mesh.h>
+#include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// What a mask is for interpolation.
+enum class Curve_limit { of_the_points, cubic };
+
+template <class Mask>
+Curve_limit curve_limit_of(const Mask& mask)
+{
+  const std::vector<double> a = mask.template coefficients<double>();
+  const auto at = [&](int i) {
+    const int k = i - mask.first_index();
+    return k >= 0 && k < static_cast<int>(a.size()) ? a[static_cast<std::size_t>(k)] : 0.;
+  };
+  const int last = mask.first_index() + static_cast<int>(a.size()) - 1;
+  bool interpolates = at(0) == 1, is_cubic = true;
+  for (int i = mask.first_index(); i <= last; ++i) {
+    if (i != 0 && i % 2 == 0 && at(i) != 0) interpolates = false;
+    const int d = i < 0 ? -i : i;
+    const double cubic = d == 0 ? 6. / 8 : d == 1 ? 4. / 8 : d == 2 ? 1. / 8 : 0.;
+    if (std::abs(at(i) - cubic) > 1e-15) is_cubic = false;
+  }
+  if (interpolates) return Curve_limit::of_the_points;
+  if (is_cubic && mask.first_index() <= -2 && last >= 2) return Curve_limit::cubic;
+  throw std::invalid_argument(
+    "PN_subdivision_3: interpolation is not known for this mask: take the "
+    "cubic B-spline, or a mask that interpolates");
+}
+
+template <class Mask>
+struct Has_own_normal_mask : std::false_type
+{};
+template <class Mask, class Normal_mask>
+struct Has_own_normal_mask<Mask_with_normals<Mask, Normal_mask>> : std::true_type
+{};
+
+// the mean length of the edges at each point; binormals of curves in space
+template <int dimension>
+void set_curve_surroundings(bool is_closed, Interpolation_data<dimension>& data)
+{
+  using Vector = Eigen_vector<dimension>;
+  const std::size_t n = data.points.size();
+  data.is_at_border.assign(n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool is_end = !is_closed && (i == 0 || i + 1 == n);
+    data.is_at_border[i] = is_end ? 1 : 0;
+    const std::size_t before = i > 0 ? i - 1 : is_closed ? n - 1 : 0;
+    const std::size_t after = i + 1 < n ? i + 1 : is_closed ? 0 : i;
+    const Vector e = data.points[i] - data.points[before], f = data.points[after] - data.points[i];
+    data.edge_length.push_back((e.norm() + f.norm()) / (is_end ? 1 : 2));
+    if constexpr (dimension == 3) {
+      const Vector b = data.normals[i].cross(e + f);
+      data.binormals.push_back(b.norm() > 0 ? Vector(b.normalized())
+                                            : Vector(data.normals[i].unitOrthogonal()));
+    }
+  }
+}
+
+template <int dimension, class Options>
+Interpolation_result<dimension> interpolate_polygon(bool is_closed, const Options& options,
+                                                    Interpolation_data<dimension>& data)
+{
+  Curve_limit_functionals<dimension> source(is_closed);
+  if (options.mode == Limit_interpolation::Mode::slide) {
+    const std::size_t left_out = leave_out_without_normal(data);
+    auto result = slide_and_measure<dimension, 1>(data, source);
+    result.report.left_out = left_out;
+    return result;
+  }
+  const bool solves = options.normals == Limit_interpolation::Normals::solved && data.takes_normals;
+  Solved_normals<dimension> normals = solved_or_given<dimension, 1>(solves, data, source);
+  auto result = Strict_interpolation<dimension, 1>(data, source)(std::move(normals.normals));
+  normals.note(result.report);
+  return result;
+}
+
+// The points of a polygon with unit normals, zero where it has none.
+template <class Range, class NamedParameters>
+auto points_with_normals(const Range& polygon, const NamedParameters& np)
+{
+  using Points = Curve_points<Range, NamedParameters>;
+  constexpr int dimension = Points::dimension;
+  using FT = typename Points::FT;
+  std::vector<std::pair<typename Points::Point, typename Points::Vector>> result;
+  const auto points = Points::template get_all<double>(polygon, np); // checked
+  const auto point_map = Points::point_map(np);
+  for (const auto& item : polygon) {
+    result.emplace_back(get(point_map, item), CGAL::NULL_VECTOR);
+    if constexpr (Points::has_normals) {
+      const auto name = [&] { return "point " + std::to_string(result.size() - 1); };
+      const typename Points::Vector n = get(Points::normal_map(np), item);
+      Coordinates<FT, dimension> c;
+      for (int k = 0; k < dimension; ++k) c[static_cast<std::size_t>(k)] = FT(n.cartesian(k));
+      check_finite<FT, dimension>(c, "normal", name);
+      normalize_control_normal<FT, dimension>(c, name);
+      result.back().second = Points::template make<typename Points::Vector>(c);
+    }
+  }
+  return result;
+}
+
+// estimates the normals that are zero
+template <class Point, class Vector>
+void estimate_missing(std::vector<std::pair<Point, Vector>>& curve, Curve_end end)
+{
+  const auto is_missing = [](const auto& item) { return item.second == CGAL::NULL_VECTOR; };
+  if (std::none_of(curve.begin(), curve.end(), is_missing)) return;
+  const auto estimated = estimate_control_normals(curve, end);
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    if (is_missing(curve[i])) curve[i].second = estimated[i].second;
+}
+
+template <int dimension, class Point, class Vector>
+Interpolation_data<dimension> curve_data(const std::vector<std::pair<Point, Vector>>& curve)
+{
+  Interpolation_data<dimension> data;
+  for (const auto& [point, normal] : curve) {
+    data.vertices.push_back(static_cast<std::uint32_t>(data.points.size()));
+    Eigen_vector<dimension>& p = data.points.emplace_back();
+    Eigen_vector<dimension>& n = data.normals.emplace_back();
+    for (int k = 0; k < dimension; ++k) {
+      p[k] = close_double(point.cartesian(k));
+      n[k] = close_double(normal.cartesian(k));
+    }
+  }
+  return data;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Interpolation
+
+returns a control polygon whose limit curve passes through the points of a polygon. The method is
+that of `interpolate_limit_points()`: in mode `slide` control points move along the normals, in space along the
+binormals, too, so that samples of circles with exact normals, however uneven, are their own control
+polygon; in mode `strict` each point is the limit of its vertex. In space `slide` leaves a point off the
+curve, by the square of its slip times the curvature and the sine of the angle between its normal and the
+principal normal: use `strict` if that matters.
+
+For corners split the polygon by `split_at_corners()` and interpolate part by part.
+
+\param polygon as for `subdivide_curve()`; where a normal is zero, `slide` estimates one as by
+  `estimate_control_normals()`
+\param mask the cubic `B_spline_mask`, a mask that interpolates, or its `linear()` twin
+\param end whether the polygon is closed; the ends of an open one are reflected, and their limit is the
+  points themselves
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map`,
+  `geom_traits` and `roundness`, that of the curve, as for `subdivide_curve()`, and `interpolation_mode`,
+  `interpolation_normals`, `tolerance`, `max_depth` and `max_steps` of `CGAL::PN_subdivision_3::parameters`
+
+\returns the points and normals of the control polygon, and what was reached
+
+\throws std::invalid_argument for another mask, for `Curve_end::none`, if a point or normal is not finite, or
+  if the options are wrong
+<br><b>Cost:</b> linear in the size of the polygon
+*/
+template <class Range, class Mask, class NamedParameters = parameters::Default_named_parameters>
+auto interpolate_curve(const Range& polygon, const Mask& mask, Curve_end end,
+                       const NamedParameters& np = parameters::default_values())
+{
+  static_assert(!internal::Has_own_normal_mask<Mask>::value &&
+                  !internal::Is_level_dependent<Mask>::value,
+                "PN_subdivision_3: interpolation is for one mask of points and normals");
+  internal::check_are_read<NamedParameters, internal::roundness_t, internal::interpolation_mode_t,
+                           internal::interpolation_normals_t, internal::tolerance_t,
+                           internal::max_depth_t, internal::max_steps_t>();
+  using Points = internal::Curve_points<Range, NamedParameters>;
+  constexpr int dimension = Points::dimension;
+  const internal::Interpolation_options options = internal::interpolation_options(np);
+  internal::check_interpolation_options(options);
+  if (options.free != Limit_interpolation::Free::fixed)
+    throw std::invalid_argument("PN_subdivision_3: all points of a curve are interpolated: take "
+                                "Limit_interpolation::Free::fixed");
+  if (options.normals == Limit_interpolation::Normals::natural)
+    throw std::invalid_argument("PN_subdivision_3: a curve has no natural normals here: take "
+                                "estimate_control_normals()");
+  const internal::Curve_limit limit = internal::curve_limit_of(mask);
+  if (end == Curve_end::none)
+    throw std::invalid_argument("PN_subdivision_3: a curve without its ends does not pass through "
+                                "them: take Curve_end::reflect");
+  const auto roundness = internal::Curve_parameters<Range, NamedParameters>::roundness(np);
+  auto result = internal::points_with_normals(polygon, np);
+  Limit_interpolation report;
+  if (limit == internal::Curve_limit::cubic) {
+    constexpr bool is_linear = internal::Is_linear_mask<Mask>::value;
+    const bool slides = options.mode == Limit_interpolation::Mode::slide;
+    if (slides || (!is_linear && !Points::has_normals)) internal::estimate_missing(result, end);
+    internal::Interpolation_data<dimension> data = internal::curve_data<dimension>(result);
+    internal::divide_by_size(data);
+    internal::set_curve_surroundings(end == Curve_end::closed, data);
+    data.takes_normals = !is_linear;
+    if constexpr (internal::Curve_parameters<Range, NamedParameters>::has_roundness)
+      data.roundness.assign(result.size(), internal::close_double(roundness));
+    data.tolerance = options.tolerance * internal::box_size(data.points);
+    data.max_depth = (std::max)(1u, options.max_depth);
+    data.max_steps = options.max_steps;
+    auto solution = internal::interpolate_polygon(end == Curve_end::closed, options, data);
+    report = solution.report;
+    internal::multiply_by_size(data.exponent, report);
+    internal::multiply_by_size<typename Points::FT, dimension>(data.exponent, data.points);
+    internal::multiply_by_size<typename Points::FT, dimension>(data.exponent, solution.points);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      if (solution.points[i] != data.points[i])
+        result[i].first = Points::template make<typename Points::Point>(
+          internal::to_coordinates<dimension>(solution.points[i]));
+      if (solution.normals[i] != data.normals[i])
+        result[i].second = Points::template make<typename Points::Vector>(
+          internal::to_coordinates<dimension>(solution.normals[i]));
+    }
+  }
+  return std::make_pair(std::move(result), report);
+}
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_FITTING_3_INTERPOLATE_CURVE_H

@@ -1,0 +1,239 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_FITTING_3_INTERPOLATE_LIMIT_POINTS_H
+#define CGAL_PN_FITTING_3_INTERPOLATE_LIMIT_POINTS_H
+
+#include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
+
+#include <CGAL/PN_fitting_3/internal/Creased_interpolation.h>
+#include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
+#include <CGAL/PN_fitting_3/internal/Strict_interpolation.h>
+#include <CGAL/PN_fitting_3/internal/interpolate_mesh.h>
+#include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
+#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+template <class Access, class VertexMap>
+bool is_interpolated([[maybe_unused]] const Access& access, [[maybe_unused]] const VertexMap& map,
+                     [[maybe_unused]] Level_connectivity::Index v)
+{
+  if constexpr (std::is_same_v<VertexMap, All_vertices>)
+    return true;
+  else
+    return static_cast<bool>(get(map, access.vertex(v)));
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Interpolation
+
+replaces the points of a mesh by control points of a surface that passes through them. For fixed control
+normals the limit points of point-normal subdivision are linear in the control points.
+
+<b>`Limit_interpolation::Mode::slide`.</b> The normals of the data become the control normals, and the
+control point of a vertex moves along its normal, until the data point lies on the limit surface. This
+is one unknown a vertex. The data point is not the limit point of the vertex then: that has slipped along
+the surface, by a tenth of an edge or so, and between the two the surface is taken to be the circular
+arc with their normals. Samples of spheres and circular cylinders with exact normals are their own control
+net: nothing is solved. On borders the limit control normal stands for the surface normal. Each component is
+solved on its own (D. G. Anderson, <em>Iterative procedures for nonlinear integral equations</em>, 1965), no control point moves by more than
+the mean edge at it, and the best control net is kept. The report has the distance of the points from the surface.
+
+<b>`Limit_interpolation::Mode::strict`.</b> The limit point of each vertex is the data point, up to
+the tolerance. Control normals are the given ones, or with `Limit_interpolation::Normals::solved` those
+whose limits are the given ones; vertices where these cannot be found keep the given ones and are counted
+in `left_out`.
+
+With `linear()` schemes the same code does classic linear interpolation; `slide` then moves points along
+the given normals, or estimated ones. Schemes that interpolate return the net as it is.
+
+<b>Normals.</b> The `vertex_normal_map` holds normals of the data, and control normals afterwards. Where
+it is zero, `slide` estimates a normal, and `strict` does as linear subdivision does.
+
+<b>Only points.</b> With `Limit_interpolation::Normals::natural` the map of normals is written only: its normals become those that the surface has at the points
+along which it slides. The estimate of `estimate_control_normals()` comes first, then the normals at the points of the
+surface that slides along it, up to ten times, as long as the change falls by a fifth. Where no solve is needed the
+estimate is kept: spheres, and cylinders in grids. On borders the estimate stays. Modified schemes have
+curvature everywhere, and are the better choice. On uneven samples of smooth surfaces the errors are a tenth to a
+fiftieth of those of the estimate.
+
+<b>Without a map of normals</b> the control normals, and the roundness if it is not given, are those that further calls without
+one estimate from the control points, and in either mode the limit point of each vertex is the data point: an iteration of at
+most `max_steps` evaluations, by Anderson's method too, finds the points.
+Smoother surfaces are those with a map and `Limit_interpolation::Normals::natural`.
+
+<b>Roundness.</b> It is 1 unless it is given or there is no map of normals, and stays as it is: pass it to the calls that
+refine the result. `estimate_control_normals()` returns it.
+
+<b>Creases</b> that are sharp forever are for `Limit_interpolation::Mode::strict` with given normals: the normals of
+the wedges and the tangents of the creases are made from the data once, as `subdivide()` makes them, so that the limit
+points stay linear in the control points; the limit points of corners are these themselves. Both have to reach
+the calls that refine the result: a point-normal scheme takes them in a `vertex_normal_map` of half-edges, where vertices
+have several wedges, and in a `crease_tangent_map`, which are written. The limits are evaluated, about ten times a step, and
+each step reduces the error to a ten-thousandth.
+
+Everything is computed in `double`, whatever the number type of the mesh; what does not change is not
+written. Weights of PN averages that fade, and vanishing normals, are treated as in `PN_average`.
+
+<b>Strong guarantee.</b> If an exception leaves the function, the maps are as they were, except for maps of
+the user's whose `put()` throws also while old values are put back.
+
+\tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
+  `Parallel_if_available_tag`: how limits are evaluated. The result is the same, bit for bit.
+\tparam PolygonMesh a model of `FaceListGraph`
+\tparam Scheme a built-in scheme that keeps its vertices, except \f$ \sqrt{3} \f$, or its `linear()` twin
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh an oriented 2-manifold with border
+\param scheme the scheme
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
+  `vertex_normal_map`, `parameters::control_normal_estimate()` if there is none, `vertex_roundness_map`, which is only read, `roundness` and
+  `geom_traits` as in `subdivide()`;
+  `edge_is_constrained_map` and `vertex_is_constrained_map`, in which sharpness is infinite, `border` and
+  `crease_tangent_map`.
+  The method is set by `interpolation_mode`, `interpolation_normals`, `free_vertices`, `vertex_is_interpolated_map`,
+  `tolerance`, `max_depth` and `max_steps` of `CGAL::PN_subdivision_3::parameters`
+
+\returns what was reached. A tolerance that cannot be met is not an error: the best control net is the result.
+
+\throws std::invalid_argument as `subdivide()` does, if the tolerance is negative or not a number, if
+  an edge, a vertex or the border is sharp in mode `slide` or with natural normals, by a finite sharpness, or without what takes its normals and
+  tangents (the message names it), or if `Limit_interpolation::Free::smooth`
+  is asked for in mode `slide` or without a map of normals, or natural normals of a linear scheme or without a map; nothing has been written then
+<br><b>Cost:</b> linear in the size of the mesh except for the factor of a sparse matrix with one row per vertex; about
+  2 kB of memory per vertex
+
+\sa `prescribe_limit_data()`, `interpolate_curve()`
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
+          class NamedParameters = parameters::Default_named_parameters>
+Limit_interpolation
+interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
+                         const NamedParameters& np = parameters::default_values())
+{
+  internal::check_are_read<NamedParameters, internal::Read_of_control_mesh,
+                           internal::interpolation_mode_t, internal::interpolation_normals_t,
+                           internal::free_vertices_t, internal::vertex_is_interpolated_map_t,
+                           internal::tolerance_t, internal::max_depth_t, internal::max_steps_t>();
+  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return interpolate_limit_points<Concurrency_tag>(mesh, s, others);
+    });
+  else if constexpr (internal::Is_any<Scheme>::value)
+    return internal::on_interpolated_host<Limit_interpolation,
+                                          internal::Surface_call<PolygonMesh, NamedParameters>>(
+      scheme,
+      [&](const auto& s) { return interpolate_limit_points<Concurrency_tag>(mesh, s, np); });
+  else {
+    internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
+    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+    using FT = typename Parameters::FT;
+    constexpr bool estimates =
+      internal::is_pn_v<Scheme> &&
+      std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>;
+    constexpr bool finds_normals =
+      internal::is_pn_v<Scheme> &&
+      !std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>;
+    const internal::Interpolation_options options = internal::interpolation_options(np);
+    internal::check_interpolation_options(options);
+    const auto vertices =
+      internal::parameter_or<internal::vertex_is_interpolated_map_t>(np, internal::All_vertices());
+    const auto points = Parameters::point_map(mesh, np);
+    Limit_interpolation report;
+    internal::with_mesh_access(mesh, [&](auto& access) {
+      const Level_connectivity level = internal::checked_level(access);
+      using Access = std::decay_t<decltype(access)>;
+      if constexpr (internal::may_have_creases_v<Scheme, Access, typename Parameters::Normal_map,
+                                                 typename Parameters::Edge_constraint_map,
+                                                 typename Parameters::Vertex_constraint_map>)
+        if (const std::string what = internal::what_is_sharp(
+              scheme, access, level, Parameters::normal_map(np),
+              Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np));
+            !what.empty()) {
+          report = internal::interpolate_with_creases<FT>(
+            access, scheme, level, mesh, np, options, what,
+            internal::For_chunks::with(Concurrency_tag()), [&](Level_connectivity::Index v) {
+              return internal::is_interpolated(access, vertices, v);
+            });
+          return;
+        }
+      if constexpr (!internal::is_of_halfedges_v<Access, typename Parameters::Normal_map>) {
+        const auto normal_map = Parameters::normal_map(np);
+        const auto read = [&](const auto& normals) {
+          return internal::read_interpolation_data<FT>(access, scheme, level, mesh, np, normals);
+        };
+        const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
+        const bool is_natural = options.normals == Limit_interpolation::Normals::natural;
+        using Natural =
+          std::conditional_t<finds_normals,
+                             internal::Changed_values<Access, typename Parameters::Normal_map>,
+                             internal::Nothing_changed>;
+        Natural natural(access, normal_map);
+        if (is_natural) {
+          if constexpr (finds_normals)
+            internal::put_natural_normals<FT>(scheme, level, for_chunks,
+                                              read(internal::No_normal_map()), natural);
+          else
+            throw std::invalid_argument("PN_subdivision_3: natural normals need a "
+                                        "vertex_normal_map, and a scheme that is not linear");
+        }
+        internal::Interpolation_data<3> data = read(normal_map);
+        for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
+          if (internal::is_interpolated(access, vertices, v)) data.vertices.push_back(v);
+        data.tolerance = options.tolerance * internal::box_size(data.points);
+        data.max_depth = (std::max)(1u, options.max_depth); // the estimate of the error needs one
+        data.max_steps = options.max_steps;
+        const internal::Vectors<3> old_normals = data.normals;
+        const internal::Rules_of<Scheme>& rules = internal::rules_of(scheme);
+        internal::Mesh_limit_functionals<internal::Rules_of<Scheme>> source(rules, level,
+                                                                            for_chunks);
+        if (estimates && options.free == Limit_interpolation::Free::smooth)
+          throw std::invalid_argument(
+            "PN_subdivision_3: without normals control points move where they "
+            "are interpolated only: give a vertex_normal_map, or take "
+            "Limit_interpolation::Free::fixed");
+        const Control_normal_estimate estimate = internal::normal_estimate(scheme);
+        auto result = estimates
+                        ? internal::Estimated_interpolation(level, estimate, data, source)()
+                        : internal::interpolate_mesh(level, estimate, options, data, source);
+        report = result.report;
+        internal::multiply_by_size(data.exponent, report);
+        internal::multiply_by_size<FT, 3>(data.exponent, data.points);
+        internal::multiply_by_size<FT, 3>(data.exponent, result.points);
+        report.normal_angle = internal::largest_normal_angle(level, data.normals);
+        if constexpr (finds_normals) {
+          internal::write_control_net<FT>(access, points, normal_map, data.points, result.points,
+                                          old_normals, result.normals);
+          natural.keep();
+        } else
+          internal::write_control_net<FT>(access, points, internal::No_normal_map(), data.points,
+                                          result.points, old_normals, result.normals);
+      }
+    });
+    return report;
+  }
+}
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_FITTING_3_INTERPOLATE_LIMIT_POINTS_H

@@ -1,0 +1,443 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_CREASED_LIMITS_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_CREASED_LIMITS_H
+
+#include <CGAL/PN_limit_surface_3/internal/limit/Dart_limit.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_towers.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The limits at all slots of a level with creases.
+//
+// Where there is no crease, they are those of the level cut open: what the ring of a vertex becomes depends on
+// the ring alone, and in it on slots. Vertices on creases are evaluated with their neighbors along the
+// crease, darts with their ring, and corners stay. Where a ring is not settled, or something is sharp, but not forever, the
+// whole level is refined.
+template <class Scheme, class FT>
+class Creased_limits
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Evaluation = Limit_evaluation<Scheme, FT>;
+  using Value = typename Evaluation::Value;
+  using Result = typename Evaluation::Result;
+  using Level = typename Evaluation::Level;
+
+  Creased_limits(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
+                 std::shared_ptr<typename Evaluation::Classes> classes = nullptr)
+    : scheme_(scheme)
+    , demand_(demand)
+    , for_chunks_(for_chunks)
+    , evaluation_(scheme, demand, for_chunks, std::move(classes))
+    , any_round_((std::max)(101u, first_tuned_round(scheme)))
+    , border_classes_(scheme)
+  {}
+
+  // `level` has the values of the slots; it is cut open meanwhile. The creases get the tangents of the limit. If
+  // only some vertices are asked for, which are sorted, the other slots have no results.
+  std::vector<Result> operator()(Level& level, Creases<FT>& creases, unsigned next_round,
+                                 const std::vector<Index>* some = nullptr)
+  {
+    if (creases.empty()) return evaluation_(level, next_round, some);
+    if (is_anything_ending(creases)) return after_the_end(level, creases, next_round, some);
+    std::vector<Result> results(creases.number_of_slots);
+    Creases<FT> limits = creases;
+    some_ = some;
+    std::vector<Index> rest = vertices_of_rings(level.level, creases);
+    {
+      const Cut cut(level.level, creases);
+      evaluate_creases(level, creases, limits, results);
+      if constexpr (!is_pn)
+        if (demand_.surface_normals) evaluate_normals(level, creases, next_round, results);
+      rest =
+        selected(rest, evaluate_rest(level, creases, limits, {rest, rest}, next_round, 0, results));
+    }
+    if (!rest.empty()) refine(level, creases, limits, std::move(rest), next_round, results);
+    if (demand_.surface_normals) {
+      const Cut cut(level.level, creases);
+      orient_normals(level, results, for_chunks_, some == nullptr || demand_.has_neighbors);
+    }
+    creases = std::move(limits);
+    return results;
+  }
+
+private:
+  static constexpr bool is_pn = is_pn_v<Scheme>;
+  using Average = Average_of_scheme<Scheme, FT>;
+  using Refiner = Level_refiner<Scheme, Average, Creases<FT>>;
+  using Vector = Coordinates<FT, 3>;
+  using Crease_limit = Crease_vertex_limit<FT, is_pn>;
+  using Dart = Dart_class<Scheme, FT>;
+
+  using Sub = Creased_sub_level<FT, Value>;
+
+  // open while it lives
+  struct Cut
+  {
+    Cut(Level_connectivity& level, const Creases<FT>& creases)
+      : cut(level, creases)
+    {}
+    ~Cut() { cut.close(); }
+    Level_cut<FT> cut;
+  };
+
+  static Vector normal(const Value& value)
+  {
+    if constexpr (is_pn)
+      return value.normal;
+    else
+      return zero_vector<FT, 3>();
+  }
+
+  // \name Where something is sharp, but not forever
+  // The slots of the corners about a vertex, from its half-edge on, which is that of its descendants.
+  static std::vector<Index> slots_about(const Level_connectivity& level,
+                                        const Corner_slots<FT>& slot_of, Index v)
+  {
+    std::vector<Index> slot_ids;
+    const Index own = level.halfedge_of_vertex(v);
+    Index h = own;
+    do {
+      slot_ids.push_back(level.is_border(h) ? v : slot_of(h));
+      h = level.next_around_target(h);
+    } while (h != own);
+    return slot_ids;
+  }
+
+  // refines the whole level until nothing ends any more
+  std::vector<Result> after_the_end(const Level& level, const Creases<FT>& creases,
+                                    unsigned next_round, const std::vector<Index>* some)
+  {
+    Refiner refiner(scheme_, Level_connectivity(level.level), Creases<FT>(creases),
+                    {level.values.begin(), level.values.end()}, for_chunks_, next_round - 1);
+    for (; is_anything_ending(refiner.creases()); ++next_round) refiner.refine();
+    std::vector<Index> vertices; // old ones keep their numbers
+    if (some != nullptr)
+      vertices = *some;
+    else
+      for (Index v = 0; v < level.level.number_of_vertices(); ++v) vertices.push_back(v);
+    Level refined{refiner.level(), {refiner.values().begin(), refiner.values().end()}};
+    Creases<FT> now = refiner.creases();
+    const Corner_slots<FT> old_slots(level.level, creases), new_slots(refined.level, now);
+    std::vector<Result> results(creases.number_of_slots);
+    std::vector<std::pair<Index, Index>> spread; // from a slot to one of those that it comes from
+    for (const Index v : vertices) {
+      if (level.level.is_isolated(v)) {
+        spread.emplace_back(v, v);
+        continue;
+      }
+      const std::vector<Index> from = slots_about(refined.level, new_slots, v),
+                               to = slots_about(level.level, old_slots, v);
+      for (std::size_t i = 0; i < to.size(); ++i) spread.emplace_back(from[i], to[i]);
+    }
+    Creases<FT> with_tangents = now;
+    const std::vector<Result> limits = (*this)(refined, with_tangents, next_round, &vertices);
+    for (const auto& [from, to] : spread) results[to] = limits[from];
+    return results;
+  }
+
+  // \name Vertices whose limit depends on their ring
+  // all that are asked for but crease vertices and corners
+  std::vector<Index> vertices_of_rings(const Level_connectivity& level,
+                                       const Creases<FT>& creases) const
+  {
+    std::vector<Index> vertices;
+    auto star = creases.stars.begin(); // in the order of the vertices
+    const auto add = [&](Index v) {
+      while (star != creases.stars.end() && star->vertex < v) ++star;
+      const bool is_star = star != creases.stars.end() && star->vertex == v;
+      if (!is_star || creases.rule(*star) == Vertex_rule::dart) vertices.push_back(v);
+    };
+    if (some_ != nullptr)
+      for (const Index v : *some_) add(v);
+    else
+      for (Index v = 0; v < level.number_of_vertices(); ++v) add(v);
+    return vertices;
+  }
+  bool is_asked_for(const Crease_star& star) const
+  {
+    return some_ == nullptr || std::binary_search(some_->begin(), some_->end(), star.vertex);
+  }
+
+  // numbers in a part of a refined level, and in the whole level that the limits are asked of
+  struct Vertices
+  {
+    const std::vector<Index>&here, &whole;
+  };
+
+  static std::vector<Index> selected(const std::vector<Index>& all,
+                                     const std::vector<Index>& positions)
+  {
+    std::vector<Index> result;
+    for (const Index i : positions) result.push_back(all[i]);
+    return result;
+  }
+
+  // of the level cut open; returns the positions of the vertices that have to be refined first
+  std::vector<Index> evaluate_rest(const Level& level, const Creases<FT>& creases,
+                                   Creases<FT>& limits, const Vertices& vertices,
+                                   unsigned next_round, unsigned depth,
+                                   std::vector<Result>& results)
+  {
+    std::map<Index, const Crease_star*> darts;
+    for (const Crease_star& star : creases.stars)
+      if (creases.rule(star) == Vertex_rule::dart) darts.emplace(star.vertex, &star);
+    std::vector<Index> smooth, smooth_positions, rest;
+    const bool is_final = next_round >= first_tuned_round(scheme_);
+    const Settled_neighborhood<Scheme> is_settled(scheme_, level.level, is_final);
+    for (Index i = 0; i < vertices.here.size(); ++i) {
+      const Index v = vertices.here[i], whole = vertices.whole[i];
+      const auto dart = darts.find(v);
+      if (dart == darts.end()) {
+        smooth.push_back(v);
+        smooth_positions.push_back(i);
+      } else if (is_settled(v))
+        evaluate_dart(level, creases, *dart->second, limits, whole, depth, results[whole]);
+      else
+        rest.push_back(i);
+    }
+    const std::vector<Index> unsettled =
+      evaluation_.evaluate_settled(level, smooth, next_round, depth, [&](Index i) -> Result& {
+        return results[vertices.whole[smooth_positions[i]]];
+      });
+    for (const Index i : unsettled) rest.push_back(smooth_positions[i]);
+    return rest;
+  }
+
+  // Refines the level about the vertices only, and is then left with those that are not settled there.
+  void refine(const Level& level, const Creases<FT>& creases, Creases<FT>& limits,
+              std::vector<Index>&& vertices, unsigned next_round, std::vector<Result>& results)
+  {
+    std::optional<Sub> part(std::in_place, level.level, creases, level.values, vertices,
+                            cut_rings(scheme_));
+    for (unsigned depth = 0;;) {
+      evaluation_.require_depth(depth, next_round);
+      const std::vector<Index> here = part->centers();
+      Refiner refiner(scheme_, Level_connectivity(part->level()), Creases<FT>(part->creases()),
+                      {part->values().begin(), part->values().end()}, for_chunks_, next_round - 1);
+      part.reset();
+      refiner.refine(); // old vertices keep their numbers
+      ++depth;
+      ++next_round;
+      Level refined{refiner.level(), {refiner.values().begin(), refiner.values().end()}};
+      std::vector<Index> rest;
+      {
+        const Cut cut(refined.level, refiner.creases());
+        rest = evaluate_rest(refined, refiner.creases(), limits, {here, vertices}, next_round,
+                             depth, results);
+      }
+      if (rest.empty()) return;
+      vertices = selected(vertices, rest);
+      part.emplace(refined.level, refiner.creases(), refined.values, selected(here, rest),
+                   cut_rings(scheme_));
+    }
+  }
+
+  // \name Vertices on creases
+  void evaluate_creases(const Level& level, const Creases<FT>& creases, Creases<FT>& limits,
+                        std::vector<Result>& results)
+  {
+    Crease_curve_weights<FT> weights{FT(0), FT(0)};
+    const auto first =
+      std::find_if(creases.stars.begin(), creases.stars.end(), [&](const Crease_star& star) {
+        return creases.rule(star) == Vertex_rule::crease;
+      });
+    if (first != creases.stars.end())
+      weights = Crease_curve_weights<FT>::of(scheme_, level.level, first->vertex, any_round_);
+    const Caller_precision<FT> precision;
+    for_chunks_(static_cast<Index>(creases.stars.size()), [&](Index begin, Index end) {
+      const typename Caller_precision<FT>::In_this_thread same(precision);
+      for (Index i = begin; i < end; ++i) {
+        const Crease_star& star = creases.stars[i];
+        if (!is_asked_for(star)) continue;
+        const Vertex_rule rule = creases.rule(star);
+        if (rule == Vertex_rule::crease)
+          decide(star, [&] { evaluate_crease(level, creases, star, weights, limits, results); });
+        else if (rule == Vertex_rule::corner)
+          for (Index w = 0; w < star.number_of_wedges; ++w)
+            results[star.slot(w)].value = level.values[star.slot(w)];
+      }
+    });
+  }
+
+  // names the vertex at which the precision of the number type does not suffice
+  template <class Function>
+  static void decide(const Crease_star& star, const Function& f)
+  {
+    decided<FT>(
+      f, [&] { return "the limit at vertex " + std::to_string(star.vertex) + " on a crease"; });
+  }
+
+  // the tangent at a vertex along an edge of it, from the vertex and towards it from the other end
+  static Vector& tangent_from(Creases<FT>& creases, const Crease_end& e)
+  {
+    return creases.edges[e.crease].tangent_from[1 - e.side];
+  }
+  static const Vector& tangent_from(const Creases<FT>& creases, const Crease_end& e)
+  {
+    return creases.edges[e.crease].tangent_from[1 - e.side];
+  }
+  static const Vector& tangent_towards(const Creases<FT>& creases, const Crease_end& e)
+  {
+    return creases.edges[e.crease].tangent_from[e.side];
+  }
+
+  void evaluate_crease(const Level& level, const Creases<FT>& creases, const Crease_star& star,
+                       const Crease_curve_weights<FT>& weights, Creases<FT>& limits,
+                       std::vector<Result>& results) const
+  {
+    const Crease_end &from = creases.end(star, 0), &to = creases.end(star, 1);
+    const auto neighbor = [&](const Crease_end& e) {
+      return point_of(level.values[level.level.source(creases.halfedge(e))]);
+    };
+    Crease_limit limit;
+    limit.points = {point_of(level.values[star.vertex]), neighbor(from), neighbor(to)};
+    limit.tangents = {tangent_from(creases, to), tangent_towards(creases, from),
+                      opposite_vector<FT, 3>(tangent_towards(creases, to))};
+    limit.arrival_tangent = opposite_vector<FT, 3>(tangent_from(creases, from));
+    std::vector<Index> slot_ids;
+    if constexpr (is_pn) {
+      add_wedge(level, creases, from, to, false, limit, slot_ids);
+      add_wedge(level, creases, to, from, true, limit, slot_ids);
+      if constexpr (!has_roundness_v<Value>) {
+        const FT of_all = average_of<Average>(scheme_).roundness;
+        limit.roundness.push_back({of_all, of_all, of_all});
+      }
+    }
+    Limit_steps<FT> steps(demand_, !is_pn, 1. / 16);
+    limit.evaluate(weights, steps);
+    for (Index w = 0; w < star.number_of_wedges; ++w) {
+      Result& result = results[star.slot(w)];
+      point_of(result.value) = limit.points[0];
+      result.error = steps.error();
+      result.depth = steps.depth();
+    }
+    if constexpr (is_pn)
+      for (std::size_t w = 0; w < slot_ids.size(); ++w)
+        results[slot_ids[w]].value.normal = limit.normals[w][0];
+    tangent_from(limits, from) = opposite_vector<FT, 3>(limit.tangents[0]);
+    tangent_from(limits, to) = limit.tangents[0];
+  }
+
+  // of a linear scheme, whose rules in a wedge are those of a border
+  void evaluate_normals(const Level& level, const Creases<FT>& creases, unsigned next_round,
+                        std::vector<Result>& results)
+  {
+    std::vector<Index> slot_ids;
+    for (const Crease_star& star : creases.stars)
+      if (is_asked_for(star) && creases.rule(star) == Vertex_rule::crease)
+        for (Index w = 0; w < star.number_of_wedges; ++w) slot_ids.push_back(star.slot(w));
+    std::vector<Result> of_slots(slot_ids.size());
+    evaluation_.evaluate_settled(level, slot_ids, next_round, 0,
+                                 [&](Index i) -> Result& { return of_slots[i]; });
+    for (std::size_t i = 0; i < slot_ids.size(); ++i) {
+      results[slot_ids[i]].surface_normal = of_slots[i].surface_normal;
+      results[slot_ids[i]].has_surface_normal = of_slots[i].has_surface_normal;
+    }
+  }
+
+  // the normals of the wedge that lies behind one end and before the other one, if there is one
+  static void add_wedge(const Level& level, const Creases<FT>& creases, const Crease_end& behind,
+                        const Crease_end& before, bool is_reversed, Crease_limit& limit,
+                        std::vector<Index>& slot_ids)
+  {
+    const Crease_edge<FT>&first = creases.edge(behind), &last = creases.edge(before);
+    if (!first.has_after(behind.side)) return;
+    slot_ids.push_back(first.after[behind.side]);
+    std::array<Index, 3> three{slot_ids.back(), first.before[1 - behind.side],
+                               last.after[1 - before.side]};
+    if (is_reversed) std::swap(three[1], three[2]);
+    typename Crease_limit::Three normals;
+    for (std::size_t i = 0; i < 3; ++i) normals[i] = normal(level.values[three[i]]);
+    limit.normals.push_back(normals);
+    if constexpr (has_roundness_v<Value>) {
+      const auto of = [&](std::size_t i) { return level.values[three[i]].roundness; };
+      limit.roundness.push_back({of(0), of(1), of(2)});
+    }
+  }
+
+  // \name Darts
+  void evaluate_dart(const Level& level, const Creases<FT>& creases, const Crease_star& star,
+                     Creases<FT>& limits, Index whole_vertex, unsigned depth, Result& result)
+  {
+    const Crease_end& e = creases.end(star, 0);
+    std::vector<Index> places;
+    Vertex_ring::append(level.level, star.vertex, 1, places);
+    const bool is_first = star.is_border && places[1] == level.level.source(creases.halfedge(e));
+    const Dart& dart = dart_class(level, star, is_first);
+    Dart_limit<Scheme, FT> limit(average_of<Average>(scheme_));
+    for (const Index slot : places) limit.ring.push_back(level.values[slot]);
+    limit.tangent = tangent_from(creases, e);
+    limit.far_tangent = tangent_towards(creases, e);
+    // the differences fall by 1/4 at least, as the square of the ring
+    Limit_steps<FT> steps(demand_, !is_pn, 1. / 4);
+    decide(star, [&] { result.value = limit.evaluate(dart, steps); });
+    result.error = steps.error();
+    result.depth = depth + steps.depth();
+    const auto of_limits =
+      std::lower_bound(limits.stars.begin(), limits.stars.end(), whole_vertex,
+                       [](const Crease_star& s, Index vertex) { return s.vertex < vertex; });
+    tangent_from(limits, limits.end(*of_limits, 0)) = limit.tangent;
+  }
+
+  // is_first: of a border, whether the crease is on its first edge
+  const Dart& dart_class(const Level& level, const Crease_star& star, bool is_first)
+  {
+    const Index valence =
+      level.level.valence(star.vertex) - static_cast<Index>(star.is_border ? 0 : 1);
+    auto& dart = darts_[{star.is_border, is_first, valence}];
+    if (!dart && star.is_border)
+      dart =
+        std::make_unique<Dart>(*border_classes_.at(level.level, star.vertex, any_round_).ring_class,
+                               is_first ? Index(1) : valence);
+    else if (!dart)
+      dart = std::make_unique<Dart>(scheme_, valence, any_round_);
+    return *dart;
+  }
+
+  const Scheme& scheme_;
+  const Limit_demand& demand_;
+  For_chunks for_chunks_;
+  Evaluation evaluation_;
+  const unsigned any_round_; // with the rules of all later ones
+  Limit_classes<Scheme, FT> border_classes_;
+  const std::vector<Index>* some_ = nullptr; // the vertices that are asked for
+  // of the border, whether the crease is on its first edge, valence
+  std::map<std::tuple<bool, bool, Index>, std::unique_ptr<Dart>> darts_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_CREASED_LIMITS_H

@@ -1,0 +1,337 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_EVALUATION_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_EVALUATION_H
+
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_classes.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_tower.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_towers.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_planes.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/orient_normals.h>
+#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Divided_level.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// A level with its values.
+template <class Value>
+struct Valued_level
+{
+  Level_connectivity level;
+  std::vector<Value> values;
+};
+
+// The limits at vertices of a level of a scheme that keeps its vertices. Where the neighborhood of a
+// vertex is not settled yet but will be after one round, the round makes its ring and nothing else;
+// the faces around all other such vertices are cut out and refined until it is.
+template <class Scheme, class FT>
+class Limit_evaluation
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Tower = Limit_tower<Scheme, FT>;
+  using Value = typename Tower::Value;
+  using Stored_value = typename Tower::Stored_value;
+  using Result = typename Tower::Result;
+  using Level = Valued_level<Value>;
+  using Classes = Limit_classes<Scheme, FT>;
+  using Result_of = Function_ref<Result&(Index)>;
+
+  // `classes` may be shared with other evaluations of the scheme
+  Limit_evaluation(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
+                   std::shared_ptr<Classes> classes = nullptr)
+    : scheme_(scheme)
+    , neighborhood_(limit_neighborhood(scheme))
+    , demand_(demand)
+    , for_chunks_(for_chunks)
+    , classes_(classes ? std::move(classes) : std::make_shared<Classes>(scheme))
+  {}
+
+  // of all vertices, in the round that is next, or of some, whose results have the places that they have among all
+  std::vector<Result> operator()(const Level& level, unsigned next_round,
+                                 const std::vector<Index>* some = nullptr)
+  {
+    std::vector<Result> results(level.level.number_of_vertices());
+    std::vector<Index> all;
+    if (some == nullptr) {
+      all.resize(results.size());
+      std::iota(all.begin(), all.end(), Index(0));
+      some = &all;
+    }
+    evaluate(level, *some, next_round, 0, results.data(), some->data());
+    // where points are not asked for, rings have oriented them
+    if (demand_.surface_normals && demand_.points)
+      orient_normals(level, results, for_chunks_, some == &all || demand_.has_neighbors);
+    return results;
+  }
+
+  // of some vertices, in their order
+  void operator()(const Level& level, unsigned next_round, const std::vector<Index>& vertices,
+                  std::vector<Result>& results)
+  {
+    results.assign(vertices.size(), Result());
+    std::vector<Index> places(vertices.size());
+    std::iota(places.begin(), places.end(), Index(0));
+    evaluate(level, vertices, next_round, 0, results.data(), places.data());
+    if (demand_.surface_normals && demand_.points)
+      orient_normals(
+        level.level, results, for_chunks_,
+        [&](Index v) { return to_double_3(point_of(level.values[v])); },
+        [&](Index i) { return vertices[i]; });
+  }
+
+  // Sets result_of(i), of vertices[i], where the neighborhood is settled, or will be after one round; of the
+  // other vertices returns the positions. A level that is cut open along creases may be given, without the vertices on
+  // these.
+  std::vector<Index> evaluate_settled(const Level& level, const std::vector<Index>& vertices,
+                                      unsigned next_round, unsigned depth, Result_of result_of)
+  {
+    const unsigned first_final_round = first_tuned_round(scheme_);
+    const Settled_neighborhood<Scheme> is_settled(scheme_, level.level,
+                                                  next_round >= first_final_round);
+    const bool keeps_points =
+      neighborhood_.keeps_points &&
+      !(neighborhood_.has_tangent_planes && (demand_.surface_normals || demand_.curvatures));
+    const bool is_final_then = next_round + 1 >= first_final_round;
+    std::vector<Vertex_state> states(vertices.size());
+    // all about a vertex in one go: what is read of the level is at hand then
+    with_towers(vertices.size(), [&](Towers& towers, Index begin, Index end) {
+      typename Classes::Recent kind_of(*classes_, level.level, next_round);
+      Rings rings(level.values);
+      std::array<Index, most_at_once> valences;
+      for (Index i = begin; i < end; ++i) {
+        const std::size_t in_part = (i - begin) % most_at_once;
+        if (in_part == 0)
+          find_valences(level.level, &vertices[i], (std::min<std::size_t>)(end - i, most_at_once),
+                        valences.data());
+        const Index v = vertices[i];
+        Result& result = result_of(i);
+        result.depth = depth;
+        if (valences[in_part] == 0 || keeps_points)
+          result.value = level.values[v];
+        else if (is_settled(v)) {
+          const auto* kind = &kind_of(v, valences[in_part]);
+          rings.add({v, &result, kind}, [&](std::vector<Index>& ring) {
+            Classes::append_ring(level.level, v, *kind, ring);
+          });
+          if (rings.is_full()) put_rings(level.level, rings, towers);
+        } else
+          states[i] = is_final_then && is_settled.in_next_ring(v) ? Vertex_state::settled_then
+                                                                  : Vertex_state::unsettled;
+      }
+      put_rings(level.level, rings, towers);
+    });
+    Vertices in_next_ring;
+    std::vector<Index> unsettled;
+    typename Classes::Recent kind_of(*classes_, level.level, next_round + 1);
+    for (Index i = 0; i < vertices.size(); ++i)
+      if (states[i] == Vertex_state::settled_then)
+        in_next_ring.push_back(
+          {vertices[i], &result_of(i), &kind_of(vertices[i], level.level.valence(vertices[i]))});
+      else if (states[i] == Vertex_state::unsettled)
+        unsettled.push_back(i);
+    if (!in_next_ring.empty()) evaluate_in_next_ring(level, in_next_ring, next_round);
+    return unsettled;
+  }
+
+  // after so many rounds about vertices that are not settled
+  void require_depth(unsigned depth, unsigned next_round) const
+  {
+    const unsigned first_final_round = first_tuned_round(scheme_);
+    if (depth < most_rounds) return;
+    if (next_round < first_final_round)
+      throw std::invalid_argument(
+        "PN_subdivision_3: the first round of the rules of the scheme is " +
+        std::to_string(first_final_round) + ", but no limit is sought beyond round " +
+        std::to_string(next_round - 1) + ", which is " + std::to_string(most_rounds) +
+        " rounds after the mesh: subdivide it first, or take an earlier first round");
+    throw std::invalid_argument("PN_subdivision_3: the scheme does not settle about its vertices "
+                                "within " +
+                                std::to_string(most_rounds) + " rounds: it has no limit masks");
+  }
+
+private:
+  using Average = typename Tower::Average;
+  using One_round = Round<Scheme, Average>;
+
+  using Towers = Limit_towers<Scheme, FT>;
+  using Rings = Gathered_rings<Value, typename Towers::Vertex>;
+  using Vertices = std::vector<typename Towers::Vertex>;
+
+  enum class Vertex_state : char {
+    evaluated,
+    settled_then,
+    unsettled
+  }; // then: after the next round
+
+  // after so many rounds only a scheme of other rules than the built-in ones is not settled
+  static constexpr unsigned most_rounds = 6;
+  // rings of the next round that are made at once
+  static constexpr Index batch = 128;
+
+  // result places[i] is that of vertices[i]
+  void evaluate(const Level& level, const std::vector<Index>& vertices, unsigned next_round,
+                unsigned depth, Result* results, const Index* places)
+  {
+    const std::vector<Index> unsettled = evaluate_settled(
+      level, vertices, next_round, depth, [&](Index i) -> Result& { return results[places[i]]; });
+    if (unsettled.empty()) return;
+    require_depth(depth, next_round);
+    std::vector<Index> centers, places_of_rest;
+    centers.reserve(unsettled.size());
+    for (const Index i : unsettled) centers.push_back(vertices[i]);
+    for (const Index i : unsettled) places_of_rest.push_back(places[i]);
+    const Level refined = refined_about(level, centers, next_round);
+    evaluate(refined, centers, next_round + 1, depth + 1, results, places_of_rest.data());
+  }
+
+  // calls f(towers, begin, end) for parts of [0, n), each with towers of its own
+  template <class Function>
+  void with_towers(std::size_t n, const Function& f) const
+  {
+    const Caller_precision<FT> precision;
+    for_chunks_(static_cast<Index>(n), [&](Index begin, Index end) {
+      const typename Caller_precision<FT>::In_this_thread same(precision);
+      Towers towers(demand_);
+      f(towers, begin, end);
+      towers.finish();
+    });
+  }
+
+  void put_rings(const Level_connectivity& level, Rings& rings, Towers& towers) const
+  {
+    rings.take([&](const typename Towers::Vertex& vertex, const auto& value) {
+      towers.add(vertex, is_regular_spline(level, vertex.v), value);
+    });
+  }
+
+  void evaluate_in_next_ring(const Level& level, const Vertices& vertices, unsigned number) const
+  {
+    if constexpr (Settled_neighborhood<Scheme>::may_have_next_ring) {
+      const One_round round(scheme_, level.level, number);
+      const std::vector<Stored_value> old = stored(level.values);
+      with_towers(vertices.size(), [&](Towers& towers, Index begin, Index end) {
+        std::vector<Index> rings;
+        std::vector<Value> values;
+        for (Index first = begin; first < end; first += batch) {
+          const Index last = (std::min)(end, first + batch);
+          rings.clear();
+          for (Index i = first; i < last; ++i)
+            Vertex_ring::append_next(level.level, round.host(), vertices[i].v, rings);
+          values.resize(rings.size());
+          round.evaluate(rings.data(), rings.data() + rings.size(), old.data(),
+                         [&](const Index* at, const Value* refined, Index n) {
+                           std::copy(refined, refined + n, values.begin() + (at - rings.data()));
+                         });
+          const Value* ring = values.data();
+          for (Index i = first; i < last; ++i) {
+            ++vertices[i].result->depth;
+            towers.add(vertices[i], is_regular_spline(level.level, vertices[i].v),
+                       [&](std::size_t p) -> const Value& { return ring[p]; });
+            ring += vertices[i].kind->ring_class->size();
+          }
+        }
+      });
+    }
+  }
+
+  // curvature is asked of the jet of a spline where all around is regular
+  bool is_regular_spline(const Level_connectivity& level, Index v) const
+  {
+    if (!demand_.curvatures || !neighborhood_.is_spline || level.is_border_vertex(v)) return false;
+    return level.valence(v) == Settled_neighborhood<Scheme>::regular_valence;
+  }
+
+  // the next level; `vertices` are given, and come back, as their numbers there
+  Level refined_about(const Level& level, std::vector<Index>& vertices, unsigned round) const
+  {
+    constexpr bool is_sqrt3 = std::is_same_v<typename Scheme::Host, Sqrt3_host>;
+    // the same rows whichever vertices are asked for
+    const Sub_level cut(level.level, vertices, cut_rings(scheme_), Sub_level::Keeps::walks);
+    std::vector<Stored_value> values;
+    values.reserve(cut.origin().size());
+    for (const Index v : cut.origin()) values.emplace_back(level.values[v]);
+    vertices = cut.centers();
+    if constexpr (is_sqrt3)
+      if (Sqrt3_host::refines_border(round)) {
+        Level_connectivity closed = cut.level();
+        close_rim(level.level, cut, closed, values);
+        return refined(closed, values, round);
+      }
+    return refined(cut.level(), values, round);
+  }
+  // A round that refines the border would take the rim for it.
+  static void close_rim(const Level_connectivity& whole, const Sub_level& cut,
+                        Level_connectivity& level, std::vector<Stored_value>& values)
+  {
+    const Rim_closure closure(level,
+                              [&](Index b) { return !whole.is_border(cut.halfedge_origin(b)); });
+    for (const Index v : closure.neighbors_of_new_vertices()) {
+      const Stored_value value = values[v];
+      values.push_back(value);
+    }
+  }
+
+  template <class Values>
+  static std::vector<Stored_value> stored(const Values& values)
+  {
+    return std::vector<Stored_value>(values.begin(), values.end());
+  }
+
+  Level refined(const Level_connectivity& level, const std::vector<Stored_value>& values,
+                unsigned number) const
+  {
+    const One_round round(scheme_, level, number);
+    Level result;
+    result.level = child_level(round, for_chunks_);
+    result.values.resize(round.refined_size().vertices);
+    const auto transfers = round.transfers(values.data(), for_chunks_);
+    const Caller_precision<FT> precision;
+    for_chunks_(result.level.number_of_vertices(), [&](Index begin, Index end) {
+      const typename Caller_precision<FT>::In_this_thread same(precision);
+      round.evaluate(
+        begin, end, values.data(), transfers, [&](Index v, const Value* refined, Index n) {
+          std::copy(refined, refined + n, result.values.begin() + static_cast<std::ptrdiff_t>(v));
+        });
+    });
+    return result;
+  }
+
+  const Scheme& scheme_;
+  const Limit_neighborhood neighborhood_;
+  const Limit_demand& demand_;
+  For_chunks for_chunks_;
+  std::shared_ptr<Classes> classes_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_EVALUATION_H

@@ -1,0 +1,206 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_SUBDIVISION_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_SUBDIVISION_H
+
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_writer.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
+#include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Kept_attributes.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The rounds of a call, and then the limits of the vertices that they make. The mesh and its maps are touched when
+// all limits are known; attributes are those of the rounds.
+template <class Concurrency_tag, class Scheme, class FT>
+class Limit_subdivision
+{
+public:
+  using Round_done = Function_ref<void(unsigned, std::size_t)>;
+
+  // options and round_done have to live as long
+  template <class Function>
+  Limit_subdivision(const Scheme& scheme, unsigned rounds, const Limit_options& options,
+                    const Function& round_done)
+    : scheme_(scheme)
+    , options_(options)
+    , rounds_(rounds)
+    , round_done_(round_done)
+    , for_chunks_(For_chunks::with(Concurrency_tag()))
+  {}
+  template <class Function>
+  Limit_subdivision(const Scheme&, unsigned, const Limit_options&, const Function&&) = delete;
+
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
+            class Carry, class Limit_maps>
+  Limit_report operator()(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
+                          Vertex_map vertex_map, const Carry& carry, const Limit_maps& maps) const
+  {
+    static_assert(check_no_grid_rows<Scheme>());
+    Limit_report report;
+    if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
+      require_crease_rules(scheme_, access, normals, edge_map, vertex_map);
+      report = subdivide(access, points, normals, edge_map, vertex_map, carry, maps);
+    }
+    return report;
+  }
+
+private:
+  using Index = Level_connectivity::Index;
+  using Host = typename Scheme::Host;
+  using Average = Average_of_scheme<Scheme, FT>;
+  using Value = typename Average::Value;
+  using Level = Valued_level<Value>;
+  using Limit_value = Point_normal<FT, 3>;
+
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
+            class Carry, class Limit_maps>
+  Limit_report subdivide(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
+                         Vertex_map vertex_map, const Carry& carry, const Limit_maps& maps) const
+  {
+    Level_connectivity level = checked_level(access);
+    check_scheme<Scheme, Element_names>(scheme_, level, access);
+    Mesh_creases_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
+      scheme_, access, level, edge_map, vertex_map);
+    auto creases = of_mesh.creases(level);
+    const unsigned rounds = number_of_rounds(level, rounds_);
+    require_sharp_for_ever<FT>(access, creases, rounds);
+    of_mesh.read_tangents(creases);
+    const Level_size size = checked_refined_size<Host>(level.size(), rounds, Access::index_limit());
+    std::vector<Value> values = of_mesh.values(level, points, normals, creases);
+    using Writers = Normal_writers<Access, Normal_map>;
+    typename Writers::Corner_writer corners(access, level, normals);
+    Carried_through<FT, Host, Carry> carried(
+      carry, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()),
+      Carry::is_empty ? Control_sharpness() : of_mesh.sharpness(level), for_chunks_);
+    const Rules_of<Scheme>& rules = rules_of(scheme_);
+    Level_refiner<Rules_of<Scheme>, Average, decltype(creases)> refiner(
+      rules, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
+    std::vector<Value>().swap(values);
+
+    for (unsigned k = 1; k < rounds; ++k) {
+      carried.refine(rules, refiner);
+      round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
+    }
+    carried.before_cut(refiner);
+    auto last = refiner.next_round();
+    carried.begin_round(rules, refiner, last, Kind_of_round::last_put_later);
+    Level refined = refined_level(refiner, last, carried.rows());
+    refiner.release_values();
+    report_last_round(round_done_, rounds, rounds_, size);
+    auto limit_creases = last.refined_creases();
+    const Limit_demand demand = limit_demand<FT>(options_, box_size(refined));
+    auto limits =
+      limits_at_slots<FT>(rules, demand, for_chunks_, refined, limit_creases, rounds + 1);
+    if (asks_for_points(options_))
+      std::vector<Value>().swap(refined.values); // else they are written
+    check_limits<FT>(limits, [](std::size_t v) { return "vertex number " + std::to_string(v); });
+
+    // with a linear scheme normals are written as surface normals only
+    const bool puts_normals = is_pn_v<Scheme> || options_.surface_normals;
+    constexpr bool takes_corners = Writers::Corner_writer::takes_corners;
+    if constexpr (!takes_corners) put_mean_normals<Scheme>(limit_creases, limits);
+    const auto put = [&](auto vertex_normals) {
+      Mesh_writer<Limit_value, Access, Point_map, decltype(vertex_normals)> writer(
+        access, points, vertex_normals, false);
+      using Maps_writer = typename Limit_maps::template Writer<Access>;
+      Maps_writer of_limits(access, maps.np);
+      access.grow(size);
+      put_limits(limits, refined.values, static_cast<Index>(size.vertices), writer);
+      if constexpr (takes_corners)
+        if (puts_normals)
+          corners.put_all(refined.level, limit_creases,
+                          slot_values<Scheme, FT>(limits, options_.surface_normals));
+      if constexpr (takes_corners && Maps_writer::is_any_given)
+        put_mean_normals<Scheme>(limit_creases, limits);
+      of_limits.write(limits, static_cast<Index>(size.vertices));
+      carried.put(refiner, last.round());
+      of_mesh.put_sharpness(limit_creases, size, rounds);
+      of_mesh.put_tangents(limit_creases, size);
+      put_connectivity(last.round(), access, for_chunks_, [&] {
+        writer.keep();
+        of_limits.keep();
+        corners.keep();
+        of_mesh.keep();
+        carried.keep();
+      });
+    };
+    if (puts_normals)
+      put(Writers::vertex_map(normals));
+    else
+      put(No_normal_map());
+    carried.visit(access, refiner, last.round());
+    limits.resize(size.vertices);
+    return limit_report(limits, demand);
+  }
+
+  // with the values of its slots; the level before it is whole again afterwards
+  template <class Refiner, class Last>
+  Level refined_level(const Refiner& refiner, Last& last,
+                      const typename Refiner::Rows_sink* rows) const
+  {
+    const auto values = refiner.refined_values(last, rows);
+    Level refined;
+    refined.values.assign(values.begin(), values.end());
+    refined.level = refiner.child(last, last.refined_creases());
+    return refined;
+  }
+
+  template <class Limits, class Writer>
+  void put_limits(const Limits& limits, const std::vector<Value>& refined, Index number,
+                  Writer& writer) const
+  {
+    const bool moves = asks_for_points(options_);
+    const auto put_range = [&](Index begin, Index end) {
+      for (Index v = begin; v < end; ++v) {
+        const Limit_value value{point_of(moves ? limits[v].value : refined[v]),
+                                limit_normal<Scheme>(limits[v], options_.surface_normals)};
+        writer.put_values(v, &value, 1);
+      }
+    };
+    const Index old_vertices = (std::min)(number, writer.number_of_old_vertices());
+    put_range(old_vertices, number);
+    writer.begin_old_vertices();
+    put_range(0, old_vertices);
+  }
+
+  const Scheme& scheme_;
+  const Limit_options& options_;
+  unsigned rounds_;
+  Round_done round_done_;
+  For_chunks for_chunks_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_SUBDIVISION_H

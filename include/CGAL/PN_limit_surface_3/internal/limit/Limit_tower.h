@@ -1,0 +1,327 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_TOWER_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_TOWER_H
+
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_class.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_planes.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
+#include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
+#include <CGAL/number_type_basic.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// What is asked of the limit.
+struct Limit_demand
+{
+  double tolerance = 0; // absolute
+  double normal_tolerance = 0;
+  unsigned max_depth = 0;
+  bool points = true; // if they are not asked for, one average of the limit mask may do
+  bool surface_normals = false, curvatures = false;
+  // where some vertices are asked for: whether so are the neighbors of all whose normals count
+  bool has_neighbors = false;
+};
+
+// The limit at one vertex or face.
+template <class Average>
+struct Limit_result
+{
+  typename Average::Value value; // point and control normal
+  Coordinates<double, 3> surface_normal{};
+  double error = 0, normal_error = 0;
+  double gaussian = 0, mean = 0;
+  unsigned depth = 0; // rounds
+  bool has_surface_normal = false, has_curvature = false;
+};
+
+// The ring of a vertex or face is refined round by round on its own; the averages of the limit mask
+// over it converge, and their differences tell how far they have come. Rings of one class are refined
+// side by side, which changes nothing of their results.
+template <class Scheme, class FT>
+class Limit_tower
+{
+public:
+  using Class = Ring_class<Scheme, FT>;
+  using Average = typename Class::Average;
+  using Value = typename Class::Value;
+  using Stored_value = typename Class::Stored_value;
+  using Result = Limit_result<Average>;
+
+  // is_spline: whether the surface is a regular piece of a spline about the vertices
+  Limit_tower(const Class& ring_class, const Limit_demand& demand, bool is_spline)
+    : class_(ring_class)
+    , demand_(demand)
+    , is_spline_(is_spline)
+    , copies_(ring_class.copies())
+    , rings_(ring_class.largest_size() * copies_)
+    , next_(rings_.size())
+    , limits_(copies_)
+    , states_(copies_)
+    , planes_(ring_class)
+  {
+    if (is_pn_v<Scheme> && !class_.is_interpolating()) refuse_intervals<FT>();
+    if constexpr (has_transfers)
+      if (class_.transfer_valence() != 0)
+        transfer_.emplace(Scheme::Host::refined_degree, class_.transfer_valence());
+  }
+
+  bool is_full() const { return count_ == copies_; }
+  bool is_empty() const { return count_ == 0; }
+
+  // adds a ring, given by value(place), whose result is to be stored in `result`
+  template <class Value_of>
+  void add(const Value_of& value, Result& result)
+  {
+    State& state = states_[count_];
+    state = State();
+    state.result = &result;
+    state.center = point_of(value(0));
+    for (std::size_t p = 0; p < class_.size(); ++p)
+      rings_[p * copies_ + count_] = Stored_value(relative(value(p), state.center, FT(-1)));
+    ++count_;
+  }
+
+  // the results of the rings that have been added
+  void evaluate()
+  {
+    if (count_ == 0) return;
+    // what is not used has to be finite, no more
+    for (std::size_t c = count_; c < copies_; ++c)
+      for (std::size_t p = 0; p < class_.size(); ++p) rings_[p * copies_ + c] = rings_[p * copies_];
+    std::size_t left = count_;
+    for (unsigned depth = 0; left != 0; ++depth) {
+      if (depth != 0) {
+        class_.refine(rings_.data(), next_.data());
+        if constexpr (has_transfers) transfer_curvature();
+        std::copy(next_.begin(), next_.end(), rings_.begin());
+      }
+      class_.limit(rings_.data(), limits_.data());
+      if (demand_.surface_normals && class_.has_tangents())
+        planes_.find(rings_.data(), limits_.data(), count_,
+                     [&](std::size_t c) { return states_[c].is_done; });
+      for (std::size_t c = 0; c < count_; ++c)
+        if (!states_[c].is_done && advance(c, depth)) --left;
+    }
+    count_ = 0;
+  }
+
+private:
+  using Vector = Coordinates<double, 3>;
+  static constexpr bool has_transfers = Has_curvature_transfer<Scheme>::value;
+
+  // the error of a curvature at an extraordinary vertex falls by lambda^2 a round, from some percent
+  static constexpr unsigned curvature_depth = 8;
+  // in smaller rings than those of so many rounds second differences are those of rounding
+  static constexpr unsigned most_curvature_depth = 12;
+
+  struct State
+  {
+    Result* result = nullptr;
+    Coordinates<FT, 3> center;
+    Coordinates<FT, 3> last_limit;
+    Vector last_normal{};
+    double last_step = 0, last_turn = 0;
+    bool is_done = false, had_normal = false;
+  };
+
+  // The place in a ring of what the transfer calls number j. A diagonal vertex is here in front of the
+  // neighbor with its number, and there behind it.
+  std::size_t place(std::size_t j) const
+  {
+    const std::size_t n = class_.transfer_valence();
+    return j <= n ? j : 1 + n + (j - n) % n;
+  }
+
+  // of the refined rings
+  void transfer_curvature()
+  {
+    if (!transfer_) return;
+    std::vector<Point_normal<FT, 3>> ring(transfer_->size());
+    for (std::size_t c = 0; c < count_; ++c) {
+      const auto at = [&](std::size_t j) -> Value& { return next_[place(j) * copies_ + c]; };
+      for (std::size_t j = 0; j < ring.size(); ++j) ring[j] = at(j);
+      if (const auto part = (*transfer_)(ring, origin(c)))
+        transfer_->add_half(
+          *part, [&](std::size_t j) -> auto& { return at(j).normal; });
+    }
+  }
+
+  // of the coordinates of ring c, see relative()
+  Coordinates<FT, 3> origin(std::size_t c) const
+  {
+    if constexpr (std::is_floating_point_v<FT>)
+      return states_[c].center;
+    else
+      return {FT(0), FT(0), FT(0)};
+  }
+
+  // Floating point keeps more digits of a ring about the origin; intervals would only grow.
+  static Value relative(Value v, [[maybe_unused]] const Coordinates<FT, 3>& center,
+                        [[maybe_unused]] const FT& sign)
+  {
+    if constexpr (std::is_floating_point_v<FT>) add_multiple<FT, 3>(point_of(v), sign, center);
+    return v;
+  }
+
+  // notes the limit of ring c at this depth; whether it is the last one
+  bool advance(std::size_t c, unsigned depth)
+  {
+    State& state = states_[c];
+    Result& result = *state.result;
+    const Coordinates<FT, 3>& point = point_of(limits_[c]);
+    const bool is_exact = class_.is_interpolating() || !is_pn_v<Scheme>;
+    if (depth != 0 && !is_exact)
+      result.error = limit_error(class_.error_factor(), class_.error_ratio(),
+                                 distance(point, state.last_limit), state.last_step);
+    bool is_last = (is_exact || depth != 0) && result.error <= demand_.tolerance;
+    if (demand_.surface_normals && class_.has_tangents()) {
+      const bool is_normal_found = note_normal(c, depth);
+      // stand-ins for normals are as exact as points
+      const bool has_to_be_close = demand_.points || !planes_[c].exists;
+      is_last = is_normal_found && (is_last || !has_to_be_close);
+    }
+    if (demand_.curvatures && settles() && !is_spline_ && depth < curvature_depth) is_last = false;
+    is_last = is_last || depth * class_.rounds() >= demand_.max_depth;
+    if (demand_.curvatures &&
+        (is_last ? depth <= most_curvature_depth : depth == most_curvature_depth))
+      note_curvature(c);
+    if (!is_last) {
+      state.last_limit = point;
+      return false;
+    }
+    if (!demand_.points && result.has_surface_normal)
+      result.error = std::numeric_limits<double>::infinity();
+    result.value = relative(limits_[c], state.center, FT(1));
+    result.depth += depth * class_.rounds();
+    state.is_done = true;
+    return true;
+  }
+
+  static double distance(const Coordinates<FT, 3>& a, const Coordinates<FT, 3>& b)
+  {
+    return quick_length({close_double(FT(a[0] - b[0])), close_double(FT(a[1] - b[1])),
+                         close_double(FT(a[2] - b[2]))});
+  }
+
+  // the surface normal; whether it meets the tolerance, or no further round will make it better
+  bool note_normal(std::size_t c, unsigned depth)
+  {
+    State& state = states_[c];
+    Result& result = *state.result;
+    const auto& plane = planes_[c];
+    const bool had_normal = std::exchange(state.had_normal, plane.exists);
+    if (!plane.exists) return true; // nor will it, but for rounding
+    const Vector n = plane.normal;
+    const Vector last = std::exchange(state.last_normal, n);
+    const bool is_found_at_once = depth == 0 && !demand_.points && !demand_.curvatures &&
+                                  plane.error <= demand_.normal_tolerance;
+    double error = is_found_at_once ? (std::max)(plane.error, plane.rounding) : plane.rounding;
+    if (is_pn_v<Scheme> && depth != 0 && had_normal) {
+      // a turn may be small by chance, two in a row hardly are
+      const double ratio = class_.normal_ratio();
+      const double turn = quick_length({n[0] - last[0], n[1] - last[1], n[2] - last[2]});
+      error =
+        (std::max)(error, 1.5 * ratio / (1 - ratio) * (std::max)(turn, ratio * state.last_turn));
+      state.last_turn = turn;
+      // further rounds have more rounding still
+      if (depth > 1 && (plane.rounding >= result.normal_error ||
+                        (result.normal_error < 1e-6 && error > result.normal_error)))
+        return true;
+    }
+    result.has_surface_normal = true;
+    const bool is_turned = !demand_.points && plane.is_against_faces;
+    result.surface_normal = is_turned ? opposite_vector<double, 3>(n) : n;
+    result.normal_error = error;
+    return !is_pn_v<Scheme> || is_found_at_once ||
+           (depth != 0 && had_normal && error <= demand_.normal_tolerance);
+  }
+
+  // whether the ring matrix has no part of second order that would last
+  bool settles() const
+  {
+    const double lambda2 = class_.lambda() * class_.lambda();
+    return is_pn_v<Scheme> && class_.has_tangents() && !class_.is_at_border() &&
+           (transfer_ || class_.largest_other() < 0.9 * lambda2);
+  }
+
+  // where curvature settles, or at regular vertices of splines
+  void note_curvature(std::size_t c)
+  {
+    if (!is_spline_ && !settles()) return;
+    const Ring_geometry g = planes_.geometry(rings_.data(), limits_.data(), c);
+    if (!g.is_regular()) return;
+    Coordinates<FT, 3> center = point_of(limits_[c]);
+    add_multiple<FT, 3>(center, FT(1), origin(c));
+    const auto part = remaining_part(planes_.divided(to_double_3(center)));
+    Curvatures<double> k =
+      is_spline_ ? spline_curvatures(class_.roundness_at(limits_[c]))
+                 : g.extraordinary_curvatures(transfer_.has_value(), part ? &*part : nullptr);
+    k.gaussian = std::ldexp(k.gaussian, -2 * planes_.exponent());
+    k.mean = std::ldexp(k.mean, -planes_.exponent());
+    if (!std::isfinite(k.gaussian) || !std::isfinite(k.mean)) return;
+    Result& result = *states_[c].result;
+    result.gaussian = k.gaussian;
+    result.mean = k.mean;
+    result.has_curvature = true;
+  }
+
+  // what will still be transferred in the ring of `planes_`
+  std::optional<Quadratic_part<double>> remaining_part(const Vector& origin_of_ring) const
+  {
+    if (!transfer_ || is_spline_) return std::nullopt;
+    std::vector<Point_normal<double, 3>> ring(planes_.ring().size());
+    for (std::size_t j = 0; j < ring.size(); ++j) ring[j] = planes_.ring()[place(j)];
+    const auto degree = static_cast<Level_connectivity::Index>(Scheme::Host::refined_degree);
+    return Normal_transfer<double>(degree, class_.transfer_valence())(ring, origin_of_ring);
+  }
+
+  // of the ring of `planes_`, whose neighbors are in front of its diagonal vertices
+  Curvatures<double> spline_curvatures(double roundness) const
+  {
+    using Index = Level_connectivity::Index;
+    static constexpr Index quads[] = {0, 1, 6, 2, 7, 3, 8, 4, 5};
+    static constexpr Index triangles[] = {0, 1, 2, 3, 4, 5, 6};
+    const bool is_quads = Scheme::Host::refined_degree == 4;
+    return Regular_jet<double>(is_quads ? 4 : 3)(is_quads ? quads : triangles,
+                                                 planes_.ring().data(), roundness);
+  }
+
+  const Class& class_;
+  const Limit_demand& demand_;
+  const bool is_spline_;
+  const std::size_t copies_;
+  std::vector<Stored_value> rings_;
+  std::vector<Value> next_, limits_;
+  std::vector<State> states_;
+  Ring_planes<Scheme, FT> planes_;
+  std::optional<Normal_transfer<FT>> transfer_;
+  std::size_t count_ = 0;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_TOWER_H

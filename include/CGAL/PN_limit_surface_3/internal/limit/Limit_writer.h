@@ -1,0 +1,327 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_WRITER_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_WRITER_H
+
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_tower.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_class.h>
+#include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/property_map_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+inline bool asks_for_points(const Limit_options& options)
+{
+  return options.points || !options.surface_normals;
+}
+
+template <class FT>
+Limit_demand limit_demand(const Limit_options& options, double box)
+{
+  if (!(options.tolerance >= 0) || !(options.normal_tolerance >= 0))
+    throw std::invalid_argument(
+      "PN_subdivision_3: a tolerance must be a number that is not negative");
+  Limit_demand demand;
+  demand.tolerance = options.tolerance * box;
+  demand.normal_tolerance = options.normal_tolerance;
+  // exact numbers grow too long; the estimate needs one round
+  demand.max_depth = is_exact_v<FT> ? 1 : (std::max)(1u, options.max_depth);
+  demand.surface_normals = options.surface_normals;
+  demand.points = asks_for_points(options);
+  demand.curvatures = options.curvatures;
+  return demand;
+}
+
+template <class Limit, class Average>
+Limit to_limit_point(const Limit_result<Average>& result)
+{
+  using FT = typename Average::FT;
+  using Point = std::decay_t<decltype(std::declval<Limit>().point)>;
+  using Vector = std::decay_t<decltype(std::declval<Limit>().control_normal)>;
+  Limit l;
+  const Coordinates<FT, 3>& p = point_of(result.value);
+  l.point = Point(p[0], p[1], p[2]);
+  if constexpr (has_normal_v<typename Average::Value>) {
+    const Coordinates<FT, 3>& m = result.value.normal;
+    l.control_normal = Vector(m[0], m[1], m[2]);
+  }
+  const Coordinates<double, 3>& n = result.surface_normal;
+  l.surface_normal =
+    result.has_surface_normal ? Vector(FT(n[0]), FT(n[1]), FT(n[2])) : l.control_normal;
+  l.error = result.error;
+  l.normal_error = result.normal_error;
+  l.has_surface_normal = result.has_surface_normal;
+  l.gaussian = result.gaussian;
+  l.mean = result.mean;
+  l.has_curvature = result.has_curvature;
+  return l;
+}
+
+template <class Result>
+Limit_report limit_report(const std::vector<Result>& results, const Limit_demand& demand)
+{
+  Limit_report report;
+  report.tolerance = demand.tolerance;
+  for (const Result& r : results) {
+    const bool counts = demand.points || !r.has_surface_normal;
+    if (counts) report.error = (std::max)(report.error, r.error);
+    report.normal_error = (std::max)(report.normal_error, r.normal_error);
+    report.depth = (std::max)(report.depth, r.depth);
+    if ((counts && !(r.error <= demand.tolerance)) || !(r.normal_error <= demand.normal_tolerance))
+      ++report.number_of_misses;
+    if (demand.surface_normals && !r.has_surface_normal) ++report.number_of_stand_ins;
+  }
+  return report;
+}
+
+template <class FT, class Results, class Name>
+void check_limits(const Results& results, const Name& name)
+{
+  for (std::size_t i = 0; i < results.size(); ++i)
+    check_in_range<FT, 3>(point_of(results[i].value),
+                          [&] { return "the limit point of " + name(i); });
+}
+
+// what becomes the normal of a vertex: that of the surface, if it is asked for and exists, otherwise the
+// control normal; zero with a linear scheme
+template <class Scheme, class Average>
+Coordinates<typename Average::FT, 3> limit_normal(const Limit_result<Average>& result,
+                                                  bool surface_normals)
+{
+  using FT = typename Average::FT;
+  if (surface_normals && result.has_surface_normal) {
+    const Coordinates<double, 3>& n = result.surface_normal;
+    return {FT(n[0]), FT(n[1]), FT(n[2])};
+  }
+  if constexpr (is_pn_v<Scheme>)
+    return result.value.normal;
+  else
+    return zero_vector<FT, 3>();
+}
+
+// Writes limits into the maps of a mesh, and puts the old values back if that fails.
+template <class Access, class Scheme, class Point_map, class Normal_map>
+class Limit_writer
+{
+  static constexpr bool has_normal_map = !std::is_same_v<Normal_map, No_normal_map>;
+  using Index = Level_connectivity::Index;
+  using Point = typename boost::property_traits<Point_map>::value_type;
+
+  template <class Map>
+  struct Value_type
+  {
+    using type = typename boost::property_traits<Map>::value_type;
+  };
+  using Normal = typename std::conditional_t<has_normal_map, Value_type<Normal_map>,
+                                             Value_type<Point_map>>::type;
+
+public:
+  Limit_writer(const Access& access, Point_map points, Normal_map normals)
+    : access_(access)
+    , points_(points)
+    , normals_(normals)
+  {}
+
+  template <class Results>
+  void write(const Results& results, const Limit_options& options)
+  {
+    const bool surface_normals = options.surface_normals, moves = asks_for_points(options);
+    const bool writes_normals = has_normal_map && (is_pn_v<Scheme> || surface_normals);
+    for (std::size_t v = 0; v < results.size(); ++v) {
+      old_points_.push_back(get(points_, vertex(v)));
+      if constexpr (has_normal_map)
+        if (writes_normals) old_normals_.push_back(get(normals_, vertex(v)));
+    }
+    try {
+      for (std::size_t v = 0; v < results.size(); ++v) {
+        const auto& p = point_of(results[v].value);
+        if (moves) put(points_, vertex(v), Point(p[0], p[1], p[2]));
+        if (writes_normals) put_normal(v, results[v], surface_normals);
+      }
+    } catch (...) {
+      put_back();
+      throw;
+    }
+  }
+
+private:
+  auto vertex(std::size_t v) const { return access_.vertex(static_cast<Index>(v)); }
+
+  template <class Result>
+  void put_normal([[maybe_unused]] std::size_t v, [[maybe_unused]] const Result& result,
+                  [[maybe_unused]] bool surface_normals)
+  {
+    if constexpr (has_normal_map) {
+      const auto n = limit_normal<Scheme>(result, surface_normals);
+      put(normals_, vertex(v), Normal(n[0], n[1], n[2]));
+    }
+  }
+
+  // a map that throws here too keeps what it has
+  void put_back() noexcept
+  {
+    for (std::size_t v = 0; v < old_points_.size(); ++v) {
+      try {
+        put(points_, vertex(v), old_points_[v]);
+      } catch (...) {
+      }
+      if constexpr (has_normal_map)
+        if (v < old_normals_.size()) try {
+            put(normals_, vertex(v), old_normals_[v]);
+          } catch (...) {
+          }
+    }
+  }
+
+  const Access& access_;
+  Point_map points_;
+  Normal_map normals_;
+  std::vector<Point> old_points_;
+  std::vector<Normal> old_normals_;
+};
+
+// A map of limits that writes what the call has maps for: points, normals and errors.
+template <class Key, class Kernel, class NamedParameters>
+struct Limit_maps
+{
+  using key_type = Key;
+  using value_type = Limit_point<Kernel>;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+
+  friend void put(const Limit_maps& maps, const Key& key, const value_type& limit)
+  {
+    maps.template write<limit_point_map_t>(key, limit.point);
+    maps.template write<limit_normal_map_t>(key, limit.surface_normal);
+    maps.template write<limit_error_map_t>(key, limit.error);
+  }
+  template <class Tag, class Value>
+  void write([[maybe_unused]] const Key& key, [[maybe_unused]] const Value& value) const
+  {
+    if constexpr (is_given_v<Tag, NamedParameters>) {
+      const auto map = parameters::get_parameter(np, Tag());
+      constexpr bool is_map = Is_property_map_of<std::decay_t<decltype(map)>, Key>::value;
+      static_assert(is_map, "PN_subdivision_3: limit_point_map, limit_normal_map or "
+                            "limit_error_map is not a property map of the mesh's vertices (of a "
+                            "dual scheme: of its faces)");
+      if constexpr (is_map) put(map, key, value);
+    }
+  }
+
+  const NamedParameters& np;
+};
+
+// The same for a mesh that is moved to its limit: what is written is taken back, in maps that can be read, unless it is kept.
+template <class Access, class Kernel, class NamedParameters>
+class Limit_maps_writer
+{
+  using Vertex = typename Access::vertex_descriptor;
+
+  template <class Tag>
+  class Old
+  {
+    using Map = Parameter_type<Tag, NamedParameters, No_normal_map>;
+
+    static constexpr bool is_read()
+    {
+      if constexpr (Is_property_map_of<Map, Vertex>::value)
+        return has_category_v<Map, boost::readable_property_map_tag>;
+      else
+        return false;
+    }
+
+  public:
+    Old(const Access& access, const NamedParameters& np)
+      : values_(access, static_cast<std::size_t>(access.size().vertices),
+                parameter_or<Tag>(np, No_normal_map()))
+    {}
+    void put_back(const Access& access) noexcept { values_.put_back(access); }
+
+  private:
+    std::conditional_t<is_read(), Old_values<Map, Vertex_of_mesh>, No_old_values> values_;
+  };
+
+public:
+  static constexpr bool is_any_given = is_given_v<limit_point_map_t, NamedParameters> ||
+                                       is_given_v<limit_normal_map_t, NamedParameters> ||
+                                       is_given_v<limit_error_map_t, NamedParameters>;
+
+  Limit_maps_writer(const Access& access, const NamedParameters& np)
+    : access_(access)
+    , np_(np)
+    , points_(access, np)
+    , normals_(access, np)
+    , errors_(access, np)
+  {}
+  ~Limit_maps_writer()
+  {
+    if (is_kept_) return;
+    points_.put_back(access_);
+    normals_.put_back(access_);
+    errors_.put_back(access_);
+  }
+  Limit_maps_writer(const Limit_maps_writer&) = delete;
+  Limit_maps_writer& operator=(const Limit_maps_writer&) = delete;
+
+  template <class Results>
+  void write([[maybe_unused]] const Results& results,
+             [[maybe_unused]] Level_connectivity::Index number_of_vertices) const
+  {
+    if constexpr (is_any_given) {
+      const Limit_maps<Vertex, Kernel, NamedParameters> maps{np_};
+      for (Level_connectivity::Index v = 0; v < number_of_vertices; ++v)
+        put(maps, access_.vertex(v), to_limit_point<Limit_point<Kernel>>(results[v]));
+    }
+  }
+  void keep() { is_kept_ = true; }
+
+private:
+  const Access& access_;
+  const NamedParameters& np_;
+  Old<limit_point_map_t> points_;
+  Old<limit_normal_map_t> normals_;
+  Old<limit_error_map_t> errors_;
+  bool is_kept_ = false;
+};
+
+// the maps of limits that a call has
+template <class Kernel, class NamedParameters>
+struct Limit_maps_of_call
+{
+  template <class Access>
+  using Writer = Limit_maps_writer<Access, Kernel, NamedParameters>;
+
+  const NamedParameters& np;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_WRITER_H

@@ -1,0 +1,338 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_CLASS_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_CLASS_H
+
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_weights.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_masks.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
+#include <CGAL/PN_subdivision_3/internal/rows/PN_average_block.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// A ring in a level, and in the next one.
+struct Ring_pair
+{
+  std::vector<Level_connectivity::Index> ring, next_ring;
+};
+
+// A round on a level about a ring. Where the rules of rounds take turns, some of them make a ring class.
+struct Ring_round
+{
+  const Level_connectivity& level;
+  unsigned number;
+  Ring_pair rings;
+};
+
+// In this order, too, the weights of a row shall sum to 1: the largest, the first one of those that are equal but for rounding, comes
+// last and is what the others leave.
+template <class FT>
+void put_rest_last([[maybe_unused]] Ring_row<FT>& row)
+{
+  if constexpr (std::is_floating_point_v<FT>) {
+    FT largest(0), sum(0);
+    for (const auto& [place, weight] : row) largest = (std::max)(largest, std::abs(weight));
+    const auto rest = std::find_if(row.begin(), row.end(), [&](const auto& e) {
+      return std::abs(e.second) >= largest * FT(1 - 1e-5);
+    });
+    std::rotate(rest, rest + 1, row.end());
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) sum += row[i].second;
+    row.back().second = FT(1) - sum;
+  }
+}
+
+// The rows of the next ring over the places of the ring, in the order of these: a mask begins where edges of the
+// level do, and sums shall have the same bits wherever a ring of the kind was met first. None if a row leaves the ring.
+template <class FT, class Host, class Mask>
+std::optional<Ring_matrix<FT>> ring_matrix(const Host& host, const Mask& mask,
+                                           const Ring_pair& rings)
+{
+  std::unordered_map<std::uint32_t, std::uint32_t> place;
+  for (const auto v : rings.ring) place.emplace(v, static_cast<std::uint32_t>(place.size()));
+  Ring_matrix<FT> matrix;
+  Stencil_block<FT> rows;
+  for (const auto v : rings.next_ring) {
+    rows.clear();
+    host.stencil(mask, v, rows.row());
+    rows.close_row();
+    matrix.emplace_back();
+    for (auto e = rows.begin(0); e != rows.end(0); ++e) {
+      const auto found = place.find(e->vertex);
+      if (found == place.end()) return std::nullopt;
+      matrix.back().emplace_back(found->second, e->weight);
+    }
+    std::stable_sort(matrix.back().begin(), matrix.back().end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    put_rest_last<FT>(matrix.back());
+  }
+  return matrix;
+}
+
+// the matrix of one round after the other
+template <class FT>
+Ring_matrix<FT> product(const Ring_matrix<FT>& last, const Ring_matrix<FT>& first)
+{
+  Ring_matrix<FT> result;
+  for (const Ring_row<FT>& row : last) {
+    std::map<std::uint32_t, FT> sums;
+    for (const auto& [i, x] : row)
+      for (const auto& [j, weight] : first[i]) {
+        const auto at = sums.emplace(j, FT(0)).first;
+        at->second += x * weight;
+      }
+    result.emplace_back(sums.begin(), sums.end());
+  }
+  return result;
+}
+
+// Rows over rings that lie side by side, the values of place p of ring c at p * copies + c, ready for
+// the average of a block.
+template <class FT>
+class Ring_rows
+{
+public:
+  static constexpr std::size_t most = Stencil_block<FT>::maximum_number_of_rows;
+
+  Ring_rows() = default;
+  Ring_rows(const Ring_matrix<FT>& matrix, std::size_t copies)
+  {
+    for (const auto& row : matrix)
+      for (std::size_t c = 0; c < copies; ++c) {
+        if (blocks_.empty() || blocks_.back().number_of_rows() == most) blocks_.emplace_back();
+        for (const auto& [place, weight] : row)
+          blocks_.back().row().add(static_cast<std::uint32_t>(place * copies + c), weight);
+        blocks_.back().close_row();
+      }
+  }
+
+  const std::vector<Stencil_block<FT>>& blocks() const { return blocks_; }
+
+private:
+  std::vector<Stencil_block<FT>> blocks_;
+};
+
+// All that rings of one kind share, made of the rows of the scheme's own mask: their matrix, the limit
+// mask, the tangent masks.
+template <class Scheme, class FT>
+class Ring_class
+{
+public:
+  using Average = Average_of_scheme<Scheme, FT>;
+  using Value = typename Average::Value;
+  using Block = typename Block_of<Average>::type;
+  using Stored_value = typename Block::Stored_value;
+
+  // Of the scheme in some rounds, each on the level that the one before makes; not valid if the rows leave
+  // the ring, or if the limit mask does not exist.
+  Ring_class(const Scheme& scheme, const std::vector<Ring_round>& rounds, const Ring_layout& layout)
+    : block_(average_of<Average>(scheme))
+    , roundness_(1)
+    , size_(rounds.front().rings.ring.size())
+  {
+    for (const Ring_round& r : rounds)
+      largest_size_ = (std::max)(largest_size_, r.rings.ring.size());
+    copies_ = (std::max)(std::size_t(1), block_size_v<FT> / largest_size_);
+    if constexpr (is_pn_v<Scheme>) roundness_ = close_double(average_of<Average>(scheme).roundness);
+    const auto matrix_of = [&](auto number, const Ring_round& r) {
+      using Number = decltype(number);
+      const typename Scheme::Host host(r.level, r.number);
+      return ring_matrix<Number>(host, scheme.template mask<Number>(r.level, r.number), r.rings);
+    };
+    const auto masks = set_rules(rounds, layout, matrix_of, points_);
+    if (!masks) return;
+    is_interpolating_ = points_.limit_row.size() == 1;
+    if constexpr (may_have_normal_rows) {
+      has_normal_rows_ = has_normal_mask(scheme);
+      const auto normal_matrix_of = [&](auto number, const Ring_round& r) {
+        using Number = decltype(number);
+        const typename Scheme::Host host(r.level, r.number);
+        return ring_matrix<Number>(host, scheme.template normal_mask<Number>(r.level, r.number),
+                                   r.rings);
+      };
+      if (has_normal_rows_ && !set_rules(rounds, layout, normal_matrix_of, normals_)) return;
+    }
+    if (transfers_curvature(scheme) && !layout.at_border && layout.number > 2 &&
+        layout.number != (Scheme::Host::refined_degree == 4 ? 4 : 6))
+      transfer_valence_ = static_cast<Level_connectivity::Index>(layout.number);
+    is_at_border_ = layout.at_border;
+    if (layout.first == 1) number_of_neighbors_ = layout.number;
+    lambda_ = masks->lambda;
+    normal_ratio_ = masks->normal_ratio;
+    largest_other_ = masks->largest_other;
+    tangents_ = masks->tangents;
+    is_valid_ = true;
+  }
+
+  bool is_valid() const { return is_valid_; }
+  std::size_t size() const { return size_; }
+  // in any of the rounds
+  std::size_t largest_size() const { return largest_size_; }
+  // how many rounds make a step
+  unsigned rounds() const { return static_cast<unsigned>(points_.rows.size()); }
+  // how many rings are refined together
+  std::size_t copies() const { return copies_; }
+  // whether the limit point is the vertex
+  bool is_interpolating() const { return is_interpolating_; }
+
+  // the rows as they are, for the points and for the normals
+  const Ring_matrix<FT>& matrix() const { return points_.matrix; }
+  const Ring_matrix<FT>& normal_matrix() const
+  {
+    return has_normal_rows_ ? normals_.matrix : points_.matrix;
+  }
+  const Ring_row<FT>& limit_row() const { return points_.limit_row; }
+  const Ring_row<FT>& normal_limit_row() const
+  {
+    return has_normal_rows_ ? normals_.limit_row : points_.limit_row;
+  }
+
+  bool has_tangents() const { return !tangents_[0].empty(); }
+  const std::array<std::vector<double>, 2>& tangents() const { return tangents_; }
+  double lambda() const { return lambda_; }
+  double normal_ratio() const { return normal_ratio_; }
+  double largest_other() const { return largest_other_; }
+  bool is_at_border() const { return is_at_border_; }
+  bool has_own_normals() const { return has_normal_rows_; }
+  // of a vertex, which is at place 0; 0 about faces
+  std::size_t number_of_neighbors() const { return number_of_neighbors_; }
+
+  // at a limit
+  double roundness_at([[maybe_unused]] const Value& limit) const
+  {
+    if constexpr (has_roundness_v<Value>)
+      return close_double(limit.roundness);
+    else
+      return roundness_;
+  }
+
+  // the valence of the vertex, if the rounds transfer curvature in its ring; otherwise 0
+  Level_connectivity::Index transfer_valence() const { return transfer_valence_; }
+
+  // The ratio of the geometric series that the differences |L_{k+1} - L_k| become. What is transferred
+  // falls by 1/2 a round, and its effect on L by lambda^2 more.
+  double error_ratio() const
+  {
+    const double lambda2 = lambda_ * lambda_;
+    const double ratio = (std::max)(lambda2 * lambda2, largest_other_ * largest_other_);
+    return (std::min)(0.9, transfer_valence_ == 0 ? ratio : (std::max)(ratio, lambda2 / 2));
+  }
+  double error_factor() const { return limit_error_factor(error_ratio()); }
+
+  // the rings after a step; those before it may be overwritten
+  void refine(Stored_value* rings, Value* next) const
+  {
+    for (unsigned r = 0; r < rounds(); ++r) {
+      if (r != 0) std::copy(next, next + largest_size_ * copies_, rings);
+      average(points_.rows[r], has_normal_rows_ ? &normals_.rows[r] : nullptr, rings, next);
+    }
+  }
+  // the averages of the limit mask, one a ring
+  void limit(const Stored_value* rings, Value* result) const
+  {
+    average(points_.limit, has_normal_rows_ ? &normals_.limit : nullptr, rings, result);
+  }
+
+private:
+  static constexpr bool may_have_normal_rows = Has_normal_mask<Scheme>::value;
+
+  // of points, or of normals
+  struct Rules
+  {
+    std::vector<Ring_rows<FT>> rows; // of each round
+    Ring_rows<FT> limit;
+    Ring_matrix<FT> matrix; // of all rounds
+    Ring_row<FT> limit_row;
+  };
+
+  struct Tangents
+  {
+    std::array<std::vector<double>, 2> tangents;
+    double lambda, normal_ratio, largest_other;
+  };
+
+  // matrix_of(number, round) gives the rows of a round in a number type
+  template <class Matrix_of>
+  std::optional<Tangents> set_rules(const std::vector<Ring_round>& rounds,
+                                    const Ring_layout& layout, const Matrix_of& matrix_of,
+                                    Rules& rules) const
+  {
+    using Real = Ring_masks::Real;
+    Ring_matrix<Real> real_matrix;
+    for (const Ring_round& r : rounds) {
+      const auto rows = matrix_of(FT(), r);
+      const auto real_rows = matrix_of(Real(), r);
+      if (!rows || !real_rows) return std::nullopt;
+      rules.matrix = rules.rows.empty() ? *rows : product(*rows, rules.matrix);
+      real_matrix = rules.rows.empty() ? *real_rows : product(*real_rows, real_matrix);
+      rules.rows.emplace_back(*rows, copies_);
+    }
+    const Ring_masks masks(real_matrix, layout);
+    if (masks.limit().empty()) return std::nullopt;
+    rules.limit_row = limit_weights(masks.limit(), rules.matrix);
+    rules.limit = Ring_rows<FT>({rules.limit_row}, copies_);
+    Tangents result{{}, masks.lambda(), masks.normal_ratio(), masks.largest_other()};
+    if (masks.has_tangents())
+      for (std::size_t i = 0; i < 2; ++i)
+        result.tangents[i].assign(masks.tangents()[i].begin(), masks.tangents()[i].end());
+    return result;
+  }
+
+  void average(const Ring_rows<FT>& rows, const Ring_rows<FT>* normal_rows, const Stored_value* old,
+               Value* result) const
+  {
+    for (std::size_t b = 0; b < rows.blocks().size(); ++b) {
+      const Stencil_block<FT>& part = rows.blocks()[b];
+      average_part(part, normal_rows == nullptr ? nullptr : &normal_rows->blocks()[b], old, result);
+      result += part.number_of_rows();
+    }
+  }
+
+  void average_part(const Stencil_block<FT>& rows,
+                    [[maybe_unused]] const Stencil_block<FT>* normal_rows, const Stored_value* old,
+                    Value* result) const
+  {
+    if constexpr (may_have_normal_rows)
+      if (normal_rows != nullptr) return block_(rows, *normal_rows, old, result);
+    block_(rows, old, result);
+  }
+
+  Block block_;
+  double roundness_; // of values that have none of their own
+  std::size_t size_, largest_size_ = 0, copies_ = 1, number_of_neighbors_ = 0;
+  bool is_valid_ = false, is_interpolating_ = false, is_at_border_ = false;
+  bool has_normal_rows_ = false; // otherwise the normals are refined by the rows of the points
+  Rules points_, normals_;
+  std::array<std::vector<double>, 2> tangents_;
+  double lambda_ = 0, normal_ratio_ = 0, largest_other_ = 0;
+  Level_connectivity::Index transfer_valence_ = 0;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_CLASS_H

@@ -1,0 +1,245 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_VERTEX_LIMITS_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_VERTEX_LIMITS_H
+
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_tower.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_writer.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_class.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/orient_normals.h>
+#include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
+#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The limits at the faces of a level of a dual scheme, whose corners in a face of the next round
+// depend on those of the face alone: the ring of a face is its corners.
+template <class Scheme, class FT>
+class Face_limits
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Tower = Limit_tower<Scheme, FT>;
+  using Result = typename Tower::Result;
+  using Level = Valued_level<typename Tower::Value>;
+
+  Face_limits(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks)
+    : scheme_(scheme)
+    , demand_(demand)
+    , for_chunks_(for_chunks)
+  {}
+
+  std::vector<Result> operator()(const Level& level)
+  {
+    const Index n = level.level.number_of_faces();
+    for (Index f = 0; f < n; ++f) {
+      auto& ring_class = classes_[level.level.degree(level.level.halfedge_of_face(f))];
+      if (!ring_class) ring_class = make(level.level.degree(level.level.halfedge_of_face(f)));
+    }
+    std::vector<Result> results(n);
+    const Caller_precision<FT> precision;
+    for_chunks_(n, [&](Index begin, Index end) {
+      const typename Caller_precision<FT>::In_this_thread same(precision);
+      std::map<Index, std::unique_ptr<Tower>> towers;
+      std::vector<Index> ring;
+      for (Index f = begin; f < end; ++f) {
+        ring.clear();
+        const Index first = level.level.halfedge_of_face(f);
+        Index h = first;
+        do {
+          ring.push_back(level.level.target(h));
+          h = level.level.next(h);
+        } while (h != first);
+        auto& tower = towers[static_cast<Index>(ring.size())];
+        if (!tower)
+          tower =
+            std::make_unique<Tower>(*classes_.at(static_cast<Index>(ring.size())), demand_, false);
+        tower->add(
+          [&](std::size_t p) -> const auto& { return level.values[ring[p]]; }, results[f]);
+        if (tower->is_full()) tower->evaluate();
+      }
+      for (auto& entry : towers) entry.second->evaluate();
+    });
+    if (demand_.surface_normals) orient_normals(level, results);
+    return results;
+  }
+
+private:
+  using Class = Ring_class<Scheme, FT>;
+
+  // The frame of a surface normal is that of the control normal, which may be on the wrong side.
+  static void orient_normals(const Level& level, std::vector<Result>& results)
+  {
+    const auto point = [&](Index v) { return to_double_3(point_of(level.values[v])); };
+    for (Index f = 0; f < static_cast<Index>(results.size()); ++f) {
+      Result& result = results[f];
+      const Index h = level.level.halfedge_of_face(f);
+      if (result.has_surface_normal &&
+          is_against_face(level.level, h, point, result.surface_normal))
+        result.surface_normal = opposite_vector<double, 3>(result.surface_normal);
+    }
+  }
+
+  // from a level of one face: its new vertices are the corners in their order
+  std::unique_ptr<Class> make(Index degree) const
+  {
+    Level_size size;
+    size.vertices = size.edges = size.corners = degree;
+    size.faces = 1;
+    size.border_valences = 2 * std::uint64_t(degree);
+    Level_connectivity level(size);
+    for (Index i = 0; i < degree; ++i) {
+      const Index h = 2 * i, next = 2 * ((i + 1) % degree);
+      level.set_target(h, i);
+      level.set_face(h, 0);
+      level.set_next(h, next);
+      level.set_target(h + 1, (i + degree - 1) % degree);
+      level.set_border(h + 1);
+      level.set_next(next + 1, h + 1);
+      level.set_halfedge_of_vertex(i, next + 1);
+    }
+    level.set_halfedge_of_face(0, 0);
+    Ring_pair rings;
+    rings.ring.resize(degree);
+    std::iota(rings.ring.begin(), rings.ring.end(), Index(0));
+    rings.next_ring = rings.ring;
+    Ring_layout layout;
+    layout.first = 0;
+    layout.number = degree;
+    layout.clockwise = false;
+    return std::make_unique<Class>(scheme_, std::vector<Ring_round>{{level, 1, rings}}, layout);
+  }
+
+  const Scheme& scheme_;
+  const Limit_demand& demand_;
+  For_chunks for_chunks_;
+  std::map<Index, std::unique_ptr<Class>> classes_;
+};
+
+// The limits of a mesh, at its slots if it has creases.
+template <class Result, class Level_creases>
+struct Vertex_limits
+{
+  const Level_connectivity& level;
+  const Level_creases& creases; // with the tangents of the limit
+  std::vector<Result>& results;
+};
+
+// Calls sink(limits, creases of the mesh) with the limits of a mesh as its maps tell of it.
+template <class FT, class Access, class Scheme, class Point_map, class Normal_map, class Edge_map,
+          class Vertex_map, class Sink>
+Limit_report vertex_limits(const Access& access, const Scheme& scheme, Point_map points,
+                           Normal_map normals, Edge_map edge_map, Vertex_map vertex_map,
+                           const Limit_options& options, const For_chunks& for_chunks,
+                           const Sink& sink)
+{
+  static_assert(check_no_grid_rows<Scheme>());
+  if constexpr (!check_corner_normals<Scheme, Access, Normal_map>())
+    return {};
+  else {
+    require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+    Valued_level<typename Average_of_scheme<Scheme, FT>::Value> level;
+    level.level = checked_level(access);
+    check_scheme(scheme, level.level, access);
+    Mesh_creases_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
+      scheme, access, level.level, edge_map, vertex_map);
+    auto creases = of_mesh.creases(level.level);
+    require_sharp_for_ever<FT>(access, creases, 0);
+    of_mesh.read_tangents(creases);
+    level.values = of_mesh.values(level.level, points, normals, creases);
+    const Limit_demand demand = limit_demand<FT>(options, box_size(level));
+    auto results = limits_at_slots<FT>(rules_of(scheme), demand, for_chunks, level, creases,
+                                       options.rounds_done + 1);
+    decltype(level.values)().swap(level.values);
+    check_limits<FT>(results, [&](std::size_t v) {
+      return access.vertex_name(static_cast<Level_connectivity::Index>(v));
+    });
+    using Result = typename decltype(results)::value_type;
+    sink(Vertex_limits<Result, decltype(creases)>{level.level, creases, results}, of_mesh);
+    results.resize(level.level.number_of_vertices());
+    return limit_report(results, demand);
+  }
+}
+
+// Puts limits into the maps of a mesh, and the old values back if that fails.
+template <class Scheme, class FT, class Access, class Limits, class Of_mesh, class Point_map,
+          class Normal_map, class Limit_maps>
+void put_limits(const Access& access, const Limits& limits, Of_mesh& of_mesh, Point_map points,
+                Normal_map normals, const Limit_options& options, const Limit_maps& maps)
+{
+  using Maps_writer = typename Limit_maps::template Writer<Access>;
+  Maps_writer of_limits(access, maps.np);
+  using Writers = Normal_writers<Access, Normal_map>;
+  typename Writers::Corner_writer corners(access, limits.level, normals);
+  if constexpr (Writers::Corner_writer::takes_corners) {
+    if (is_pn_v<Scheme> || options.surface_normals)
+      corners.put_all(limits.level, limits.creases,
+                      slot_values<Scheme, FT>(limits.results, options.surface_normals));
+  }
+  if constexpr (!Writers::Corner_writer::takes_corners || Maps_writer::is_any_given)
+    put_mean_normals<Scheme>(limits.creases, limits.results);
+  of_limits.write(limits.results, limits.level.number_of_vertices());
+  of_mesh.put_tangents(limits.creases, limits.level.size());
+  limits.results.resize(limits.level.number_of_vertices());
+  Limit_writer<Access, Scheme, Point_map, typename Writers::Vertex_map>(
+    access, points, Writers::vertex_map(normals))
+    .write(limits.results, options);
+  of_limits.keep();
+  corners.keep();
+  of_mesh.keep();
+}
+
+template <class Concurrency_tag, class Parameters, class Mesh, class Scheme, class NamedParameters>
+Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const NamedParameters& np)
+{
+  static_assert(Scheme::Host::keeps_vertices,
+                "the limit points of a dual scheme belong to the faces: see limit_points()");
+  Limit_report report;
+  if constexpr (check_creased_limit_arguments<Mesh, Scheme, NamedParameters>()) {
+    using FT = typename Parameters::FT;
+    const Limit_options options = limit_options(np);
+    const auto points = Parameters::point_map(mesh, np);
+    const auto normals = Parameters::normal_map(np);
+    with_mesh_access(mesh, [&](const auto& access) {
+      report = with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+        return vertex_limits<FT>(
+          access, s, points, normals, Parameters::edge_constraint_map(np),
+          Parameters::vertex_constraint_map(np), options, For_chunks::with(Concurrency_tag()),
+          [&](const auto& limits, auto& of_mesh) {
+            put_limits<Scheme, FT>(
+              access, limits, of_mesh, points, normals, options,
+              Limit_maps_of_call<typename Parameters::Geom_traits, NamedParameters>{np});
+          });
+      });
+    });
+  }
+  return report;
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_VERTEX_LIMITS_H

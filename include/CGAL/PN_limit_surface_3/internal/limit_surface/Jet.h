@@ -1,0 +1,204 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_JET_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_JET_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// A function of two parameters with its derivatives up to the second ones.
+struct Jet
+{
+  double value = 0, u = 0, v = 0, uu = 0, uv = 0, vv = 0;
+
+  static Jet of_u(double u) { return {u, 1, 0, 0, 0, 0}; }
+  static Jet of_v(double v) { return {v, 0, 1, 0, 0, 0}; }
+
+  Jet& operator+=(const Jet& b)
+  {
+    value += b.value, u += b.u, v += b.v, uu += b.uu, uv += b.uv, vv += b.vv;
+    return *this;
+  }
+  friend Jet operator+(Jet a, const Jet& b) { return a += b; }
+  friend Jet operator+(Jet a, double b)
+  {
+    a.value += b;
+    return a;
+  }
+  friend Jet operator*(const Jet& a, double b)
+  {
+    return {a.value * b, a.u * b, a.v * b, a.uu * b, a.uv * b, a.vv * b};
+  }
+  friend Jet operator-(const Jet& a, const Jet& b) { return a + b * -1; }
+  friend Jet operator*(const Jet& a, const Jet& b)
+  {
+    return {a.value * b.value,
+            a.u * b.value + a.value * b.u,
+            a.v * b.value + a.value * b.v,
+            a.uu * b.value + 2 * a.u * b.u + a.value * b.uu,
+            a.uv * b.value + a.u * b.v + a.v * b.u + a.value * b.uv,
+            a.vv * b.value + 2 * a.v * b.v + a.value * b.vv};
+  }
+  // f of it, whose value and first two derivatives are given
+  Jet mapped(double f, double f1, double f2) const
+  {
+    return {f, f1 * u, f1 * v, f1 * uu + f2 * u * u, f1 * uv + f2 * u * v, f1 * vv + f2 * v * v};
+  }
+  Jet inverse() const
+  {
+    const double r = 1 / value;
+    return mapped(r, -r * r, 2 * r * r * r);
+  }
+  Jet inverse_root() const
+  {
+    const double r = 1 / std::sqrt(value), cube = r * r * r;
+    return mapped(r, -0.5 * cube, 0.75 * cube * r * r);
+  }
+};
+
+using Jet_vector = std::array<Jet, 3>;
+
+template <class A, class B>
+Jet jet_product(const A& a, const B& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// What is averaged.
+struct Jet_entry
+{
+  Jet weight{};
+  std::array<double, 3> point{}, normal{};
+  double roundness = 1;
+};
+
+// The rule of PN_average, with weights that are jets: of entries with a weight and a value, and of one where is_pn is false
+// the linear rule. Normals that vanish leave the linear point.
+struct Jet_average
+{
+  Jet_vector point{}, normal{};
+
+  // about the point of the first entry, so that differences keep their digits
+  template <class Entries>
+  Jet_average(Entries entries, bool is_pn)
+  {
+    const std::array<double, 3> origin = entries[0].point;
+    for (auto& e : entries)
+      for (std::size_t c = 0; c < 3; ++c) e.point[c] -= origin[c];
+    evaluate(entries, is_pn);
+    for (std::size_t c = 0; c < 3; ++c) point[c].value += origin[c];
+  }
+
+  // of the surface that it describes, or else of the average
+  std::array<double, 3> unit_normal() const
+  {
+    std::array<double, 3> u{point[0].u, point[1].u, point[2].u},
+      v{point[0].v, point[1].v, point[2].v}, n{};
+    if (scale_to_about_one<double, 3>(u) && scale_to_about_one<double, 3>(v))
+      n = cross<double>(u, v);
+    const double square = dot<double, 3>(n, n);
+    if (!(square > 1e-18 * dot<double, 3>(u, u) * dot<double, 3>(v, v)))
+      return {normal[0].value, normal[1].value, normal[2].value};
+    divide_by_length<double, 3>(n, square);
+    return n;
+  }
+
+private:
+  template <class Entries>
+  void evaluate(const Entries& entries, bool is_pn)
+  {
+    for (const auto& e : entries)
+      for (std::size_t c = 0; c < 3; ++c) {
+        point[c] += e.weight * e.point[c];
+        if (is_pn) normal[c] += e.weight * e.normal[c];
+      }
+    const Jet square = jet_product(normal, normal);
+    if (!is_pn || !(square.value > least_square)) {
+      normal = {};
+      return;
+    }
+    const Jet factor = square.inverse_root();
+    for (Jet& n : normal) n = n * factor;
+    const Jet height = this->height(entries);
+    for (std::size_t c = 0; c < 3; ++c) point[c] += height * normal[c];
+  }
+
+  static constexpr double least_square = 0x1p-60;
+
+  template <class Entries>
+  Jet height(const Entries& entries) const
+  {
+    Jet sum, roundness, remaining;
+    bool fades = false;
+    for (const auto& e : entries) {
+      Jet s, d;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const Jet m = normal[c] + e.normal[c];
+        s += m * ((point[c] + -e.point[c]) * -1);
+        d += m * normal[c];
+      }
+      Jet weight = e.weight;
+      if (d.value < fade_begin<double>()) {
+        fades = true;
+        if (d.value <= fade_end<double>())
+          weight = {};
+        else
+          weight = weight * faded(d);
+      }
+      remaining += weight;
+      if (weight.value != 0 || d.value > fade_end<double>()) sum += weight * s * d.inverse();
+      roundness += e.weight * e.roundness;
+    }
+    if (fades) {
+      if (remaining.value < 1. / 64) return {};
+      sum = sum * remaining.inverse();
+    }
+    return sum * roundness;
+  }
+
+  static Jet faded(const Jet& d)
+  {
+    const double width = fade_begin<double>() - fade_end<double>();
+    const double t = (d.value - fade_end<double>()) / width;
+    return d.mapped(t * t * (3 - 2 * t), 6 * t * (1 - t) / width, (6 - 12 * t) / (width * width));
+  }
+};
+
+// between the corners of a triangle or quadrilateral, whose weights are set
+template <class Corners>
+Jet_average patch_average(Corners corners, double u, double v, bool is_pn = true)
+{
+  const Jet x = Jet::of_u(u), y = Jet::of_v(v);
+  const Jet rest_x = x * -1 + 1, rest_y = y * -1 + 1;
+  if (corners.size() == 3) {
+    corners[0].weight = rest_x - y;
+    corners[1].weight = x;
+    corners[2].weight = y;
+  } else {
+    corners[0].weight = rest_x * rest_y;
+    corners[1].weight = x * rest_y;
+    corners[2].weight = x * y;
+    corners[3].weight = rest_x * y;
+  }
+  return Jet_average(corners, is_pn);
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_JET_H

@@ -1,0 +1,201 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_KEPT_LEVEL_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_KEPT_LEVEL_H
+
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_tower.h>
+#include <CGAL/PN_limit_surface_3/internal/pieces/Whole_levels.h>
+#include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// What pieces are asked for, whatever the scheme.
+template <class Average>
+class Kept_pieces
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Value = typename Average::Value;
+  using Limit = Limit_result<Average>;
+  using Attributes = Carried_attributes<typename Average::FT>;
+
+  // takes (connectivity, its vertices, its faces), to be moved, once and then (vertex, value), of different
+  // vertices from different threads; at last (half-edge, wedge, value) for the corners of vertices with several
+  // wedges, in increasing order
+  struct Output
+  {
+    Function_ref<void(Level_connectivity&, Numbered_elements&, Numbered_elements&)> begin;
+    Function_ref<void(Index, const Value&)> put;
+    Function_ref<void(Index, Index, const Value&)> put_corner;
+    Function_ref<void(Attributes&)> put_attributes; // if there are any, before the end
+  };
+  // the same of limits, with what the rounds have given
+  struct Limit_output
+  {
+    Function_ref<void(Level_connectivity&, Numbered_elements&, Numbered_elements&)> begin;
+    Function_ref<void(Index, const Limit&, const Value&)> put;
+    Function_ref<void(Index, Index, const Limit&)> put_corner;
+    Function_ref<void(Attributes&)> put_attributes;
+  };
+
+  Kept_pieces() = default;
+  Kept_pieces(const Kept_pieces&) = delete;
+  Kept_pieces& operator=(const Kept_pieces&) = delete;
+  virtual ~Kept_pieces() = default;
+
+  // after all rounds
+  virtual const Whole_level& result() const = 0;
+  // the level that is divided
+  virtual const Level_connectivity& base() const = 0;
+  virtual unsigned base_round() const = 0;
+  // the degree of all faces that a round makes, 0 if they are of different degrees
+  virtual Index refined_degree() const = 0;
+  virtual bool is_empty(std::size_t piece) const = 0;
+  // the faces that the piece owns, and some rings around them
+  virtual void refine(std::size_t piece, unsigned rings, const Output& out) const = 0;
+  // the same with the vertices on the limit surface, if limits are known; of the vertices that are owned
+  virtual Limit_report refine_to_limit(std::size_t /*piece*/, unsigned /*rings*/,
+                                       const Limit_demand&, const Limit_output&) const
+  {
+    return {};
+  }
+};
+
+inline Face_marks owned_with_rings(const Level_connectivity& level, const Piece_elements& elements,
+                                   unsigned rings)
+{
+  Face_marks marks = owned_faces(elements.faces);
+  for (unsigned i = 0; i < rings; ++i) add_ring(level, marks);
+  return marks;
+}
+
+// What a piece keeps of its last level: faces, their vertices, and the corners of vertices with several wedges.
+template <class Average, class Level_creases>
+class Kept_level
+{
+public:
+  using FT = typename Average::FT;
+  using Value = typename Average::Value;
+  using Index = Level_connectivity::Index;
+  using Output = typename Kept_pieces<Average>::Output;
+  using Slot_value = std::pair<Index, Value>;
+
+  // Puts the connectivity of the faces that are owned and of the rings around them, and their attributes.
+  template <class Carried, class Any_output>
+  Kept_level(const Level_connectivity& level, const Piece_elements& elements,
+             [[maybe_unused]] const Level_creases& creases, bool has_isolated, unsigned rings,
+             const Carried& attributes, const Any_output& out)
+  {
+    const Face_marks kept = owned_with_rings(level, elements, rings);
+    const All_candidates candidates(level, kept);
+    Extraction extraction(level, candidates, has_isolated);
+    Numbered_elements vertices = extraction.vertices(elements.vertices);
+    Numbered_elements faces = extraction.faces(elements.faces);
+    Level_part part(extraction, bool(attributes));
+    if constexpr (!std::is_empty_v<Carried>)
+      if (attributes)
+        out.put_attributes(
+          attributes.part(part, slot_origins(part, level, creases), level)->put_part(part));
+    out.begin(part.level, vertices, faces);
+    vertices_ = std::move(part.vertices);
+    if constexpr (are_creases_v<Level_creases>) list_corners(extraction, level, creases);
+  }
+
+  // calls f(half-edge, wedge, slot) with the corners of vertices with several wedges, in the order of the half-edges
+  template <class Function>
+  void for_each_corner(const Function& f) const
+  {
+    for (const Corner& c : corners_) f(c.halfedge, c.wedge, c.slot);
+  }
+
+  // those of the level, in increasing order
+  const std::vector<Index>& vertices() const { return vertices_; }
+
+  // instead of what the rows have given there; the slots of a vertex follow one another
+  void put_on_creases(std::vector<Slot_value> values, Index number_of_vertices,
+                      const Output& out) const
+  {
+    for_each_crease_vertex<Average>(
+      values, number_of_vertices, [&](std::size_t, Index v, const Value& value) {
+        auto it = std::lower_bound(vertices_.begin(), vertices_.end(), v);
+        for (; it != vertices_.end() && *it == v; ++it)
+          out.put(static_cast<Index>(it - vertices_.begin()), value);
+      });
+    const auto is_before = [](const Slot_value& a, const Slot_value& b) {
+      return a.first < b.first;
+    };
+    std::sort(values.begin(), values.end(), is_before);
+    for_each_corner([&](Index h, Index wedge, Index slot) {
+      out.put_corner(
+        h, wedge,
+        std::lower_bound(values.begin(), values.end(), Slot_value(slot, {}), is_before)->second);
+    });
+  }
+
+private:
+  using Extraction = Piece_extraction<All_candidates>;
+
+  static std::vector<Index> slot_origins(const Level_part& part, const Level_connectivity& level,
+                                         const Level_creases& creases)
+  {
+    if constexpr (are_creases_v<Level_creases>)
+      if (!creases.empty())
+        return part.slot_origins(part.creases(creases), Corner_slots<FT>(level, creases));
+    return part.vertices;
+  }
+
+  struct Corner
+  {
+    Index halfedge; // of the piece
+    Index slot, wedge;
+  };
+
+  void list_corners(const Extraction& extraction, const Level_connectivity& level,
+                    const Creases<FT>& creases)
+  {
+    const Corner_slots<FT> slot_of(level, creases);
+    for (const Crease_star& star : creases.stars) {
+      if (star.number_of_wedges == 1) continue;
+      const Index first = level.halfedge_of_vertex(star.vertex);
+      Index h = first;
+      do {
+        if (extraction.is_inside(h))
+          corners_.push_back({extraction.new_halfedge(h), slot_of(h), star.wedge(slot_of(h))});
+        h = level.next_around_target(h);
+      } while (h != first);
+    }
+    std::sort(corners_.begin(), corners_.end(),
+              [](const Corner& a, const Corner& b) { return a.halfedge < b.halfedge; });
+  }
+
+  std::vector<Index> vertices_;
+  std::vector<Corner> corners_; // in the order of the half-edges
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_KEPT_LEVEL_H

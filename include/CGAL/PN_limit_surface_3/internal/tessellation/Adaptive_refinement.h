@@ -1,0 +1,651 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_ADAPTIVE_REFINEMENT_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_ADAPTIVE_REFINEMENT_H
+
+#include <CGAL/PN_limit_surface_3/internal/limit/Creased_limits.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
+#include <CGAL/PN_limit_surface_3/internal/limit_surface/Adaptive_level.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Face_flatness.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Proven_distance.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Split_edges.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation_attributes.h>
+#include <CGAL/PN_limit_surface_3/tessellation/Tessellation_result.h>
+#include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// how many there are where the tolerance is out of reach
+constexpr double triangles_out_of_reach = 0x1p18;
+
+struct Tessellation_demand
+{
+  double tolerance; // of the triangles, divided by 2^exponent, as is what flatness is told from
+  int exponent;
+  unsigned most_rounds; // at least one is done where faces are not triangles or quadrilaterals
+  std::uint64_t most_triangles;
+  Limit_demand limits;
+  bool is_proven = false;
+  bool is_of_piece = false; // which has the tolerance of the others, whatever that takes
+};
+
+// Refines, level by level, the faces that are not flat enough, with the rings of faces that they need. Every vertex gets
+// its limit when it is new, so that the cost is that of the vertices of the result. Of faces of the control mesh and of
+// the children of its polygons a round is made before it is known whether they have to be split, so that something has been
+// seen of every face.
+template <class Scheme, class FT, class Level_creases, bool may_be_proven = false>
+class Adaptive_refinement
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Average = Average_of_scheme<Scheme, FT>;
+  using Value = typename Average::Value;
+  using Level = Adaptive_level<Value, Level_creases>;
+  using Attributes = Tessellation_attributes<Scheme, FT, Level_creases>;
+  using Obstacle = Tessellation_result::Obstacle;
+
+  Adaptive_refinement(const Scheme& scheme, const Tessellation_demand& demand,
+                      const For_chunks& for_chunks)
+    : scheme_(scheme)
+    , demand_(demand)
+    , tolerance_((std::max)(demand.tolerance, least_tolerance))
+    , obstacle_(demand.tolerance < least_tolerance ? Obstacle::digits : Obstacle::none)
+    , for_chunks_(for_chunks)
+    , limits_(scheme, demand_.limits, for_chunks)
+    , attributes_(scheme, demand_.limits, for_chunks)
+  {
+    all_.set_exponent(demand.exponent);
+  }
+
+  // before: the nodes of the same that has been made before, of which some have to be split now
+  void operator()(Valued_level<Value>&& control, Level_creases&& creases,
+                  const typename Attributes::Data& attributes = {},
+                  const Face_marks* wanted = nullptr, std::deque<Tessellation_node>&& before = {})
+  {
+    before_ = std::move(before);
+    Level level = first_level(std::move(control), std::move(creases), attributes);
+    if (wanted != nullptr)
+      for (Index f = 0; f < level.faces.size(); ++f) level.faces[f].is_wanted = (*wanted)[f] != 0;
+    for (bool is_done = false; !is_done;) is_done = !refine(level);
+    before_.clear();
+  }
+
+  const Tessellation_demand& demand() const { return demand_; }
+  // that of the demand, or a larger one that is in reach
+  double tolerance() const { return tolerance_; }
+  Split_edges<FT>& all() { return all_; }
+  const Split_edges<FT>& all() const { return all_; }
+  std::deque<Tessellation_node>& nodes() { return nodes_; }
+  const std::deque<Tessellation_node>& nodes() const { return nodes_; }
+  // of each node, if there are any
+  const std::vector<std::vector<double>>& corners_of_nodes() const { return corners_of_nodes_; }
+  // vertices that are not used go
+  void remove_unused(const std::vector<bool>& used)
+  {
+    attributes_.keep_vertices(used);
+    all_.keep_vertices(used);
+  }
+  const Attributes& attributes() const { return attributes_; }
+  Obstacle obstacle() const { return obstacle_; }
+  unsigned depth() const { return rounds_; }
+
+private:
+  using Host = typename Scheme::Host;
+  using Refiner = Level_refiner<Scheme, Average, Level_creases>;
+  static constexpr bool is_creased = are_creases_v<Level_creases>;
+  using Result = typename Limit_evaluation<Scheme, FT>::Result;
+  using Results = std::vector<Result>;
+  using Flatness = Face_flatness<FT, Level>;
+  using Slots = Slots_of_corners<Level_creases>;
+  struct No_cells
+  {};
+  using Cells = std::conditional_t<may_be_proven, Limit_cells<Scheme, Level_creases>, No_cells>;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr Index null = Level_connectivity::null;
+  static constexpr std::ptrdiff_t limits_at_once = 1 << 13;
+
+  struct Face_error
+  {
+    double error = 0;
+    bool has_flatter_second = false; // see Tessellation_leaf
+  };
+
+  static constexpr double least_tolerance = 0x1p-48; // what coordinates in double can tell
+  // The sagitta of halves is a fourth; what is known badly may fall more slowly.
+  static constexpr double rest_of_discrepancy = 0.5, rest_of_distance = 0.45, least_rest = 0.27;
+  // where a normal is not to be trusted, and the surface not smooth about the vertex
+  static constexpr double distrust = 2;
+
+  // \name Limits
+  // those at the slots, where only some vertices are asked for, at theirs
+  Results limits(Level& level, const std::vector<Index>* some)
+  {
+    if constexpr (is_creased) {
+      Level_creases creases =
+        level.creases; // gets the tangents of the limit, with which no round goes on
+      return limits_(level.level, creases, rounds_ + 1, some);
+    } else
+      return limits_(level.level, rounds_ + 1, some);
+  }
+
+  // at the slots that are new
+  void set_limits(const Level& level, const Results& results, Index first_new)
+  {
+    for (std::size_t s = 0; s < results.size(); ++s)
+      if (level.slot_ids[s] != null && level.slot_ids[s] >= first_new)
+        set_slot(level.slot_ids[s], results[s]);
+  }
+  // at those of some vertices
+  void set_limits_of(Level& level, const std::vector<Index>& vertices, Index first_new)
+  {
+    if constexpr (is_creased)
+      set_limits(level, limits(level, &vertices), first_new);
+    else { // a part at a time, which stays in the cache
+      Results results;
+      std::vector<Index> part;
+      for (std::size_t i = 0; i < vertices.size(); i += part.size()) {
+        const auto begin = vertices.begin() + static_cast<std::ptrdiff_t>(i);
+        part.assign(begin, begin + (std::min)(vertices.end() - begin, limits_at_once));
+        limits_(level.level, rounds_ + 1, part, results);
+        for (std::size_t k = 0; k < part.size(); ++k) set_slot(level.slot_ids[part[k]], results[k]);
+      }
+    }
+  }
+
+  // is_smooth: whether the surface has a tangent plane wherever there is a normal of it
+  void set_slot(Index slot, const Result& result, bool is_smooth = true)
+  {
+    auto& s = all_.slot(slot);
+    const auto& point = point_of(result.value);
+    check_in_range<FT, 3>(
+      point, [&] { return "the limit point of vertex number " + std::to_string(s.vertex); });
+    all_.set_point(s.vertex, point);
+    s.has_surface_normal = result.has_surface_normal && is_smooth;
+    if constexpr (is_pn_v<Scheme>) s.normal = to_double_3(result.value.normal);
+    if (result.has_surface_normal) s.normal = result.surface_normal;
+    s.is_trusted = is_smooth;
+  }
+
+  // \name Levels
+  Level first_level(Valued_level<Value>&& control, Level_creases&& creases,
+                    const typename Attributes::Data& attributes)
+  {
+    Level level{std::move(control), std::move(creases), {}, {}, {}};
+    attributes_.read(attributes, level);
+    const Level_connectivity& connectivity = level.level.level;
+    const Results results = limits(level, nullptr);
+    for (Index v = 0; v < connectivity.number_of_vertices(); ++v)
+      level.slot_ids.push_back(all_.add_slot(all_.add_vertex()));
+    for (const Index v : vertices_of_extra_slots(level.creases, connectivity.number_of_vertices()))
+      level.slot_ids.push_back(all_.add_slot(v));
+    const std::vector<unsigned> faces = faces_of_slots(level);
+    for (Index s = 0; s < level.slot_ids.size(); ++s) set_slot(s, results[s], faces[s] != 1);
+    for (Index e = 0; e < connectivity.number_of_edges(); ++e)
+      level.edges.push_back(all_.add_edge());
+    level.faces.resize(connectivity.number_of_faces());
+    for (Index f = 0; f < level.faces.size(); ++f) {
+      level.faces[f].origin = f;
+      level.faces[f].is_wanted = true;
+    }
+    for (std::size_t p = 0; p < level.planes.size(); ++p) {
+      const Results of_plane = attributes_.limits(level, p, rounds_, nullptr);
+      for (Index v = 0; v < connectivity.number_of_vertices(); ++v)
+        attributes_.set(p, v, of_plane[v]);
+    }
+    return level;
+  }
+
+  // A single face between two edges of a smooth curve has no angle that a tangent plane could tell. Where the edges do not
+  // remain sharp, there are others.
+  static std::vector<unsigned> faces_of_slots(const Level& level)
+  {
+    const Level_connectivity& connectivity = level.level.level;
+    const Slots slot_of(connectivity, level.creases);
+    std::vector<unsigned> faces(level.slot_ids.size(), 0);
+    for (Index h = 0; h < connectivity.number_of_halfedges(); ++h)
+      if (!connectivity.is_border(h)) ++faces[slot_of(h)];
+    if constexpr (is_creased)
+      for (const auto& star : level.creases.stars)
+        for (Index i = 0; i < star.number_of_ends; ++i)
+          if (!std::isinf(level.creases.edge(level.creases.end(star, i)).sharpness))
+            for (Index w = 0; w < star.number_of_wedges; ++w) faces[star.slot(w)] = 0;
+    return faces;
+  }
+
+  // one round; false if there is nothing to refine
+  bool refine(Level& level)
+  {
+    const bool is_control = rounds_ == 0;
+    const bool has_unseen = mark_unseen(level);
+    if (!select(level, false) && !has_unseen) return false;
+    if (!is_control && rounds_ + 1 >= first_tuned_round(scheme_) &&
+        !is_anything_ending(level.creases))
+      cut(level);
+    Level next = refined(level);
+    ++rounds_;
+    Results results;
+    if (has_unseen) {
+      const std::vector<Index> vertices = new_vertices(level);
+      results = limits(next, is_control ? nullptr : &vertices);
+      measure(level, [&](Index, Index v) { return all_.place(point_of(results[v].value)); });
+      select(level, true);
+      if (std::none_of(level.faces.begin(), level.faces.end(),
+                       [](const Adaptive_face& f) { return f.is_split; })) {
+        --rounds_;
+        return false;
+      }
+    }
+    const std::vector<Index> vertices = new_vertices(level);
+    std::vector<Results> of_planes;
+    for (std::size_t p = 0; p < next.planes.size(); ++p)
+      of_planes.push_back(attributes_.limits(next, p, rounds_, is_control ? nullptr : &vertices));
+    all_.reserve(vertices.size(), next.level.level.number_of_edges());
+    const Index first_new = all_.number_of_slots();
+    connect(level, next, of_planes);
+    if (has_unseen)
+      set_limits(next, results, first_new);
+    else {
+      set_limits_of(next, vertices, first_new);
+      measure(level, [&](Index h, Index v) {
+        const Index slot =
+          h == null ? next.slot_ids[v] : all_.edge(level.edges[h / 2]).middle[h % 2];
+        return all_.place_of(all_.slot(slot).vertex);
+      });
+    }
+    hand_down(level, next);
+    level = std::move(next);
+    return true;
+  }
+
+  // marks the faces of which a round has to be made to see them; whether there are any
+  static bool mark_unseen(Level& level)
+  {
+    bool has_unseen = false;
+    for (Index f = 0; f < level.faces.size(); ++f) {
+      Adaptive_face& face = level.faces[f];
+      face.is_split = face.is_wanted && face.seen == Adaptive_face::Seen::none && is_leaf(level, f);
+      has_unseen = has_unseen || face.is_split;
+    }
+    return has_unseen;
+  }
+
+  // Decides which faces are split, and stores the others; whether there are any to be split. First those that go by their
+  // parents, then those of which the limits after the round are known.
+  bool select(Level& level, bool is_second)
+  {
+    using Seen = Adaptive_face::Seen;
+    const auto is_candidate = [&](Index f) {
+      const Adaptive_face& face = level.faces[f];
+      return face.is_wanted && (is_second ? face.seen == Seen::of_itself
+                                          : face.seen == Seen::of_parent || !is_leaf(level, f));
+    };
+    std::vector<Index> faces;
+    for (Index f = 0; f < level.faces.size(); ++f)
+      if (is_candidate(f)) faces.push_back(f);
+    if (faces.empty()) return false;
+    const Flatness flatness(level, all_);
+    std::vector<Face_error> errors(faces.size());
+    if constexpr (may_be_proven)
+      if (demand_.is_proven)
+        cells_.emplace(scheme_, Valued_level<Value>(level.level), Level_creases(level.creases));
+    for_chunks_(static_cast<Index>(faces.size()), [&](Index begin, Index end) {
+      for (Index i = begin; i < end; ++i) errors[i] = error(level, flatness, faces[i]);
+    });
+    constexpr std::uint64_t triangles = Host::refined_degree == 4 ? 8 : 4;
+    relax(errors, triangles / 4);
+    const unsigned rounds = rounds_ - (is_second ? 1 : 0); // that have been made of these faces
+    std::uint64_t number = 0;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      Adaptive_face& face = level.faces[faces[i]];
+      add_node(face, rounds);
+      face.is_split = nodes_[face.node].has_to_be_split || !(errors[i].error <= tolerance_);
+      number += face.is_split ? 1 : 0;
+    }
+    const bool are_too_many = number_of_leaves_ * 2 + number * triangles > demand_.most_triangles;
+    if (are_too_many) require_tolerance();
+    const bool is_last = rounds >= demand_.most_rounds || are_too_many;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const Index f = faces[i];
+      Adaptive_face& face = level.faces[f];
+      if (is_last && face.is_split && is_leaf(level, f)) {
+        face.is_split = false;
+        --number;
+        if (!(errors[i].error <= tolerance_))
+          meet(are_too_many ? Obstacle::triangles : Obstacle::rounds);
+        if (demand_.is_proven) errors[i].error = proven(flatness, f, infinity);
+      }
+      fill_node(level, flatness, f, errors[i]);
+    }
+    return number != 0;
+  }
+
+  // Where the number of triangles, which is inverse to the tolerance, is beyond what is allowed, the tolerance becomes one that
+  // is in reach.
+  void relax(const std::vector<Face_error>& errors, unsigned triangles)
+  {
+    double expected = 0;
+    for (const Face_error& e : errors)
+      if (e.error > tolerance_ && e.error < infinity)
+        expected += triangles * (e.error / tolerance_);
+    if (!(expected > double(demand_.most_triangles))) return;
+    require_tolerance();
+    tolerance_ *= expected / triangles_out_of_reach;
+    meet(Obstacle::triangles);
+  }
+
+  // the first one counts
+  void meet(Obstacle obstacle)
+  {
+    if (obstacle_ == Obstacle::none) obstacle_ = obstacle;
+  }
+
+  // A piece cannot do with less: it would not fit the others.
+  void require_tolerance() const
+  {
+    if (demand_.is_of_piece)
+      throw std::length_error(
+        "PN_subdivision_3: a piece of the tessellation would have more than " +
+        std::to_string(demand_.most_triangles) +
+        " triangles: ask for more pieces, or for a larger chord error");
+  }
+
+  // infinite beyond the tolerance
+  double proven([[maybe_unused]] const Flatness& flatness, [[maybe_unused]] Index f,
+                [[maybe_unused]] double tolerance) const
+  {
+    if constexpr (may_be_proven)
+      return Proven_distance<Cells>(*cells_, demand_.exponent, tolerance)(f, flatness.places(f));
+    else
+      return infinity;
+  }
+
+  // Children have the order that they had before.
+  void add_node(Adaptive_face& face, unsigned rounds)
+  {
+    const Index parent = face.node;
+    face.node = static_cast<Index>(nodes_.size());
+    nodes_.emplace_back();
+    nodes_.back().may_be_split = rounds < demand_.most_rounds;
+    if (parent != null) {
+      if (face.before != null)
+        face.before = before_[face.before].child(nodes_[parent].number_of_children);
+      nodes_[parent].add_child(face.node);
+    } else
+      face.before = before_.empty() ? null : face.node;
+    if (face.before != null) nodes_.back().has_to_be_split = before_[face.before].has_to_be_split;
+  }
+  void fill_node(Level& level, const Flatness& flatness, Index f, const Face_error& error)
+  {
+    const Adaptive_face& face = level.faces[f];
+    Tessellation_node& node = nodes_[face.node];
+    node.is_leaf = !face.is_split;
+    number_of_leaves_ += node.is_leaf ? 1 : 0;
+    if (!is_leaf(level, f))
+      for_each_halfedge_of_face(
+        level.level.level, f, [&](Index h) { all_.pin(level.edges[Level_connectivity::edge(h)]); });
+    else {
+      node.leaf.error = error.error;
+      node.leaf.has_flatter_second = error.has_flatter_second;
+      flatness.read(f, node.leaf);
+    }
+    if (!level.corners.empty()) corners_of_nodes_.push_back(level.corners[f]);
+  }
+
+  static bool is_leaf(const Level& level, Index f)
+  {
+    const Index h = level.level.level.halfedge_of_face(f);
+    return level.level.level.has_degree(h, 3) || level.level.level.has_degree(h, 4);
+  }
+
+  Face_error error(const Level& level, const Flatness& flatness, Index f) const
+  {
+    if (!is_leaf(level, f)) return {infinity, false};
+    const auto estimate = flatness.estimate(f);
+    const Adaptive_face& face = level.faces[f];
+    const bool is_seen = face.seen == Adaptive_face::Seen::of_itself;
+    double e = (is_seen ? 1 : rest_of_distance) * face.measured;
+    if (estimate.knows_normals) {
+      const double by_normals =
+        estimate.error + (is_seen ? 1 : rest_of_discrepancy) * face.discrepancy;
+      e = is_seen ? (std::max)(e, by_normals) : by_normals;
+    } else if (!estimate.trusts_normals)
+      e *= distrust;
+    else if (!is_seen) // those of the control data may be off, but tell which way it goes
+      e = (std::max)(least_rest * face.measured,
+                     (std::min)(e, estimate.error + rest_of_discrepancy * face.discrepancy));
+    e = (estimate.is_at_curve ? safety_at_curves : tessellation_safety) *
+        (std::max)(e, estimate.along_curves);
+    if (demand_.is_proven && e <= tolerance_) e = proven(flatness, f, tolerance_);
+    return {e, estimate.has_flatter_second};
+  }
+
+  void cut(Level& level) const
+  {
+    Face_marks marks;
+    marks.reserve(level.faces.size());
+    for (const Adaptive_face& face : level.faces) marks.push_back(face.is_split ? 1 : 0);
+    Cut_adaptive_level<FT, Level>(level, std::move(marks), rings(level));
+  }
+  // what a round needs to come out right in the rings that the next one needs, and the limits of the new vertices
+  unsigned rings(const Level& level) const
+  {
+    unsigned rings = limit_neighborhood(scheme_).regular_rings == 0 ? ghost_rings(scheme_) : 0;
+    if (rings == 0) rings = cut_rings(scheme_);
+    return rings + (reads_wedges(level.creases) ? 1 : 0);
+  }
+
+  // whether a vertex may need all wedges of its neighbors, which then must not lack faces
+  static bool reads_wedges([[maybe_unused]] const Level_creases& creases)
+  {
+    if constexpr (is_creased)
+      return std::any_of(creases.stars.begin(), creases.stars.end(), [&](const Crease_star& star) {
+        return has_roundness_v<Value> || creases.rule(star) == Vertex_rule::dart;
+      });
+    else
+      return false;
+  }
+
+  Level refined(Level& level) const
+  {
+    using Stored_value = typename Refiner::Stored_value;
+    auto& values = level.level.values;
+    if constexpr (std::is_same_v<Stored_value, Value>)
+      return refined(level, values.data());
+    else
+      return refined(level, std::vector<Stored_value>(values.begin(), values.end()).data());
+  }
+  template <class Stored_value>
+  Level refined(Level& level, const Stored_value* values) const
+  {
+    typename Refiner::One_round round(scheme_, level.level.level, level.creases, values,
+                                      rounds_ + 1);
+    Level next{{}, Level_creases(), {}, {}, {}};
+    next.level.values.resize(round.refined_creases().number_of_slots);
+    evaluate_round(round, values, for_chunks_, next.level.values);
+    next.level.level = child_level(round, round.refined_creases(), for_chunks_);
+    next.creases = std::move(round.refined_creases());
+    attributes_.refine(level, rounds_, next);
+    return next;
+  }
+
+  // those on the faces that are split
+  std::vector<Index> new_vertices(const Level& level) const
+  {
+    const Level_connectivity& old = level.level.level;
+    const Host host(old, rounds_);
+    std::vector<char> is_on_face(old.number_of_edges(), 0);
+    std::vector<Index> vertices, of_faces;
+    for (Index f = 0; f < old.number_of_faces(); ++f) {
+      if (!level.faces[f].is_split) continue;
+      for_each_halfedge_of_face(old, f,
+                                [&](Index h) { is_on_face[Level_connectivity::edge(h)] = 1; });
+      if constexpr (has_face_vertices) of_faces.push_back(host.vertex_of_face(f));
+    }
+    for (Index e = 0; e < is_on_face.size(); ++e)
+      if (is_on_face[e] != 0) vertices.push_back(host.vertex_of_edge(e));
+    vertices.insert(vertices.end(), of_faces.begin(), of_faces.end());
+    return vertices;
+  }
+
+  // \name What the new limit points tell of the faces
+  // place(half-edge, vertex of the next level) is that of the limit, without a half-edge of a face
+  template <class Place>
+  void measure(Level& level, const Place& place) const
+  {
+    const Level_connectivity& old = level.level.level;
+    const Host host(old, rounds_);
+    const Flatness flatness(level, all_);
+    for_chunks_(old.number_of_faces(), [&](Index begin, Index end) {
+      for (Index f = begin; f < end; ++f) {
+        Adaptive_face& face = level.faces[f];
+        if (!face.is_split || !is_leaf(level, f)) continue;
+        typename Flatness::Middles middles;
+        flatness.for_each_edge(f, [&](std::size_t i, Index h) {
+          middles.of_edges[i] = place(h, host.vertex_of_edge(Level_connectivity::edge(h)));
+        });
+        if constexpr (has_face_vertices) {
+          middles.has_face = true;
+          middles.of_face = place(null, host.vertex_of_face(f));
+        }
+        const auto measure = flatness.measure(f, middles);
+        face.measured = measure.distance;
+        face.discrepancy = measure.discrepancy;
+        if (face.seen == Adaptive_face::Seen::none) face.seen = Adaptive_face::Seen::of_itself;
+      }
+    });
+  }
+
+  // \name From a level to the next one
+  void connect(const Level& level, Level& next, const std::vector<Results>& of_planes)
+  {
+    const Level_connectivity& old = level.level.level;
+    const Host host(old, rounds_);
+    next.slot_ids.assign(next.level.values.size(), null);
+    {
+      const Slots old_slots(old, level.creases), new_slots(next.level.level, next.creases);
+      for (Index f = 0; f < old.number_of_faces(); ++f)
+        if (level.faces[f].is_split)
+          split_face(level, f, host, old_slots, new_slots, of_planes, next);
+    }
+    next.edges.assign(next.level.level.number_of_edges(), null);
+    for (Index e = 0; e < next.edges.size(); ++e) {
+      const Element_parent parent = host.parent_of_edge(e);
+      if (parent.kind != Element_parent::Kind::edge) continue;
+      const Index old_edge = level.edges[parent.index];
+      if (old_edge != null && all_.edge(old_edge).is_split())
+        next.edges[e] = all_.edge(old_edge).halves + parent.ordinal;
+    }
+  }
+
+  // what is known of the faces
+  void hand_down(const Level& level, Level& next)
+  {
+    const Host host(level.level.level, rounds_);
+    for (const Adaptive_face& face : level.faces)
+      if (face.is_split) nodes_[face.node].leaf.error = face.discrepancy;
+    next.faces.resize(next.level.level.number_of_faces());
+    for (Index f = 0; f < next.faces.size(); ++f) {
+      const Adaptive_face& parent = level.faces[host.parent_of_face(f).index];
+      if (!parent.is_split) continue;
+      next.faces[f] = parent;
+      next.faces[f].is_split = false;
+      next.faces[f].seen = parent.seen == Adaptive_face::Seen::none
+                             ? Adaptive_face::Seen::none
+                             : Adaptive_face::Seen::of_parent;
+      number_edges(next, f);
+    }
+    if (!level.corners.empty()) attributes_.split_corners(level, host, next);
+  }
+
+  void number_edges(Level& level, Index f)
+  {
+    for_each_halfedge_of_face(level.level.level, f, [&](Index h) {
+      Index& e = level.edges[Level_connectivity::edge(h)];
+      if (e == null) e = all_.add_edge();
+    });
+  }
+
+  void split_face(const Level& level, Index f, [[maybe_unused]] const Host& host,
+                  const Slots& old_slots, const Slots& new_slots,
+                  const std::vector<Results>& of_planes, Level& next)
+  {
+    const Level_connectivity& old = level.level.level;
+    const Edge_split split(old);
+    const auto add_slot = [&](Index new_slot, Index vertex) {
+      Index& slot = next.slot_ids[new_slot];
+      if (slot != null) return slot;
+      slot = all_.add_slot(vertex);
+      for (std::size_t p = 0; p < of_planes.size(); ++p)
+        attributes_.set(p, vertex, of_planes[p][new_slot]);
+      return slot;
+    };
+    for_each_halfedge_of_face(old, f, [&](Index h) {
+      next.slot_ids[new_slots(split.second_half(h))] = level.slot_ids[old_slots(h)];
+      const Index e = Level_connectivity::edge(h), edge = level.edges[e];
+      if (!all_.edge(edge).is_split()) {
+        const Index vertex = all_.add_vertex();
+        std::array<Index, 2> middle{null, null};
+        for (const Index side : {0u, 1u})
+          if (!old.is_border(2 * e + side))
+            middle[side] = add_slot(new_slots(split.first_half(2 * e + side)), vertex);
+        all_.split(edge, middle);
+      }
+    });
+    if constexpr (has_face_vertices) add_slot(host.vertex_of_face(f), all_.add_vertex());
+  }
+
+  static constexpr bool has_face_vertices = std::is_same_v<Host, PQQ_host>;
+
+  const Scheme& scheme_;
+  const Tessellation_demand demand_;
+  double tolerance_;
+  Obstacle obstacle_;
+  For_chunks for_chunks_;
+  Limits_of_level<Scheme, FT, Level_creases> limits_;
+  Attributes attributes_;
+  std::vector<std::vector<double>> corners_of_nodes_;
+  Split_edges<FT> all_;
+  std::optional<Cells> cells_;          // of the level, for proofs
+  std::deque<Tessellation_node> nodes_; // of which none is copied when there are more
+  std::deque<Tessellation_node> before_;
+  std::uint64_t number_of_leaves_ = 0;
+  unsigned rounds_ = 0;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_ADAPTIVE_REFINEMENT_H

@@ -1,0 +1,201 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_PROVEN_DISTANCE_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_PROVEN_DISTANCE_H
+
+#include <CGAL/PN_limit_surface_3/internal/limit_surface/Cell_enclosure.h>
+#include <CGAL/PN_limit_surface_3/internal/limit_surface/Flatness.h>
+#include <CGAL/PN_limit_surface_3/internal/limit_surface/Limit_cells.h>
+#include <CGAL/PN_limit_surface_3/internal/limit_surface/Spline_piece.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// A bound, which is proved, of the distance of the limit of a face from triangles between its corners and further points of
+// the limit on its sides, wherever these are. Let Q be the quadrilateral of the corners, two triangles with either diagonal, or the
+// triangle. The limit is within the bound of Theorem A of the linear one, and this in the hull of Bezier points or, at an
+// extraordinary vertex, of control points. The distance from the hull of Q is convex, so that it is largest at these; no
+// point of that hull is farther from Q than its diagonals are apart, the twist. Points of the limit on a side are no farther from
+// the side of Q than the hull of its Bezier points; the triangles are the image of a triangulation of Q that has
+// vertices at the feet of these points, and no farther from it than these points, and the twist again.
+template <class Cells>
+class Proven_distance
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Cell = typename Cells::Cell;
+  using Vector = flatness::Vector;
+
+  // Lengths are divided by 2^exponent. Beyond the tolerance the result is infinite.
+  Proven_distance(const Cells& cells, int exponent, double tolerance)
+    : cells_(cells)
+    , exponent_(exponent)
+    , tolerance_(tolerance)
+  {}
+
+  double operator()(Index face, const std::array<Vector, 4>& corners) const
+  {
+    Search search{corners, 0, 0, 0};
+    if (degree == 4)
+      search.twist = distance_of_segments(corners[0], corners[2], corners[1], corners[3]);
+    add(cells_.of_face(face), (1u << degree) - 1, search);
+    return search.total();
+  }
+
+private:
+  static constexpr Index degree = Cells::degree;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  // of look-ahead: in regular faces, whose bound falls by a fourth a round, and where hulls shrink to a vertex
+  static constexpr unsigned most_rounds = 2, most_rounds_at_vertices = 16;
+
+  struct Search
+  {
+    std::array<Vector, 4> corners;
+    double twist, surface, sides; // the largest distances so far
+    double total() const { return surface + sides + 2 * twist; }
+  };
+
+  Vector place(const Vector& p) const
+  {
+    return {std::ldexp(p[0], -exponent_), std::ldexp(p[1], -exponent_),
+            std::ldexp(p[2], -exponent_)};
+  }
+
+  // sides: those of the face on which the cell's are
+  void add(Cell&& cell, unsigned sides, Search& search) const
+  {
+    Search here = search;
+    const bool is_regular = measure(cell, sides, here);
+    const bool is_last = cell.rounds >= (is_regular ? most_rounds : most_rounds_at_vertices);
+    if (is_last && !(here.total() <= tolerance_)) here.surface = infinity;
+    if (is_last || (here.total() <= tolerance_ && here.total() < infinity)) {
+      search = here;
+      return;
+    }
+    const typename Cells::Round round(cells_, std::move(cell));
+    for (Index i = 0; i < 4 && search.surface < infinity; ++i)
+      add(round.child(i), i < degree ? sides & (1u << i | 1u << (i + degree - 1) % degree) : 0,
+          search);
+  }
+
+  // adds what the hull of a cell tells; whether it is one of Bezier points
+  bool measure(Cell& cell, unsigned sides, Search& search) const
+  {
+    const Cell_net<Cells> net(cell, degree);
+    if (!net.has_uniform_faces()) {
+      search.surface = infinity;
+      return false;
+    }
+    double largest = 0, of_surface = 0, of_sides = 0;
+    const auto note = [&](const Vector& p, unsigned of) {
+      raise(of_surface, distance(p, search));
+      for (Index i = 0; i < degree; ++i)
+        if ((of & sides & 1u << i) != 0) raise(of_sides, distance_from_side(p, i, search));
+    };
+    bool is_regular = false;
+    cells_.with_kinds(cell, [&](const Level_connectivity& level, Index base, const auto& kind) {
+      const Spline_piece piece(level, base, degree, false, kind);
+      is_regular = piece.is_regular();
+      if (is_regular)
+        piece.for_each_bezier_point([&](Index v) { return place(point_of(cell.level.values[v])); },
+                                    note);
+    });
+    const auto [delta, d] = net.differences([&](const Vector& p) {
+      for (const double x : place(p)) largest = (std::max)(largest, std::abs(x));
+      if (!is_regular) note(place(p), ~0u);
+    });
+    const double rest =
+      rounding_of_bound * largest +
+      (is_pn_v<typename Cells::Scheme_type> ? net.proven_distance(delta, std::ldexp(d, -exponent_))
+                                            : 0);
+    raise(search.surface, of_surface + rest);
+    if (sides != 0) raise(search.sides, of_sides + rest);
+    return is_regular;
+  }
+
+  // what is no number is infinite
+  static void raise(double& largest, double x)
+  {
+    if (!(x <= largest)) largest = x < infinity ? x : infinity;
+  }
+
+  // \name Distances of points that are there, hence bounds, also where a square or a quotient is beyond the range of double
+  static double distance(const Vector& p, const Search& search)
+  {
+    const auto& c = search.corners;
+    const double first = distance_from_triangle(p, c[0], c[1], c[2]);
+    return degree == 3 ? first : (std::min)(first, distance_from_triangle(p, c[2], c[3], c[0]));
+  }
+  static double distance_from_side(const Vector& p, Index i, const Search& search)
+  {
+    return distance_from_segment(p, search.corners[i], search.corners[(i + 1) % degree]);
+  }
+
+  static double distance_from_segment(const Vector& p, const Vector& a, const Vector& b)
+  {
+    using namespace flatness;
+    const double t = product(minus(p, a), minus(b, a)) / product(minus(b, a), minus(b, a));
+    return quick_length(minus(p, between(a, b, t > 0 ? (std::min)(t, 1.) : 0)));
+  }
+
+  static double distance_from_triangle(const Vector& p, const Vector& a, const Vector& b,
+                                       const Vector& c)
+  {
+    const Combination inside(flatness::minus(p, a), flatness::minus(b, a), flatness::minus(c, a));
+    if (inside.s >= 0 && inside.t >= 0 && inside.s + inside.t <= 1) return inside.distance;
+    return (std::min)({distance_from_segment(p, a, b), distance_from_segment(p, b, c),
+                       distance_from_segment(p, c, a)});
+  }
+
+  // from a to b, and from c to d
+  static double distance_of_segments(const Vector& a, const Vector& b, const Vector& c,
+                                     const Vector& d)
+  {
+    const Combination inside(flatness::minus(c, a), flatness::minus(b, a), flatness::minus(c, d));
+    if (inside.s >= 0 && inside.s <= 1 && inside.t >= 0 && inside.t <= 1) return inside.distance;
+    return (std::min)({distance_from_segment(a, c, d), distance_from_segment(b, c, d),
+                       distance_from_segment(c, a, b), distance_from_segment(d, a, b)});
+  }
+
+  // s a + t b next to r, and its distance; no numbers if a and b have one direction
+  struct Combination
+  {
+    Combination(Vector r, const Vector& a, const Vector& b)
+    {
+      const double square = flatness::product(a, a);
+      Vector across = b;
+      add_multiple<double, 3>(across, -flatness::product(a, b) / square, a);
+      t = flatness::product(r, across) / flatness::product(across, across);
+      add_multiple<double, 3>(r, -t, b);
+      s = flatness::product(r, a) / square;
+      add_multiple<double, 3>(r, -s, a);
+      distance = quick_length(r);
+    }
+
+    double s, t, distance;
+  };
+
+  const Cells& cells_;
+  const int exponent_;
+  const double tolerance_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_PROVEN_DISTANCE_H

@@ -1,0 +1,368 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_TESSELLATION_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_TESSELLATION_H
+
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Adaptive_refinement.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Leaf_triangles.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Merged_leaves.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation_mesh.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation_table.h>
+#include <CGAL/PN_limit_surface_3/tessellation/Tessellation_result.h>
+#include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// A control mesh that has been read, with what is asked for.
+template <class Scheme, class FT, class Level_creases, bool may_be_proven>
+struct Tessellation_data
+{
+  using Refinement = Adaptive_refinement<Scheme, FT, Level_creases, may_be_proven>;
+  using Attributes = typename Refinement::Attributes::Data;
+
+  Tessellation_demand demand;
+  Valued_level<typename Refinement::Value> control;
+  Level_creases creases;
+  Attributes attributes;
+
+  Refinement refinement(const Scheme& scheme, const For_chunks& for_chunks) const
+  {
+    return Refinement(scheme, demand, for_chunks);
+  }
+};
+
+// The runs of a tessellation. Finer neighbors put vertices on the sides of a leaf, whose triangles may then miss the
+// tolerance: it is split in another run.
+template <class FT>
+class Tessellation_runs
+{
+public:
+  using Obstacle = Tessellation_result::Obstacle;
+
+  explicit Tessellation_runs(unsigned most)
+    : most_(most)
+  {}
+
+  // of the last run
+  std::deque<Tessellation_node> take_nodes() { return std::move(nodes_); }
+  unsigned number() const { return number_; }
+
+  // The triangles of the leaves for which is_taken(leaf) is true, once splits that did not have to be are taken back.
+  template <class Refinement, class Is_taken>
+  Leaf_triangles<FT> triangles(Refinement& refinement, std::size_t dimension_of_corners,
+                               const Is_taken& is_taken)
+  {
+    const bool is_proven = refinement.demand().is_proven;
+    const double tolerance = refinement.tolerance() / tessellation_safety;
+    if (!is_proven) Merged_leaves<FT>(refinement.all(), refinement.nodes(), tolerance)();
+    Leaf_triangles<FT> triangles(refinement.all(), tolerance, dimension_of_corners, is_proven),
+      others(refinement.all(), tolerance, 0, is_proven);
+    triangles.reserve(2 * std::size_t(refinement.all().number_of_vertices()));
+    const auto& corners = refinement.corners_of_nodes();
+    are_missed_ = false;
+    for (std::size_t i = 0; i < refinement.nodes().size(); ++i) {
+      Tessellation_node& node = refinement.nodes()[i];
+      if (!node.is_leaf) continue;
+      const double error =
+        is_taken(node.leaf)
+          ? triangles.add(node.leaf, corners.empty() ? nullptr : corners[i].data())
+          : others.add(node.leaf);
+      if (error > with_rounding * refinement.tolerance()) miss(node);
+    }
+    return triangles;
+  }
+
+  // Whether there has to be another run, with nodes of which some have to be split now.
+  template <class Refinement>
+  bool go_on(Refinement& refinement, const Leaf_triangles<FT>& triangles)
+  {
+    ++number_;
+    if (!are_missed_ || number_ >= most_) return false;
+    if (number_ > 1 && triangles.triangles().size() > triangles_out_of_reach) return false;
+    nodes_ = std::move(refinement.nodes());
+    return true;
+  }
+
+  // What has been reached, in the unit of the coordinates; faces have the numbers of what was refined.
+  template <class Refinement, class Report>
+  void report(const Refinement& refinement, const Leaf_triangles<FT>& triangles,
+              Report& report) const
+  {
+    const Tessellation_demand& demand = refinement.demand();
+    report.bound = std::ldexp(triangles.bound(), demand.exponent);
+    report.worst_face = triangles.worst_face();
+    report.worst_place = triangles.worst_place();
+    for (double& x : report.worst_place) x = std::ldexp(x, demand.exponent);
+    report.reached = triangles.bound() <= with_rounding * demand.tolerance;
+    report.depth = refinement.depth();
+    if (report.reached) return;
+    report.obstacle = refinement.obstacle();
+    if (report.obstacle == Obstacle::none)
+      report.obstacle = !are_missed_         ? Obstacle::rounds
+                        : demand.is_of_piece ? Obstacle::pieces
+                                             : Obstacle::triangles;
+  }
+
+private:
+  // a product and a quotient
+  static constexpr double with_rounding = 1 + 0x1p-50;
+
+  void miss(Tessellation_node& node)
+  {
+    if (node.has_to_be_split || (node.number_of_children == 0 && !node.may_be_split)) return;
+    node.has_to_be_split = true;
+    are_missed_ = true;
+  }
+
+  const unsigned most_;
+  unsigned number_ = 0;
+  bool are_missed_ = false; // leaves that can be split
+  std::deque<Tessellation_node> nodes_;
+};
+
+// by triangles
+template <class FT>
+std::vector<bool> used_vertices(const Split_edges<FT>& all, const Leaf_triangles<FT>& triangles)
+{
+  std::vector<bool> used(all.number_of_vertices(), false);
+  for (const Tessellation_triangle& t : triangles.triangles())
+    for (const Level_connectivity::Index slot : t.slot_ids) used[all.slot(slot).vertex] = true;
+  return used;
+}
+
+// A call of tessellate(): reads the control mesh, refines it adaptively, and builds the mesh of the triangles.
+template <class Concurrency_tag, class FaceGraph, class NamedParameters>
+class Tessellation
+{
+  using Parameters = Surface_parameters<FaceGraph, NamedParameters>;
+  using FT = typename Parameters::FT;
+  using Index = Level_connectivity::Index;
+
+public:
+  Tessellation(double chord_error, const NamedParameters& np, Attribute_table* table,
+               bool is_in_pieces = false)
+    : chord_error_(chord_error)
+    , np_(np)
+    , table_(table)
+    , is_in_pieces_(is_in_pieces)
+    , for_chunks_(For_chunks::with(Concurrency_tag()))
+  {}
+
+  template <class Report, class OutputMesh, class Access, class Scheme, class Out_access,
+            class Out_parameters>
+  Report operator()(const FaceGraph& control, const Access& access, const Scheme& scheme,
+                    OutputMesh& out, Out_access& out_access, const Out_parameters& np_out) const
+  {
+    require_empty(out_access);
+    Report report;
+    Tessellation_runs<FT> runs(most_runs);
+    const auto run = [&](const auto& s) {
+      bool goes_on = false;
+      read(access, s, Parameters::const_point_map(control, np_), [&](auto&& data) {
+        const auto& rules = rules_of(s);
+        auto refinement = data.refinement(rules, for_chunks_);
+        refinement(std::move(data.control), std::move(data.creases), data.attributes, nullptr,
+                   runs.take_nodes());
+        const Leaf_triangles<FT> triangles = runs.triangles(
+          refinement, table_.dimension_of_corners(), [](const Tessellation_leaf&) { return true; });
+        goes_on = runs.go_on(refinement, triangles);
+        if (goes_on) return;
+        std::vector<bool> used = used_vertices(refinement.all(), triangles);
+        std::fill_n(used.begin(), access.size().vertices, true);
+        refinement.remove_unused(used);
+        const Tessellation_mesh<FT> mesh(refinement.all(), triangles);
+        using Out = Surface_parameters<OutputMesh, Out_parameters>;
+        Attribute_table carried;
+        if (table_.any())
+          carried = table_.of_result(refinement, triangles, data.attributes, nullptr,
+                                     first_indices(access.size().vertices));
+        build(refinement.all(), mesh, out_access, Out::point_map(out, np_out),
+              Out::normal_map(np_out));
+        table_.set(std::move(carried));
+        runs.report(refinement, triangles, report);
+        report.number_of_vertices = mesh.level().number_of_vertices();
+        report.number_of_triangles = mesh.level().number_of_faces();
+      });
+      return goes_on;
+    };
+    with_roundness_of_call<Parameters>(access, scheme, np_, [&](const auto& s) {
+      while (run(s)) {
+      }
+    });
+    return report;
+  }
+
+  const For_chunks& for_chunks() const { return for_chunks_; }
+  const Tessellation_table& table() const { return table_; }
+
+  // calls sink(Tessellation_data)
+  template <class Access, class Scheme, class Point_map, class Sink>
+  void read(const Access& access, const Scheme& scheme, Point_map points, const Sink& sink) const
+  {
+    static_assert(check_no_grid_rows<Scheme>());
+    const auto normals = normal_map<Scheme>();
+    using Normal_map = std::decay_t<decltype(normals)>;
+    const auto edge_map = Parameters::edge_constraint_map(np_);
+    const auto vertex_map = Parameters::vertex_constraint_map(np_);
+    if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
+      require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+      Valued_level<typename Average_of_scheme<Scheme, FT>::Value> control;
+      control.level = checked_level(access);
+      check_scheme<Scheme, Element_names>(scheme, control.level, access);
+      const Mesh_creases_of_call<Scheme, FT, Access, Normal_map,
+                                 typename Parameters::Edge_constraint_map,
+                                 typename Parameters::Vertex_constraint_map>
+        of_mesh(scheme, access, control.level, edge_map, vertex_map);
+      auto creases = of_mesh.creases(control.level);
+      require_sharp_for_ever<FT>(
+        access, creases, is_in_pieces_ ? 0 : rounds_of_all(control.level.number_of_faces()));
+      of_mesh.read_tangents(creases);
+      control.values = of_mesh.values(control.level, points, normals, creases);
+      const Tessellation_demand demand = this->demand(box_size(control));
+      constexpr bool may_be_proven =
+        is_given_v<proven_bound_t, NamedParameters> && std::is_same_v<FT, double>;
+      if constexpr (may_be_proven)
+        if (demand.is_proven)
+          require_proof_of_all(
+            Limit_cells<Rules_of<Scheme>, decltype(creases)>(
+              rules_of(scheme), decltype(control)(control), decltype(creases)(creases)),
+            chord_error_);
+      using Data = Tessellation_data<Rules_of<Scheme>, FT, decltype(creases), may_be_proven>;
+      auto attributes = table_.template read<typename Data::Attributes>(control.level);
+      sink(Data{demand, std::move(control), std::move(creases), std::move(attributes)});
+    }
+  }
+
+private:
+  static constexpr unsigned most_runs = 64;
+
+  // how many rounds may be made of all faces, until nothing is sharp but forever
+  static unsigned rounds_of_all(std::size_t faces)
+  {
+    constexpr std::size_t most_faces = std::size_t(1) << 22;
+    unsigned rounds = 0;
+    for (std::size_t n = 4 * faces; 0 < n && n <= most_faces; n *= 4) ++rounds;
+    return rounds;
+  }
+
+  // a linear scheme has no use for normals
+  template <class Scheme>
+  auto normal_map() const
+  {
+    if constexpr (is_pn_v<Scheme>)
+      return Parameters::normal_map(np_);
+    else
+      return No_normal_map();
+  }
+
+  Tessellation_demand demand(double box) const
+  {
+    Tessellation_demand demand;
+    // 2^-exponent is a number, too
+    demand.exponent = box > 0 && std::isfinite(box) ? (std::max)(std::ilogb(box), -1000) : 0;
+    demand.tolerance = std::ldexp(chord_error_, -demand.exponent);
+    constexpr bool is_given =
+      !std::is_same_v<typename internal_np::Lookup_named_param_def<
+                        internal_np::number_of_iterations_t, NamedParameters, No_roundness>::type,
+                      No_roundness>;
+    demand.most_rounds = is_given ? Parameters::number_of_iterations(np_) : 12;
+    demand.most_triangles = std::uint64_t(1) << 31;
+    Limit_options options;
+    options.surface_normals = true;
+    options.normal_tolerance = 1e-4;
+    demand.limits = limit_demand<FT>(options, box);
+    demand.limits.tolerance =
+      (std::min)(demand.limits.tolerance, (std::max)(chord_error_ / 1024, std::ldexp(box, -50)));
+    demand.is_proven = parameter_or<proven_bound_t>(np_, false);
+    if (demand.is_proven && !std::is_same_v<FT, double>)
+      throw std::invalid_argument(
+        "PN_subdivision_3: distances are proven of coordinates in double only: "
+        "leave proven_bound out");
+    return demand;
+  }
+
+  template <class Access>
+  static void require_empty(const Access& access)
+  {
+    const Level_size size = access.size();
+    if (size.vertices != 0 || size.edges != 0 || size.faces != 0)
+      throw std::invalid_argument("PN_subdivision_3: the mesh of the tessellation has vertices "
+                                  "already: it must be empty");
+  }
+
+  template <class Access, class Point_map, class Normal_map>
+  static void build(const Split_edges<FT>& all, const Tessellation_mesh<FT>& mesh, Access& access,
+                    Point_map point_map, Normal_map normal_map)
+  {
+    using Writers = Normal_writers<Access, Normal_map>;
+    using Point = typename boost::property_traits<Point_map>::value_type;
+    std::vector<Point> points;
+    points.reserve(all.number_of_vertices());
+    for (Index v = 0; v < all.number_of_vertices(); ++v) {
+      const auto& p = all.point(v);
+      points.emplace_back(p[0], p[1], p[2]);
+    }
+    build_mesh(access, mesh.level(), point_map, points, Writers::vertex_map(normal_map),
+               vertex_normals<typename Writers::Vertex_map>(mesh), [&] {
+                 if constexpr (Writers::Corner_writer::takes_corners)
+                   mesh.for_each_corner([&](Index h, const flatness::Vector& n) {
+                     using Normal = typename boost::property_traits<Normal_map>::value_type;
+                     put(normal_map, access.halfedge_at(h), Normal(n[0], n[1], n[2]));
+                   });
+               });
+  }
+
+  template <class Normal_map>
+  static auto vertex_normals([[maybe_unused]] const Tessellation_mesh<FT>& mesh)
+  {
+    if constexpr (std::is_same_v<Normal_map, No_normal_map>)
+      return std::vector<char>();
+    else {
+      std::vector<typename boost::property_traits<Normal_map>::value_type> normals;
+      normals.reserve(mesh.level().number_of_vertices());
+      for (const flatness::Vector& n : mesh.normals()) normals.emplace_back(n[0], n[1], n[2]);
+      return normals;
+    }
+  }
+
+  double chord_error_;
+  const NamedParameters& np_;
+  const Tessellation_table table_;
+  const bool is_in_pieces_;
+  For_chunks for_chunks_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_TESSELLATION_H

@@ -1,0 +1,210 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_TESSELLATION_ATTRIBUTES_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_TESSELLATION_ATTRIBUTES_H
+
+#include <CGAL/PN_limit_surface_3/internal/limit/Creased_limits.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_limit_surface_3/internal/limit_surface/Adaptive_level.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// What finds the limits at the slots of a level.
+template <class Scheme, class FT, class Level_creases>
+using Limits_of_level = std::conditional_t<are_creases_v<Level_creases>, Creased_limits<Scheme, FT>,
+                                           Limit_evaluation<Scheme, FT>>;
+
+// What an adaptive refinement carries besides the points: attributes of vertices as points without normals, three numbers
+// a plane, which go to their limits; those of corners linear inside the faces of the control mesh.
+template <class Scheme, class FT, class Level_creases>
+class Tessellation_attributes
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Value = typename Average_of_scheme<Scheme, FT>::Value;
+  using Level = Adaptive_level<Value, Level_creases>;
+  using Result = typename Limit_evaluation<Scheme, FT>::Result;
+  using Results = std::vector<Result>;
+
+  // `of_vertices` numbers for each vertex of the control mesh and `of_corners` for each half-edge
+  struct Data
+  {
+    std::size_t of_vertices = 0, of_corners = 0;
+    std::vector<double> vertices, corners;
+    std::vector<double> largest{}; // of each number of vertices, in the whole control mesh
+    // the corners of the control faces, where there are labels
+    std::vector<Index> first_corner{}, corner_vertices{};
+  };
+
+  // With the tolerance of the points.
+  Tessellation_attributes(const Scheme& scheme, const Limit_demand& demand,
+                          const For_chunks& for_chunks)
+    : scheme_(scheme)
+    , for_chunks_(for_chunks)
+    , demand_{demand.tolerance, 0, demand.max_depth}
+    , evaluation_(scheme, demand_, for_chunks)
+  {}
+
+  // Columns are scaled by powers of 2 to the size of the points, whose tolerance they then have.
+  void read(const Data& attributes, Level& level)
+  {
+    const auto& connectivity = level.level.level;
+    const std::size_t n = attributes.of_vertices, m = attributes.of_corners;
+    const double size = demand_.tolerance * 0x1p30;
+    std::vector<Index> vertices;
+    for (Index v = 0; v < connectivity.number_of_vertices(); ++v) vertices.push_back(v);
+    for (const Index v : vertices_of_extra_slots(level.creases, connectivity.number_of_vertices()))
+      vertices.push_back(v);
+    level.planes.resize((n + 2) / 3);
+    limits_.resize(level.planes.size());
+    for (auto& plane : level.planes) plane = std::vector<Value>(vertices.size());
+    for (std::size_t i = 0; i < n; ++i) {
+      const double largest = attributes.largest[i];
+      exponents_.push_back(largest > 0 && std::isfinite(largest) && size > 0
+                             ? std::ilogb(size) - std::ilogb(largest)
+                             : 0);
+      for (std::size_t s = 0; s < vertices.size(); ++s)
+        point_of(level.planes[i / 3][s])[i % 3] =
+          FT(std::ldexp(attributes.vertices[vertices[s] * n + i], exponents_[i]));
+    }
+    if (m == 0) return;
+    level.corners.resize(connectivity.number_of_faces());
+    for (Index f = 0; f < level.corners.size(); ++f)
+      for_each_halfedge_of_face(connectivity, f, [&](Index h) {
+        const auto from = attributes.corners.begin() + std::ptrdiff_t(h * m);
+        level.corners[f].insert(level.corners[f].end(), from, from + std::ptrdiff_t(m));
+      });
+    of_corners_ = m;
+  }
+
+  // after so many rounds, of some vertices or all
+  Results limits(const Level& level, std::size_t plane, unsigned rounds,
+                 const std::vector<Index>* some)
+  {
+    Valued_level<Value> values{level.level.level, level.planes[plane]};
+    if constexpr (are_creases_v<Level_creases>) {
+      Level_creases creases = without_tangents(level.creases);
+      return evaluation_(values, creases, rounds + 1, some);
+    } else
+      return evaluation_(values, rounds + 1, some);
+  }
+  void set(std::size_t plane, Index vertex, const Result& result)
+  {
+    auto& of_plane = limits_[plane];
+    if (of_plane.size() <= vertex) of_plane.resize(vertex + 1);
+    of_plane[vertex] = point_of(result.value);
+  }
+  // one round
+  void refine(const Level& level, unsigned rounds, Level& next) const
+  {
+    for (const auto& plane : level.planes) {
+      Refiner refiner(scheme_, Level_connectivity(level.level.level),
+                      without_tangents(level.creases), {plane.begin(), plane.end()}, for_chunks_,
+                      rounds);
+      refiner.refine();
+      next.planes.emplace_back(refiner.values().begin(), refiner.values().end());
+    }
+  }
+
+  // Corners that are new are in the middle, of an edge or of the face.
+  template <class Host>
+  void split_corners(const Level& level, const Host& host, Level& next) const
+  {
+    const Level_connectivity &old = level.level.level, &refined = next.level.level;
+    next.corners.resize(next.faces.size());
+    for (Index f = 0; f < next.faces.size(); ++f) {
+      const Index parent = host.parent_of_face(f).index;
+      if (!level.faces[parent].is_split) continue;
+      const std::vector<double>& values = level.corners[parent];
+      for_each_halfedge_of_face(refined, f, [&](Index h) {
+        append_middle(old, parent, values, host.parent_of_vertex(refined.target(h)),
+                      next.corners[f]);
+      });
+    }
+  }
+
+  // vertices that are not used go
+  void keep_vertices(const std::vector<bool>& used)
+  {
+    for (auto& limits : limits_) {
+      std::size_t kept = 0;
+      for (std::size_t v = 0; v < used.size(); ++v)
+        if (used[v]) limits[kept++] = limits[v];
+      limits.resize(kept);
+    }
+  }
+  // a number of a vertex of the result
+  double value(Index vertex, std::size_t i) const
+  {
+    return std::ldexp(CGAL::to_double(limits_[i / 3][vertex][i % 3]), -exponents_[i]);
+  }
+
+private:
+  using Refiner = Level_refiner<Scheme, Average_of_scheme<Scheme, FT>, Level_creases>;
+
+  // The curves of creases are those of the points alone, without normals.
+  static Level_creases without_tangents(Level_creases creases)
+  {
+    if constexpr (are_creases_v<Level_creases>) {
+      for (auto& e : creases.edges) e.tangent_from = {};
+      creases.without_fractions.reset();
+    }
+    return creases;
+  }
+
+  void append_middle(const Level_connectivity& old, Index parent, const std::vector<double>& values,
+                     const Element_parent& origin, std::vector<double>& to) const
+  {
+    using Kind = Element_parent::Kind;
+    std::vector<std::size_t> corners;
+    std::size_t i = 0, n = values.size() / of_corners_;
+    for_each_halfedge_of_face(old, parent, [&](Index h) {
+      const bool is_end = origin.kind == Kind::edge && Level_connectivity::edge(h) == origin.index;
+      if (origin.kind == Kind::face ||
+          (origin.kind == Kind::vertex && old.target(h) == origin.index))
+        corners.push_back(i);
+      if (is_end) corners.insert(corners.end(), {i, (i + n - 1) % n});
+      ++i;
+    });
+    for (std::size_t k = 0; k < of_corners_; ++k) {
+      double sum = 0;
+      for (const std::size_t c : corners) sum += values[c * of_corners_ + k];
+      to.push_back(sum / double(corners.size()));
+    }
+  }
+
+  const Scheme& scheme_;
+  For_chunks for_chunks_;
+  const Limit_demand demand_;
+  Limits_of_level<Scheme, FT, Level_creases> evaluation_;
+  std::vector<std::vector<Coordinates<FT, 3>>> limits_; // of each plane
+  std::vector<int> exponents_;                          // of the scales of attributes
+  std::size_t of_corners_ = 0;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_TESSELLATION_ATTRIBUTES_H

@@ -1,0 +1,288 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_LIMIT_SURFACE_3_LIMIT_POINTS_H
+#define CGAL_PN_LIMIT_SURFACE_3_LIMIT_POINTS_H
+
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_writer.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/vertex_limits.h>
+#include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
+#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+namespace internal {
+
+// at the faces of a dual scheme
+template <class Concurrency_tag, class PolygonMesh, class Scheme, class LimitMap,
+          class NamedParameters>
+Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
+                               const NamedParameters& np)
+{
+  using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
+  using FT = typename Parameters::FT;
+  using Face = typename boost::graph_traits<PolygonMesh>::face_descriptor;
+  Limit_report report;
+  if constexpr (check_limit_map<LimitMap, Face>() &&
+                check_is_point_map<PolygonMesh, NamedParameters>()) {
+    using Limit = typename boost::property_traits<LimitMap>::value_type;
+    with_mesh_access(mesh, [&](const auto& access) {
+      report = with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+        using Scheme_of_call = std::decay_t<decltype(s)>;
+        const auto level = read_limit_level<Scheme_of_call, FT>(
+          access, s, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
+        Limit_demand demand = limit_demand<FT>(limit_options(np), box_size(level));
+        demand.curvatures = false;
+        demand.points = true;
+        const Rules_of<Scheme_of_call>& rules = rules_of(s);
+        Face_limits<Rules_of<Scheme_of_call>, FT> evaluation(rules, demand,
+                                                             For_chunks::with(Concurrency_tag()));
+        const auto results = evaluation(level);
+        check_limits<FT>(results, [](std::size_t f) { return "face number " + std::to_string(f); });
+        std::size_t i = 0;
+        for (auto f : faces(mesh)) put(limits, f, to_limit_point<Limit>(results[i++]));
+        return limit_report(results, demand);
+      });
+    });
+  }
+  return report;
+}
+
+// at the vertices of all others
+template <class Concurrency_tag, class PolygonMesh, class Scheme, class LimitMap,
+          class NamedParameters>
+Limit_report vertex_limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
+                                 const NamedParameters& np)
+{
+  using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
+  using FT = typename Parameters::FT;
+  using Vertex = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
+  Limit_report report;
+  if constexpr (check_limit_map<LimitMap, Vertex>() &&
+                check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+    using Limit = typename boost::property_traits<LimitMap>::value_type;
+    const auto points = Parameters::const_point_map(mesh, np);
+    const auto normals = Parameters::normal_map(np);
+    with_mesh_access(mesh, [&](const auto& access) {
+      const auto put_all = [&](const auto& of_mesh, const auto&) {
+        put_mean_normals<Scheme>(of_mesh.creases, of_mesh.results);
+        for (Level_connectivity::Index v = 0; v < of_mesh.level.number_of_vertices(); ++v)
+          put(limits, access.vertex(v), to_limit_point<Limit>(of_mesh.results[v]));
+      };
+      report = with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+        return vertex_limits<FT>(access, s, points, normals, Parameters::edge_constraint_map(np),
+                                 Parameters::vertex_constraint_map(np), limit_options(np),
+                                 For_chunks::with(Concurrency_tag()), put_all);
+      });
+    });
+  }
+  return report;
+}
+
+// whether a map of limits has faces as keys
+template <class PolygonMesh, class LimitMap>
+constexpr bool is_of_faces_v =
+  std::is_same_v<typename boost::property_traits<LimitMap>::key_type,
+                 typename boost::graph_traits<PolygonMesh>::face_descriptor>;
+
+template <class Concurrency_tag, class PolygonMesh, class Scheme, class LimitMap,
+          class NamedParameters>
+Limit_report limits_of_call(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
+                            const NamedParameters& np)
+{
+  using Call = Surface_call<PolygonMesh, NamedParameters>;
+  const auto of_scheme = [&](const auto& s) {
+    return limits_of_call<Concurrency_tag>(mesh, s, limits, np);
+  };
+  if constexpr (adapts_scheme_v<Scheme, NamedParameters>)
+    return with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return limits_of_call<Concurrency_tag>(mesh, s, limits, others);
+    });
+  else if constexpr (!Is_any<Scheme>::value) {
+    if constexpr (Has_grid_rows<
+                    Scheme>::value) { // nothing below, of which compilers would say more
+      check_no_grid_rows<Scheme>();
+      return {};
+    } else if constexpr (Scheme::Host::keeps_vertices)
+      return vertex_limit_points<Concurrency_tag>(mesh, scheme, limits, np);
+    else
+      return face_limit_points<Concurrency_tag>(mesh, scheme, limits, np);
+  } else if constexpr (is_of_faces_v<PolygonMesh, LimitMap>)
+    return on_dual_host<Limit_report, Call>(scheme, of_scheme);
+  else
+    return on_primal_host<Limit_report, Call>(scheme, of_scheme);
+}
+
+// the elements that have limits: those of the map of points, normals or errors that is given
+template <class PolygonMesh, class NamedParameters>
+struct Key_of_limits
+{
+  struct Nothing
+  {
+    using key_type = void;
+    using value_type = void;
+    using reference = void;
+    using category = boost::writable_property_map_tag;
+  };
+  using Errors = Parameter_type<limit_error_map_t, NamedParameters, Nothing>;
+  using Normals = Parameter_type<limit_normal_map_t, NamedParameters, Errors>;
+  using Points = Parameter_type<limit_point_map_t, NamedParameters, Normals>;
+  using type = typename boost::property_traits<Points>::key_type;
+  static constexpr bool is_given = !std::is_same_v<Points, Nothing>;
+};
+
+// moves the vertices of a mesh to the limit, see subdivide_to_limit() with 0 rounds
+template <class Concurrency_tag, class PolygonMesh, class Scheme, class NamedParameters>
+Limit_report move_to_limit_of_call(PolygonMesh& mesh, const Scheme& scheme,
+                                   const NamedParameters& np)
+{
+  if constexpr (adapts_scheme_v<Scheme, NamedParameters>)
+    return with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return move_to_limit_of_call<Concurrency_tag>(mesh, s, others);
+    });
+  else if constexpr (Is_any<Scheme>::value)
+    return on_primal_host<Limit_report, Surface_call<PolygonMesh, NamedParameters>>(
+      scheme, [&](const auto& s) { return move_to_limit_of_call<Concurrency_tag>(mesh, s, np); });
+  else {
+    using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
+    return move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, np);
+  }
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Limit
+
+computes the points of the limit surface of a scheme that belong to the vertices of a control mesh:
+where they would come to lie after infinitely many rounds. The mesh may be of any level; as far as the
+tolerance goes, the result is the same for the vertices of all. With a dual scheme, such as `DooSabin_scheme`, they belong to
+the faces: to where a face shrinks; the weights of the limit mask of Doo-Sabin subdivision are equal, surface normals exist
+at all faces that do not collapse, and curvatures are not computed.
+
+<b>Points.</b> The limit mask of the linear scheme is a left eigenvector of the matrix that maps the
+neighborhood of a vertex to that of the next round. Its point-normal average L over the neighborhood
+is exact on spheres and circular cylinders, for equal normals and for linear schemes, but not in
+general. So only the neighborhood of the vertex is refined, round by round, and L is computed again; the
+differences |L<sub>k+1</sub> - L<sub>k</sub>| decrease to 1/16 in each round at regular vertices, and the
+error is estimated from them. The refinement ends when the tolerance is met.
+
+<b>Control normals.</b> Their limit is the normalized average of the limit mask. *It is not the normal of
+the surface*, and the angle between the two does not vanish under refinement.
+
+<b>Surface normals.</b> The left eigenvectors T of the subdominant eigenvalue &lambda; give the slope a of
+the surface over the plane perpendicular to the limit control normal N, by T u a = T w with the
+coordinates u of the neighbors in that plane and their point-normal heights w over it. Each round reduces
+the error by &lambda;<sup>2</sup>. They exist at interior vertices of valence 3 and more; on the borders of
+Catmull-Clark subdivision at valences 3 and 4, of Loop and &radic;3 subdivision at 3 to 6, of
+Butterfly subdivision at 3 and 4 and of Kobbelt's at 2 and 3; on those of other schemes if the eigenvectors of the
+border ring determine a plane. They do not exist at other valences, where the surface is a cusp or folds along its
+border, nor where the neighborhood collapses to a line. There the control normal stands in.
+
+<b>Curvature.</b> It exists at regular interior vertices of Catmull-Clark and Loop subdivision and of their
+modified forms, and at the extraordinary vertices of the latter, see `Limit_curvature`. Its error is not
+estimated; at extraordinary vertices, where a round reduces it by &lambda;<sup>2</sup>, eight rounds are done.
+
+<b>Creases.</b> Of what is sharp, by the maps of `subdivide()` or by `border`, corners are their own limits; on
+creases the limit mask is that of the curve, (1, 4, 1)/6, and `Crease_average` takes it, for the points, the tangents
+and the normals of all wedges; where a crease ends and beside it, the ring has slots of both sides. Points of a vertex
+are the same in all its wedges. At vertices on creases the control normals of the wedges stand in for surface
+normals, with linear schemes the one-sided normals of the surface, where it has them. Limits continue the rounds
+that made a mesh if it still has their normals by half-edges and their tangents, see `parameters::crease_tangent_map()`.
+`Limit_point` has the mean of the normals of a vertex.
+
+Interpolatory schemes keep the points. Weights are computed from the scheme's own masks, for each
+valence once, to the precision of the number type. Surface normals, curvatures and errors are computed in `double`, from
+differences in the number type; what the rounding of coordinates may do in the small rings of many rounds is part of
+`Limit_point::normal_error`, and rounds in which it would grow are not used for normals. In exact number types
+the limit masks sum to 1 exactly and are exact where they are rational, and one round is done at most,
+so that the tolerance may be missed. Intervals contain the limits of linear and of interpolatory schemes; those of others
+are estimated, and refused.
+
+\tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
+  `Parallel_if_available_tag`. The result is the same, bit for bit; maps are read and written by one
+  thread.
+\tparam PolygonMesh a model of `FaceListGraph`
+\tparam Scheme a model of `PNSubdivisionScheme_3`, or its `linear()` twin
+\tparam LimitMap a model of `WritablePropertyMap` with
+  `boost::graph_traits<PolygonMesh>::%vertex_descriptor` (of a dual scheme `face_descriptor`) as key type and `Limit_point` as
+  value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh an oriented 2-manifold with border
+\param scheme the scheme
+\param limits the map to write; it may be left out where `limit_point_map`, `limit_normal_map` or `limit_error_map` of
+  `CGAL::PN_subdivision_3::parameters` are given, which are then written
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
+  `vertex_normal_map` with the control normals (without it they are estimated), `edge_is_constrained_map`,
+  `vertex_is_constrained_map` and `geom_traits`, as in `subdivide()`, all of whose other parameters but `visitor` and `attributes` count, too; the maps are read only.
+  What is computed, and how accurately, is set by `tolerance`, `normal_tolerance`, `max_depth`, `points`, `surface_normals`,
+  `curvatures` and `rounds_done`, all of `CGAL::PN_subdivision_3::parameters`
+
+\returns what was reached. A tolerance that cannot be met is not an error.
+
+\throws std::invalid_argument as `subdivide()` does, if a tolerance is negative or not a number, if the scheme has
+  no limit masks, if an interval number type is to contain an estimate, and if the sharpness of an edge or vertex is finite: the message names it, and how many rounds
+  use it up; nothing has been written then
+\throws std::overflow_error if a limit point is out of the range of a floating point type
+\throws std::domain_error if an interval number type leaves a comparison undecided
+<br><b>Cost:</b> linear in the size of the mesh, for each round about its vertices
+
+\sa `subdivide_to_limit()`
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme, class LimitMap,
+          class NamedParameters = parameters::Default_named_parameters>
+Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
+                          const NamedParameters& np = parameters::default_values())
+{
+  if constexpr (internal::are_named_parameters_v<LimitMap>) {
+    internal::check_are_read<
+      LimitMap, internal::Read_of_control_mesh, internal::tolerance_t, internal::normal_tolerance_t,
+      internal::max_depth_t, internal::points_t, internal::surface_normals_t,
+      internal::curvatures_t, internal::rounds_done_t, internal::limit_point_map_t,
+      internal::limit_normal_map_t, internal::limit_error_map_t>();
+    using Keys = internal::Key_of_limits<PolygonMesh, LimitMap>;
+    using Kernel = typename internal::Surface_parameters<PolygonMesh, LimitMap>::Geom_traits;
+    static_assert(Keys::is_given,
+                  "PN_subdivision_3: limit_points() has nothing to write: give it a "
+                  "map of Limit_point, or limit_point_map, limit_normal_map or "
+                  "limit_error_map");
+    if constexpr (Keys::is_given)
+      return internal::limits_of_call<Concurrency_tag>(
+        mesh, scheme, internal::Limit_maps<typename Keys::type, Kernel, LimitMap>{limits}, limits);
+    else
+      return {};
+  } else {
+    internal::check_are_read<
+      NamedParameters, internal::Read_of_control_mesh, internal::tolerance_t,
+      internal::normal_tolerance_t, internal::max_depth_t, internal::points_t,
+      internal::surface_normals_t, internal::curvatures_t, internal::rounds_done_t,
+      internal::limit_point_map_t, internal::limit_normal_map_t, internal::limit_error_map_t>();
+    static_assert(
+      !internal::is_given_v<internal::limit_point_map_t, NamedParameters> &&
+        !internal::is_given_v<internal::limit_normal_map_t, NamedParameters> &&
+        !internal::is_given_v<internal::limit_error_map_t, NamedParameters>,
+      "PN_subdivision_3: limit_points() writes a map of Limit_point, or limit_point_map, "
+      "limit_normal_map and limit_error_map, not both");
+    return internal::limits_of_call<Concurrency_tag>(mesh, scheme, limits, np);
+  }
+}
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_LIMIT_SURFACE_3_LIMIT_POINTS_H

@@ -1,0 +1,280 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+#ifndef CGAL_PN_RECOGNITION_3_INTERNAL_REGION_BORDERS_H
+#define CGAL_PN_RECOGNITION_3_INTERNAL_REGION_BORDERS_H
+
+#include <CGAL/PN_recognition_3/internal/Part.h>
+#include <CGAL/PN_recognition_3/internal/Region.h>
+#include <CGAL/PN_recognition_3/internal/Shape.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+namespace recognition {
+
+// The rounds, and to which of them each patch belongs; what growing leaves undone at their borders.
+class Region_borders
+{
+public:
+  Region_borders(const Context& context, std::vector<Region>& regions,
+                 const std::vector<std::pair<Index, double>>& prisms)
+    : c_(context)
+    , regions_(regions)
+    , owner_(context.patches.size(), null)
+    , prism_step_(context.patches.size(), 0)
+  {
+    join_cut_rows();
+    for (Index i = 0; i < regions_.size(); ++i)
+      for (const Index p : regions_[i].patches) owner_[p] = i;
+    for (const auto& p : prisms) prism_step_[p.first] = owner_[p.first] == null ? p.second : 0;
+  }
+
+  void operator()()
+  {
+    for (Index i = 0; i < regions_.size(); ++i) own_midpoints_.push_back(midpoint_distance_of(i));
+    absorb();
+    set_patches();
+  }
+
+  const std::vector<Index>& owners() const { return owner_; }
+  // of the prism whose side a patch is; 0: of none
+  double prism_step(Index p) const { return prism_step_[p]; }
+  bool is_prism(Index p) const { return prism_step_[p] > 0; }
+
+  // of some faces: edges' midpoints from a region's shape
+  template <class Faces>
+  double midpoint_distance(const Shape& s, const Faces& faces) const
+  {
+    double result = 0;
+    for (const Index f : faces) {
+      const Lists::Range v = c_.part.corners[f];
+      for (std::size_t i = 0; i < v.size(); ++i) {
+        const Vec3 m = 0.5 * (c_.point(v[i]) + c_.point(v[(i + 1) % v.size()]));
+        result = (std::max)(result, std::abs(s.distance(m)));
+      }
+    }
+    return result;
+  }
+  double greatest_midpoint_distance(Index region) const
+  {
+    return 1.5 * own_midpoints_[region] + c_.tolerance();
+  }
+
+  // whether vertices and normal of some face or patch are as a facet's of the region would be
+  template <class Vertices>
+  bool may_be_facet(Index region, const Vertices& vertices, const Vec3& normal, double width,
+                    double t) const
+  {
+    const Region& r = regions_[region];
+    const bool is_doubly_curved = r.shape.kind == Kind::sphere || r.shape.kind == Kind::torus;
+    if (is_doubly_curved && vertices.size() > 4) return false;
+    const double angle = 0.55 * r.step() + std::atan(6 * c_.tolerance() / width);
+    for (const Index v : vertices) {
+      if (!(std::abs(r.shape.distance(c_.point(v))) <= t)) return false;
+      const Vec3 n = r.shape.normal(c_.point(v));
+      if (dot(n, n) > 0 && !(angle_between(r.side * n, normal) <= angle)) return false;
+    }
+    return true;
+  }
+
+private:
+  // a row of the facets of a sphere, which has been cut, is a cone by itself
+  void join_cut_rows()
+  {
+    const auto is_row_of = [&](const Region& cone, const Region& sphere) {
+      return sphere.shape.kind == Kind::sphere &&
+             std::all_of(cone.patches.begin(), cone.patches.end(),
+                         [&](Index p) { return is_cut_facet(c_.patches[p], sphere); });
+    };
+    for (std::size_t i = regions_.size(); i-- > 0;) {
+      if (regions_[i].shape.kind != Kind::cone) continue;
+      for (Region& sphere : regions_)
+        if (is_row_of(regions_[i], sphere)) {
+          sphere.patches.insert(sphere.patches.end(), regions_[i].patches.begin(),
+                                regions_[i].patches.end());
+          regions_.erase(regions_.begin() + std::ptrdiff_t(i));
+          break;
+        }
+    }
+  }
+
+  double midpoint_distance_of(Index i) const
+  {
+    double result = 0;
+    for (const Index p : regions_[i].patches)
+      result = (std::max)(result, midpoint_distance(regions_[i].shape, c_.patches[p].faces));
+    return result;
+  }
+
+  void absorb()
+  {
+    for (int round = 0; round < 20; ++round) {
+      std::vector<std::pair<Index, Index>> taken;
+      for (Index p = 0; p < c_.patches.size(); ++p) {
+        if (owner_[p] != null || is_prism(p)) continue;
+        const Index region = absorbing_neighbor(p);
+        if (region != null) taken.emplace_back(p, region);
+      }
+      for (const auto& t : taken) {
+        owner_[t.first] = t.second;
+        regions_[t.second].patches.push_back(t.first);
+      }
+      if (taken.empty()) return;
+    }
+  }
+  Index absorbing_neighbor(Index p) const
+  {
+    for (const Index number : c_.patches[p].joints) {
+      const Joint& j = c_.patches.joints[number];
+      const Index region = owner_[j.other(p)];
+      if (region != null && j.is_smooth && is_absorbed(p, region)) return region;
+    }
+    return null;
+  }
+  bool is_absorbed(Index p, Index region) const
+  {
+    const Patches::Patch& patch = c_.patches[p];
+    if (is_cut_facet(patch, regions_[region])) return true;
+    return may_be_facet(region, patch.vertices, patch.normal, patch.width, 3 * c_.tolerance()) &&
+           midpoint_distance(regions_[region].shape, patch.faces) <=
+             greatest_midpoint_distance(region);
+  }
+  // polyhedral Booleans leave vertices on chords
+  bool is_cut_facet(const Patches::Patch& patch, const Region& r) const
+  {
+    const Shape& s = r.shape;
+    const double t = 3 * c_.tolerance(), step = r.step();
+    if (s.kind != Kind::sphere &&
+        (s.kind != Kind::cylinder || std::abs(dot(patch.normal, s.axis)) > 2e-3))
+      return false;
+    const double h = r.side * dot(patch.normal, patch.mean - s.center);
+    if (!(h >= s.radius * std::cos(0.51 * step) - t &&
+          h <= s.radius * std::cos(step / (s.kind == Kind::sphere ? 6 : 4))))
+      return false;
+    for (const Index v : patch.vertices)
+      if (s.distance(c_.point(v)) > t) return false;
+    return true;
+  }
+
+  void set_patches()
+  {
+    for (Region& r : regions_) r.patches.clear();
+    for (Index p = 0; p < c_.patches.size(); ++p)
+      if (owner_[p] != null) regions_[owner_[p]].patches.push_back(p);
+  }
+
+  const Context& c_;
+  std::vector<Region>& regions_;
+  std::vector<Index> owner_;
+  std::vector<double> prism_step_;
+  std::vector<double> own_midpoints_;
+};
+
+// What every face of the part belongs to.
+struct Segments
+{
+  struct Segment
+  {
+    Shape shape;
+    int side = 1;
+    double widest_step = 0, widest_meridian_step = 0, residual = 0;
+    std::vector<Index> faces;
+  };
+  std::vector<Segment> segments;
+  std::vector<Index> segment_of_face;
+};
+
+// Gives slivers, which have no normal, to the segments beside them.
+class Give_slivers_away
+{
+public:
+  Give_slivers_away(const Context& context, const Lists& edges_of_face, std::vector<Index>& label,
+                    std::vector<Segments::Segment>& labels)
+    : c_(context)
+    , edges_of_face_(edges_of_face)
+    , label_(label)
+    , labels_(labels)
+  {}
+
+  // from the edge of what has labels, to the longest common border among the best
+  void operator()()
+  {
+    std::vector<Index> slivers;
+    for (Index f = 0; f < label_.size(); ++f)
+      if (label_[f] == null) slivers.push_back(f);
+    for (int quality = 0; quality < 3 && !slivers.empty();) {
+      std::vector<std::pair<Index, Index>> given;
+      std::vector<Index> rest;
+      for (const Index f : slivers) {
+        const Index label = label_for_sliver(f, quality);
+        if (label == null)
+          rest.push_back(f);
+        else
+          given.emplace_back(f, label);
+      }
+      for (const auto& g : given) label_[g.first] = g.second;
+      quality = given.empty() ? quality + 1 : 0;
+      slivers = rest;
+    }
+    if (slivers.empty()) return;
+    labels_.emplace_back(); // components of nothing but slivers
+    const Index label = Index(labels_.size()) - 1;
+    for (const Index f : slivers) label_[f] = label;
+  }
+
+private:
+  Index label_for_sliver(Index f, int quality) const
+  {
+    std::vector<std::pair<Index, double>> borders;
+    for (const Index e : edges_of_face_[f]) {
+      const Part::Edge& edge = c_.part.edges[e];
+      const Index label = label_[c_.part.across(f, e)];
+      if (label == null || !is_good_for(f, labels_[label].shape, quality)) continue;
+      auto it = borders.begin();
+      while (it != borders.end() && it->first != label) ++it;
+      if (it == borders.end())
+        borders.emplace_back(label, c_.part.length(edge));
+      else
+        it->second += c_.part.length(edge);
+    }
+    Index best = null;
+    double longest = -1;
+    for (const auto& b : borders)
+      if (b.second > longest) {
+        best = b.first;
+        longest = b.second;
+      }
+    return best;
+  }
+  bool is_good_for(Index f, const Shape& s, int quality) const
+  {
+    if (quality == 2) return true;
+    if (quality == 1 || s.kind == Kind::unknown) return quality == 1 && s.kind == Kind::unknown;
+    for (const Index v : c_.part.corners[f])
+      if (!(std::abs(s.distance(c_.point(v))) <= 8 * c_.tolerance())) return false;
+    return true;
+  }
+
+  const Context& c_;
+  const Lists& edges_of_face_;
+  std::vector<Index>& label_;
+  std::vector<Segments::Segment>& labels_;
+};
+
+} // namespace recognition
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_RECOGNITION_3_INTERNAL_REGION_BORDERS_H

@@ -1,0 +1,328 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+#ifndef CGAL_PN_RECOGNITION_3_INTERNAL_SHAPE_H
+#define CGAL_PN_RECOGNITION_3_INTERNAL_SHAPE_H
+
+#include <CGAL/PN_recognition_3/internal/linear_algebra.h>
+#include <CGAL/PN_recognition_3/surfaces/Recognized_surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+namespace recognition {
+
+using Kind = Recognized_surface::Kind;
+
+// where a point is about an axis
+struct Cylindrical
+{
+  double rho, z;
+  Vec3 outward; // unit, zero on the axis
+};
+inline Cylindrical cylindrical(const Vec3& p, const Vec3& center, const Vec3& axis)
+{
+  const Vec3 q = p - center;
+  const double z = dot(q, axis);
+  const Vec3 w = q - z * axis;
+  const double rho = norm(w);
+  return {rho, z, rho > 0 ? (1 / rho) * w : Vec3()};
+}
+
+// A surface in the frame of the part. The cone is (rho - radius) cos(angle) = z sin(angle), with its center on the axis
+// among the vertices and not in its apex, which may be far away.
+struct Shape
+{
+  Kind kind = Kind::unknown;
+  Vec3 center, axis;
+  double radius = 0, tube = 0;
+  double angle = 0, cosine = 1, sine = 0; // of a cone, by set_angle()
+
+  void set_angle(double x)
+  {
+    angle = x;
+    cosine = std::cos(x);
+    sine = std::sin(x);
+  }
+  bool has_axis() const { return kind != Kind::sphere && kind != Kind::unknown; }
+  Cylindrical local(const Vec3& p) const { return cylindrical(p, center, axis); }
+  Vec3 apex() const { return center - (radius / std::tan(angle)) * axis; }
+
+  double distance(const Vec3& p) const
+  {
+    if (kind == Kind::plane) return dot(p - center, axis);
+    if (kind == Kind::sphere) return norm(p - center) - radius;
+    return distance(local(p));
+  }
+  // the gradient of the distance; zero where there is none
+  Vec3 normal(const Vec3& p) const
+  {
+    if (kind == Kind::plane) return axis;
+    if (kind == Kind::sphere) return unit(p - center);
+    return normal(local(p));
+  }
+  // what these are of points about the axis of a cylinder, cone or torus
+  double distance(const Cylindrical& q) const
+  {
+    if (kind == Kind::cone) return (q.rho - radius) * cosine - q.z * sine;
+    return kind == Kind::torus ? std::hypot(q.rho - radius, q.z) - tube : q.rho - radius;
+  }
+  Vec3 normal(const Cylindrical& q) const
+  {
+    if (kind == Kind::cylinder) return q.outward;
+    if (kind == Kind::torus) return unit((q.rho - radius) * q.outward + q.z * axis);
+    return q.rho == 0 ? Vec3() : cosine * q.outward - sine * axis;
+  }
+  // the normal of a point within a distance, which the others have not
+  bool normal_within(double t, const Vec3& p, Vec3& n) const
+  {
+    if (kind == Kind::plane || kind == Kind::sphere) {
+      n = normal(p);
+      return std::abs(distance(p)) <= t;
+    }
+    const Cylindrical q = local(p);
+    if (!(std::abs(distance(q)) <= t)) return false;
+    n = normal(q);
+    return true;
+  }
+  // of the torus, where the point is on the circle of the tube
+  double meridian_angle(const Vec3& p) const
+  {
+    const Cylindrical q = local(p);
+    return std::atan2(q.z, q.rho - radius);
+  }
+};
+
+// the same in another frame, x -> scale x + shift, in terms that have a meaning for users
+inline Recognized_surface as_surface(const Shape& s, double scale, const Vec3& shift)
+{
+  Recognized_surface result;
+  result.kind = s.kind;
+  if (s.kind == Kind::unknown) return result;
+  const Vec3 point = s.kind == Kind::cone ? s.apex() : s.center;
+  result.point = as_array(scale * point + shift);
+  if (s.kind != Kind::sphere) result.direction = as_array(s.axis);
+  if (s.kind == Kind::cone)
+    result.half_angle = s.angle;
+  else if (s.kind != Kind::plane)
+    result.radius = scale * s.radius;
+  if (s.kind == Kind::torus) result.tube_radius = scale * s.tube;
+  return result;
+}
+
+// and back
+inline Shape as_shape(const Recognized_surface& surface, double scale, const Vec3& shift)
+{
+  Shape s;
+  s.kind = surface.kind;
+  s.center = (1 / scale) * (as_vec3(surface.point) - shift);
+  s.axis = as_vec3(surface.direction);
+  s.radius = surface.kind == Kind::cone ? 0 : surface.radius / scale;
+  s.tube = surface.tube_radius / scale;
+  s.set_angle(surface.half_angle);
+  return s;
+}
+
+// Least squares by the method of Gauss and Newton for the distances of points from a shape. The unknowns are a shift of
+// the center (along the axis only where this changes the shape), a turn of the axis and the shape's own numbers.
+class Shape_fit
+{
+public:
+  Shape_fit(const std::vector<Vec3>& points, std::size_t steps)
+    : points_(points)
+    , steps_(steps)
+  {}
+
+  // the largest distance
+  static double residual(const Shape& s, const std::vector<Vec3>& points)
+  {
+    double largest = 0;
+    for (const Vec3& p : points) largest = (std::max)(largest, std::abs(s.distance(p)));
+    return largest;
+  }
+
+  // Stops as soon as the distances do not get less; whether it has been any good. With a `hopeless` distance it gives up
+  // if the first step leaves more than that and more than a quarter.
+  bool operator()(Shape& s, double hopeless = 0) const
+  {
+    double before = residual(s, points_);
+    bool is_better = false;
+    for (std::size_t k = 0; k < steps_ && before > 1e-15; ++k) {
+      Shape next = s;
+      if (!step(next)) break;
+      const double after = residual(next, points_);
+      if (!(after < before)) break;
+      const bool settles = after > 0.9 * before && k > 0;
+      s = next;
+      is_better = true;
+      if (hopeless > 0 && after > hopeless && after > before / 4) return false;
+      before = after;
+      if (settles) break;
+    }
+    return is_better;
+  }
+
+private:
+  // the center among the points, so that turns are about what is there
+  void recenter(Shape& s) const
+  {
+    if (s.kind != Kind::cylinder && s.kind != Kind::cone) return;
+    double z = 0;
+    for (const Vec3& p : points_) z += dot(p - s.center, s.axis);
+    z /= double(points_.size());
+    s.center += z * s.axis;
+    if (s.kind == Kind::cone) s.radius += z * std::tan(s.angle);
+  }
+
+  bool step(Shape& s) const
+  {
+    recenter(s);
+    return s.kind == Kind::sphere ? step_of_sphere(s) : step_of_revolution(s);
+  }
+
+  bool step_of_sphere(Shape& s) const
+  {
+    Least_squares system(4);
+    for (const Vec3& p : points_) {
+      const Vec3 n = s.normal(p);
+      system.add({-n.x, -n.y, -n.z, -1}, -s.distance(p));
+    }
+    const Least_squares::Row x = system.solve();
+    s.center += Vec3{x[0], x[1], x[2]};
+    s.radius += x[3];
+    return s.radius > 0;
+  }
+
+  // 0, 1: shift across; 2, 3: turn; then radius; tube and shift along, or angle
+  bool step_of_revolution(Shape& s) const
+  {
+    const Cross_section across(s.axis);
+    Least_squares system(s.kind == Kind::torus ? 7 : s.kind == Kind::cone ? 6 : 5);
+    double largest_rho = 0;
+    for (const Vec3& p : points_) largest_rho = (std::max)(largest_rho, s.local(p).rho);
+    for (const Vec3& p : points_) {
+      const Cylindrical q = s.local(p);
+      if (q.rho > 1e-3 * largest_rho)
+        add_row(s, across, q, system);
+      else if (s.kind == Kind::cone)
+        add_apex(s, across, p, system);
+    }
+    const Least_squares::Row x = system.solve();
+    s.center += x[0] * across.u + x[1] * across.v;
+    s.radius += x[4];
+    if (s.kind == Kind::torus) {
+      s.tube += x[5];
+      s.center += x[6] * s.axis;
+    }
+    s.axis = unit(s.axis + x[2] * across.u + x[3] * across.v);
+    if (s.kind == Kind::cone) {
+      const double angle = s.angle + x[5];
+      if (angle < 0) s.axis = -s.axis;
+      s.set_angle(std::abs(angle));
+      if (!(s.angle < radians(89.9) && s.angle > 1e-6)) return false;
+    }
+    return s.radius > 0 && (s.kind != Kind::torus || s.tube > 0);
+  }
+
+  static void add_row(const Shape& s, const Cross_section& across, const Cylindrical& q,
+                      Least_squares& system)
+  {
+    const double eu = dot(q.outward, across.u), ev = dot(q.outward, across.v);
+    double along_rho = 1, along_z = 0, f = q.rho - s.radius;
+    Least_squares::Row row{};
+    row[4] = -1;
+    if (s.kind == Kind::cone) {
+      along_rho = s.cosine;
+      along_z = -s.sine;
+      row[4] = -s.cosine;
+      row[5] = -f * s.sine - q.z * s.cosine;
+      f = f * s.cosine - q.z * s.sine;
+    } else if (s.kind == Kind::torus) {
+      const double d = std::hypot(f, q.z);
+      if (d == 0) return;
+      along_rho = f / d;
+      along_z = q.z / d;
+      row[4] = -along_rho;
+      row[5] = -1;
+      row[6] = -along_z;
+      f = d - s.tube;
+    }
+    const double turn = along_z * q.rho - along_rho * q.z;
+    row[0] = -along_rho * eu;
+    row[1] = -along_rho * ev;
+    row[2] = turn * eu;
+    row[3] = turn * ev;
+    system.add(row, -f);
+  }
+
+  // the point is the apex: three rows
+  static void add_apex(const Shape& s, const Cross_section& across, const Vec3& p,
+                       Least_squares& system)
+  {
+    const Vec3 q = p - s.apex();
+    const double tangent = std::tan(s.angle), t = s.radius / tangent;
+    system.add({-1, 0, t, 0}, -dot(q, across.u));
+    system.add({0, -1, 0, t}, -dot(q, across.v));
+    system.add({0, 0, 0, 0, 1 / tangent, -s.radius / (s.sine * s.sine)}, -dot(q, s.axis));
+  }
+
+  const std::vector<Vec3>& points_;
+  std::size_t steps_;
+};
+
+// the sphere of the least sum of squares of |p - c|^2 - r^2
+inline bool sphere_through(const std::vector<Vec3>& points, Shape& s)
+{
+  Vec3 mean;
+  for (const Vec3& p : points) mean += (1 / double(points.size())) * p;
+  Least_squares system(4);
+  for (const Vec3& p : points) {
+    const Vec3 q = p - mean;
+    system.add({2 * q.x, 2 * q.y, 2 * q.z, 1}, dot(q, q));
+  }
+  const Least_squares::Row x = system.solve();
+  const Vec3 c{x[0], x[1], x[2]};
+  const double square = x[3] + dot(c, c);
+  if (!(square > 0)) return false;
+  s = Shape();
+  s.kind = Kind::sphere;
+  s.center = mean + c;
+  s.radius = std::sqrt(square);
+  return true;
+}
+
+// the circle of the least sum of such squares in a plane across an axis
+inline bool circle_through(const std::vector<Vec3>& points, const Vec3& axis, Vec3& center,
+                           double& radius)
+{
+  const Cross_section across(axis);
+  Vec3 mean;
+  for (const Vec3& p : points) mean += (1 / double(points.size())) * p;
+  Least_squares system(3);
+  for (const Vec3& p : points) {
+    const double x = dot(p - mean, across.u), y = dot(p - mean, across.v);
+    system.add({2 * x, 2 * y, 1}, x * x + y * y);
+  }
+  const Least_squares::Row c = system.solve();
+  const double square = c[2] + c[0] * c[0] + c[1] * c[1];
+  if (!(square > 0)) return false;
+  center = mean + c[0] * across.u + c[1] * across.v;
+  radius = std::sqrt(square);
+  return true;
+}
+
+} // namespace recognition
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_RECOGNITION_3_INTERNAL_SHAPE_H

@@ -1,0 +1,203 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+#ifndef CGAL_PN_RECOGNITION_3_INTERNAL_LINEAR_ALGEBRA_H
+#define CGAL_PN_RECOGNITION_3_INTERNAL_LINEAR_ALGEBRA_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+namespace recognition {
+
+struct Vec3
+{
+  double x = 0, y = 0, z = 0;
+};
+
+inline Vec3 operator+(const Vec3& a, const Vec3& b)
+{
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vec3 operator-(const Vec3& a, const Vec3& b)
+{
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vec3 operator-(const Vec3& a)
+{
+  return {-a.x, -a.y, -a.z};
+}
+inline Vec3 operator*(double s, const Vec3& a)
+{
+  return {s * a.x, s * a.y, s * a.z};
+}
+inline Vec3& operator+=(Vec3& a, const Vec3& b)
+{
+  return a = a + b;
+}
+inline double dot(const Vec3& a, const Vec3& b)
+{
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline Vec3 cross(const Vec3& a, const Vec3& b)
+{
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline double norm(const Vec3& a)
+{
+  return std::sqrt(dot(a, a));
+}
+// zero of zero
+inline Vec3 unit(const Vec3& a)
+{
+  const double n = norm(a);
+  return n > 0 ? (1 / n) * a : Vec3();
+}
+inline double angle_between(const Vec3& a, const Vec3& b)
+{
+  return std::atan2(norm(cross(a, b)), dot(a, b));
+}
+inline std::array<double, 3> as_array(const Vec3& a)
+{
+  return {a.x, a.y, a.z};
+}
+inline Vec3 as_vec3(const std::array<double, 3>& a)
+{
+  return {a[0], a[1], a[2]};
+}
+inline bool is_less(const Vec3& a, const Vec3& b)
+{
+  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+inline double radians(double degrees)
+{
+  return degrees * std::acos(-1.) / 180;
+}
+
+// two unit vectors that are orthogonal to a unit vector and to each other
+struct Cross_section
+{
+  explicit Cross_section(const Vec3& axis)
+  {
+    const double x = std::abs(axis.x), y = std::abs(axis.y), z = std::abs(axis.z);
+    const Vec3 least = x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+    u = unit(cross(axis, least));
+    v = cross(axis, u);
+  }
+  double angle(const Vec3& a) const { return std::atan2(dot(a, v), dot(a, u)); }
+
+  Vec3 u, v;
+};
+
+// A symmetric matrix, the sum of squares of vectors.
+class Covariance
+{
+public:
+  void add(const Vec3& d)
+  {
+    const std::array<double, 3> a = as_array(d);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) m_[i][j] += a[i] * a[j];
+  }
+  // the eigenvector of the least eigenvalue, by Jacobi's rotations
+  Vec3 least_direction() const
+  {
+    Matrix a = m_, v = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    for (int sweep = 0; sweep < 30; ++sweep) {
+      const double off = std::abs(a[0][1]) + std::abs(a[0][2]) + std::abs(a[1][2]);
+      if (!(off > 1e-18 * (std::abs(a[0][0]) + std::abs(a[1][1]) + std::abs(a[2][2])))) break;
+      rotate(a, v, 0, 1);
+      rotate(a, v, 0, 2);
+      rotate(a, v, 1, 2);
+    }
+    int k = 0;
+    for (int i = 1; i < 3; ++i)
+      if (a[i][i] < a[k][k]) k = i;
+    return unit({v[0][k], v[1][k], v[2][k]});
+  }
+
+private:
+  using Matrix = std::array<std::array<double, 3>, 3>;
+
+  static void rotate(Matrix& a, Matrix& v, int p, int q)
+  {
+    if (a[p][q] == 0) return;
+    const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
+    const double t = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::hypot(theta, 1.));
+    const double c = 1 / std::hypot(t, 1.), s = t * c;
+    for (int k = 0; k < 3; ++k) turn(a[k][p], a[k][q], c, s);
+    for (int k = 0; k < 3; ++k) turn(a[p][k], a[q][k], c, s);
+    for (int k = 0; k < 3; ++k) turn(v[k][p], v[k][q], c, s);
+  }
+  static void turn(double& x, double& y, double c, double s)
+  {
+    const double old = x;
+    x = c * old - s * y;
+    y = s * old + c * y;
+  }
+
+  Matrix m_{};
+};
+
+// Linear least squares of few unknowns: rows are taken up one by one by Givens rotations, so that nothing is squared and
+// only a triangle is kept. Unknowns that the rows do not determine are left at zero.
+class Least_squares
+{
+public:
+  static constexpr int most = 8;
+  using Row = std::array<double, most>;
+
+  explicit Least_squares(int unknowns)
+    : n_(unknowns)
+  {}
+
+  void add(Row row, double right)
+  {
+    for (int i = 0; i < n_; ++i) {
+      if (row[i] == 0) continue;
+      const double a = r_[i][i], b = row[i], h = std::sqrt(a * a + b * b);
+      const double c = a / h, s = b / h;
+      r_[i][i] = h;
+      for (int j = i + 1; j < n_; ++j) turn(r_[i][j], row[j], c, s);
+      turn(right_[i], right, c, s);
+    }
+  }
+
+  Row solve() const
+  {
+    Row x{};
+    for (int i = n_ - 1; i >= 0; --i) {
+      double sum = right_[i], scale = 0;
+      for (int j = i + 1; j < n_; ++j) sum -= r_[i][j] * x[j];
+      for (int j = 0; j <= i; ++j) scale += r_[j][i] * r_[j][i];
+      if (std::abs(r_[i][i]) > 1e-12 * std::sqrt(scale)) x[i] = sum / r_[i][i];
+    }
+    return x;
+  }
+
+private:
+  static void turn(double& x, double& y, double c, double s)
+  {
+    const double old = x;
+    x = c * old + s * y;
+    y = c * y - s * old;
+  }
+
+  int n_;
+  std::array<Row, most> r_{};
+  Row right_{};
+};
+
+} // namespace recognition
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_RECOGNITION_3_INTERNAL_LINEAR_ALGEBRA_H

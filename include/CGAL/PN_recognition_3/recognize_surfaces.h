@@ -1,0 +1,169 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+#ifndef CGAL_PN_RECOGNITION_3_RECOGNIZE_SURFACES_H
+#define CGAL_PN_RECOGNITION_3_RECOGNIZE_SURFACES_H
+
+#include <CGAL/PN_recognition_3/internal/Surface_tags.h>
+#include <CGAL/PN_recognition_3/internal/recognize_part.h>
+#include <CGAL/PN_recognition_3/surfaces/Recognized_surface.h>
+#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+finds the planes, cylinders, cones, spheres and tori of which a polygon mesh is a tessellation.
+
+The vertices of a tessellated part of a CAD system are on its surfaces, up to the rounding of the file. So surfaces are guessed
+from two or three facets, and grow over all facets whose vertices are on them up to a tolerance; a surface is
+believed in if it is over-determined by its vertices. Faces in one plane are one facet, however they are triangulated. Prisms
+and pyramids of few sides are planes, unless something else about the part says that they are meant to be round: facets that
+are tangent to their neighbors, or a round on the same axis. What is not recognized is `unknown`.
+
+The tolerance is four times the rounding of the coordinates, which are taken for floats or decimals of few digits if all
+of them are (of other ones it is that of planes, if many faces are off those of their neighbors by as little as of a file of
+six digits that has been moved or scaled), and \f$ 10^{-7} \f$ times the diagonal of the bounding box. Vertices at the same point are different ones: join them
+first, for instance those of an STL file.
+
+Everything is computed in `double`. The result does not depend on the numbers of the elements.
+
+\tparam FaceGraph a model of `FaceListGraph`
+\tparam FacePatchMap a model of `WritablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and
+  an integer as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh an oriented 2-manifold with border
+\param patch_map the map to write: of each face the number of its surface in the result. A surface of the result is
+  one connected piece of it, but what has no vertices in common may be one surface only together with another.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` as in
+  `subdivide()`, `parameters::min_facets()` (default 8) and `parameters::surface_tolerance()`
+
+\return the surfaces
+\throws std::invalid_argument if the mesh is not an oriented 2-manifold with border, a point is not finite or a parameter out of
+  its range; nothing has been written then
+<br><b>Cost:</b> about linear in the size of the mesh
+*/
+template <class FaceGraph, class FacePatchMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::vector<Recognized_surface>
+recognize_surfaces(const FaceGraph& mesh, FacePatchMap patch_map,
+                   const NamedParameters& np = parameters::default_values())
+{
+  using Number = typename boost::property_traits<FacePatchMap>::value_type;
+  std::vector<Recognized_surface> result;
+  internal::check_are_read<NamedParameters, internal::min_facets_t,
+                           internal::surface_tolerance_t>();
+  const internal::Recognition_parameters<NamedParameters> options(np);
+  internal::with_mesh_access(mesh, [&](const auto& access) {
+    const auto read = internal::read_part(mesh, access, np, options.tolerance);
+    const auto segments = internal::recognition::recognize_part(read.part, options.min_facets);
+    result = internal::recognition::surfaces_of(read.part, segments);
+    for (Level_connectivity::Index f = 0; f < segments.segment_of_face.size(); ++f)
+      put(patch_map, access.face_at(read.part.face_of_mesh[f]),
+          static_cast<Number>(segments.segment_of_face[f]));
+  });
+  return result;
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+makes of recognized surfaces what `subdivide()` takes. It marks the edges between different surfaces, and between faces of
+unknown surface those at which these meet at an angle; and if the named parameters have maps for them, the vertices that
+are corners by themselves, which are apexes of cones, the normals of the surfaces at all corners of faces, and the roundness
+of the vertices.
+
+Corners of faces of unknown surfaces, and apexes of cones, get zero vectors, which stand for no normal, and vertices of unknown
+surfaces only the roundness 0, all others 1: with both, what is not recognized is refined by the linear scheme.
+
+\tparam FaceGraph a model of `FaceListGraph`
+\tparam FacePatchMap a model of `ReadablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and
+  an integer as value type
+\tparam EdgeIsCreaseMap a model of `WritablePropertyMap` with `boost::graph_traits<FaceGraph>::%edge_descriptor` as key type
+  and `bool` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh an oriented 2-manifold with border
+\param patch_map the surface of each face, as `recognize_surfaces()` writes it
+\param surfaces the result of `recognize_surfaces()`
+\param edge_map the map to write, the `edge_is_constrained_map` of `subdivide()`; edges on the border are no creases
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `recognize_surfaces()`,
+  `parameters::sharp_angle()` (default 30 degrees), and, to be written, the `vertex_is_constrained_map` of `subdivide()`, its
+  `vertex_roundness_map`, and its `vertex_normal_map` of half-edges: the normal of the corner of the face of the half-edge at its target, on the side
+  of the face's own normal; zero for half-edges without a face
+
+\return the number of creases
+\throws std::invalid_argument as `recognize_surfaces()`, and if a face has a number that no surface has
+<br><b>Cost:</b> linear in the size of the mesh
+*/
+template <class FaceGraph, class FacePatchMap, class EdgeIsCreaseMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::size_t surface_creases(const FaceGraph& mesh, FacePatchMap patch_map,
+                            const std::vector<Recognized_surface>& surfaces,
+                            EdgeIsCreaseMap edge_map,
+                            const NamedParameters& np = parameters::default_values())
+{
+  internal::check_are_read<NamedParameters, internal::min_facets_t, internal::surface_tolerance_t,
+                           internal::sharp_angle_t, internal::vertex_roundness_map_t>();
+  using Parameters = internal::Surface_parameters<FaceGraph, NamedParameters>;
+  using Index = Level_connectivity::Index;
+  std::size_t number = 0;
+  internal::with_surface_tags(
+    mesh, patch_map, surfaces, np,
+    [&](const auto& access, const Level_connectivity& level, const auto& tags) {
+      for (Index e = 0; e < level.number_of_edges(); ++e) {
+        const bool is_crease = tags.is_crease(e);
+        put(edge_map, access.edge_at(e), is_crease);
+        number += is_crease;
+      }
+      using Corner_map = typename Parameters::Vertex_constraint_map;
+      if constexpr (internal::is_constraint_map_v<Corner_map>) {
+        const Corner_map corners = Parameters::vertex_constraint_map(np);
+        for (Index v = 0; v < level.number_of_vertices(); ++v)
+          put(corners, access.vertex(v), tags.is_corner(v));
+      }
+      if constexpr (internal::is_given_roundness_v<typename Parameters::Roundness_map>) {
+        const auto roundness = Parameters::roundness_map(np);
+        using Number = typename boost::property_traits<decltype(roundness)>::value_type;
+        for (Index v = 0; v < level.number_of_vertices(); ++v)
+          put(roundness, access.vertex(v), Number(tags.is_unknown(v) ? 0 : 1));
+      }
+      using Normal_map = typename Parameters::Normal_map;
+      if constexpr (!std::is_same_v<Normal_map, internal::No_normal_map>) {
+        static_assert(internal::is_of_halfedges_v<std::decay_t<decltype(access)>, Normal_map>,
+                      "PN_subdivision_3: the normals of surfaces belong to the corners of faces: "
+                      "the vertex_normal_map must be one of half-edges");
+        using Normal = typename boost::property_traits<Normal_map>::value_type;
+        const Normal_map normals = Parameters::normal_map(np);
+        for (Index h = 0; h < level.number_of_halfedges(); ++h) {
+          const auto n = tags.normal(h);
+          put(normals, access.halfedge_at(h), Normal(n.x, n.y, n.z));
+        }
+      }
+    });
+  return number;
+}
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_RECOGNITION_3_RECOGNIZE_SURFACES_H

@@ -1,0 +1,234 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_LEVEL_ORIGINS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_LEVEL_ORIGINS_H
+
+#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+
+#include <boost/container/vector.hpp>
+
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// An element of the control level.
+struct Origin
+{
+  enum class Kind : Level_connectivity::Index { vertex, edge, face };
+
+  Kind kind;
+  Level_connectivity::Index index;
+};
+
+template <class Host, class = void>
+struct Splits_edges : std::false_type
+{};
+template <class Host>
+struct Splits_edges<Host, std::void_t<decltype(Host::splits_edges)>>
+  : std::bool_constant<Host::splits_edges>
+{};
+
+// Where the elements of a level come from in the control level: of every kind that is asked for, and of those
+// that are needed to know it a round later.
+class Level_origins
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Kind = Origin::Kind;
+
+  struct Kinds
+  {
+    bool vertices = false, edges = false, faces = false;
+    bool any() const { return vertices || edges || faces; }
+  };
+
+  // those of the control level: every element itself
+  Level_origins() = default;
+
+  Origin of_vertex(Index v) const { return is_control_ ? Origin{Kind::vertex, v} : vertices_[v]; }
+  Origin of_edge(Index e) const { return is_control_ ? Origin{Kind::edge, e} : edges_[e]; }
+  Origin of_face(Index f) const { return is_control_ ? Origin{Kind::face, f} : faces_[f]; }
+
+  // in a host that splits edges, children of faces have faces as origins, and so on
+  template <class Host>
+  static Kinds needed(Kinds wanted)
+  {
+    if (!wanted.any() || !Splits_edges<Host>::value)
+      return {wanted.any(), wanted.any(), wanted.any()};
+    wanted.edges = wanted.edges || wanted.vertices;
+    wanted.faces = true;
+    return wanted;
+  }
+
+  // those of the elements of the child, from all those that are needed
+  template <class Rules>
+  static Level_origins of_child(const Rules& rules, const Level_size& child, Kinds kinds,
+                                const For_chunks& for_chunks)
+  {
+    Level_origins result;
+    result.is_control_ = false;
+    const auto fill = [&](Origins& origins, std::uint64_t number, const auto& origin_of) {
+      origins.resize(number, boost::container::default_init);
+      for_chunks(static_cast<Index>(number), [&](Index begin, Index end) {
+        for (Index i = begin; i < end; ++i) origins[i] = origin_of(i);
+      });
+    };
+    if (kinds.vertices)
+      fill(result.vertices_, child.vertices, [&](Index v) { return rules.vertex(v); });
+    if (kinds.edges) fill(result.edges_, child.edges, [&](Index e) { return rules.edge(e); });
+    if (kinds.faces) fill(result.faces_, child.faces, [&](Index f) { return rules.face(f); });
+    return result;
+  }
+
+  // adds elements whose origins do not matter
+  void grow(const Level_size& size)
+  {
+    const auto add = [](Origins& origins, std::uint64_t number) {
+      if (!origins.empty()) origins.resize(number, Origin{Kind::face, 0});
+    };
+    add(vertices_, size.vertices);
+    add(edges_, size.edges);
+    add(faces_, size.faces);
+  }
+
+private:
+  using Origins = boost::container::vector<Origin>;
+
+  bool is_control_ = true;
+  Origins vertices_, edges_, faces_;
+};
+
+// The origins of the children in a round: those of their parents; a corner counts as its face.
+template <class Host>
+class Origin_rules
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  Origin_rules(const Host& host, const Level_connectivity& level, const Level_origins& origins,
+               unsigned /*round*/)
+    : host_(host)
+    , level_(level)
+    , origins_(origins)
+  {}
+
+  Origin vertex(Index child) const { return of(host_.parent_of_vertex(child)); }
+  Origin edge(Index child) const { return of(host_.parent_of_edge(child)); }
+  Origin face(Index child) const { return of(host_.parent_of_face(child)); }
+
+private:
+  Origin of(const Element_parent& parent) const
+  {
+    using Kind = Element_parent::Kind;
+    switch (parent.kind) {
+    case Kind::vertex:
+      return origins_.of_vertex(parent.index);
+    case Kind::edge:
+      return origins_.of_edge(parent.index);
+    case Kind::border_edge:
+      return origins_.of_edge(Level_connectivity::edge(parent.index));
+    case Kind::corner:
+      return origins_.of_face(level_.face(parent.index));
+    default:
+      return origins_.of_face(parent.index);
+    }
+  }
+
+  const Host& host_;
+  const Level_connectivity& level_;
+  const Level_origins& origins_;
+};
+
+// After an odd number of rounds every new triangle lies on both sides of a flipped edge; it counts as a part of
+// the face whose half-edge it was at, and the flipped edge as coming from the edge that it crosses. After an even
+// number control edges are cut into three, and everything lies on one or inside a face again.
+template <>
+class Origin_rules<Sqrt3_host>
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  Origin_rules(const Sqrt3_host& host, const Level_connectivity& level,
+               const Level_origins& origins, unsigned round)
+    : host_(host)
+    , level_(level)
+    , origins_(origins)
+    , is_even_(round % 2 == 0)
+  {}
+
+  Origin vertex(Index child) const
+  {
+    const Element_parent parent = host_.parent_of_vertex(child);
+    if (parent.kind == Kind::vertex) return origins_.of_vertex(parent.index);
+    if (parent.kind == Kind::border_edge) return of_edge_at(parent.index);
+    return is_even_ ? of_base(parent.index) : origins_.of_face(parent.index);
+  }
+
+  Origin edge(Index child) const
+  {
+    const Element_parent parent = host_.parent_of_edge(child);
+    if (parent.kind == Kind::edge) return origins_.of_edge(parent.index);
+    if (parent.kind == Kind::border_edge) return of_edge_at(parent.index);
+    const Origin base = of_base(parent.index);
+    if (!is_even_ || base.kind == Origin::Kind::face || has_refined_border(parent.index))
+      return origins_.of_face(parent.index);
+    // from the middle of the flipped edge to a corner of the triangle
+    const Origin corner = origins_.of_vertex(level_.target(halfedge(parent)));
+    return corner.kind == Origin::Kind::face ? corner : base;
+  }
+
+  Origin face(Index child) const
+  {
+    const Element_parent parent = host_.parent_of_face(child);
+    if (!is_even_) return origins_.of_face(parent.index);
+    const Index h = halfedge(parent);
+    const Origin side = of_edge_at(h);
+    if (side.kind == Origin::Kind::face) return side;
+    // at a flipped edge the half towards its target
+    const Origin corner = origins_.of_vertex(level_.target(h));
+    if (!level_.is_border_edge(Level_connectivity::edge(h)) && corner.kind == Origin::Kind::face)
+      return corner;
+    return origins_.of_face(parent.index);
+  }
+
+private:
+  using Kind = Element_parent::Kind;
+
+  Origin of_edge_at(Index h) const { return origins_.of_edge(Level_connectivity::edge(h)); }
+  // of the edge that a triangle of an odd round has flipped, or has kept on the border
+  Origin of_base(Index f) const { return of_edge_at(level_.halfedge_of_face(f)); }
+  bool has_refined_border(Index f) const
+  {
+    return host_.has_refined_border() &&
+           level_.is_border_edge(Level_connectivity::edge(level_.halfedge_of_face(f)));
+  }
+  Index halfedge(const Element_parent& parent) const
+  {
+    Index h = level_.halfedge_of_face(parent.index);
+    for (Index i = 0; i < parent.ordinal; ++i) h = level_.next(h);
+    return h;
+  }
+
+  const Sqrt3_host& host_;
+  const Level_connectivity& level_;
+  const Level_origins& origins_;
+  const bool is_even_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_LEVEL_ORIGINS_H

@@ -1,0 +1,87 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_SCHEME_PARTS_COSINE_WEIGHTS_H
+#define CGAL_PN_SUBDIVISION_3_SCHEME_PARTS_COSINE_WEIGHTS_H
+
+#include <CGAL/PN_subdivision_3/internal/numbers/cosine_of_number_type.h>
+
+#include <array>
+#include <cstdint>
+#include <numeric>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+/*!
+\ingroup PkgPNSubdivision3Schemes
+
+returns cos(2&pi;k/n).
+
+The rational values (those of the multiples of 60 and 90 degrees) are exact. The others are rounded: to the nearest
+`float` or `double`, on every processor the same, since no mathematical library is asked; up to an ulp in
+`long double`; to the default precision of `Gmpfr`; by the number type's own `cos()` and `acos()` where argument-dependent lookup finds
+them; and to `double` in all other number types, in particular in exact ones. Intervals contain the cosine. A mask emits
+rows that sum to 1 whatever the rounding, see `Stencil::add_rest()`.
+
+\pre `n > 0`
+*/
+template <class FT>
+FT cosine_weight(std::int64_t k, std::int64_t n)
+{
+  k %= n;
+  if (k < 0) k += n;
+  if (2 * k > n) k = n - k;
+  const std::int64_t divisor = std::gcd(k, n);
+  k /= divisor;
+  n /= divisor;
+  switch (n) {
+  case 1:
+    return FT(1);
+  case 2:
+    return FT(-1);
+  case 3:
+    return FT(-1) / FT(2);
+  case 4:
+    return FT(0);
+  case 6:
+    return FT(1) / FT(2);
+  default:
+    return internal::irrational_cosine<FT>(k, n);
+  }
+}
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+A weight that depends on the valence only, computed once for the valences below 32.
+*/
+template <class FT>
+class Weight_per_valence
+{
+public:
+  /// returns the weight of a valence.
+  using Function = FT (*)(std::uint32_t);
+
+  /// keeps the weights that `f` returns.
+  explicit Weight_per_valence(Function f)
+    : function_(f)
+  {
+    for (std::uint32_t n = 1; n < table_.size(); ++n) table_[n] = f(n);
+  }
+
+  /// the weight of the valence `n`.
+  FT operator()(std::uint32_t n) const { return n < table_.size() ? table_[n] : function_(n); }
+
+private:
+  Function function_;
+  std::array<FT, 32> table_;
+};
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_SCHEME_PARTS_COSINE_WEIGHTS_H

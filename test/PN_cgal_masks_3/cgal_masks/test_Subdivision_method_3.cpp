@@ -1,0 +1,450 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// The functions of CGAL's Subdivision_method_3 by this package, beside CGAL's own: connectivity, order of the vertices,
+// points; and what CGAL's cannot do.
+
+#include "Mesh_cases.h"
+#include "Named_shapes.h"
+#include "Random_meshes.h"
+
+#include <CGAL/PN_cgal_masks_3/PN_mask_3.h>
+#include <CGAL/PN_cgal_masks_3/Subdivision_method_3.h>
+#include <CGAL/PN_subdivision_3/schemes/Bilinear_scheme.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <set>
+
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+namespace cgal = CGAL::Subdivision_method_3;
+namespace ours = CGAL::PN_subdivision_3::Subdivision_method_3;
+namespace np = CGAL::parameters;
+using test_meshes::Control_mesh;
+using K = CGAL::Simple_cartesian<double>;
+using Surface_mesh = CGAL::Surface_mesh<K::Point_3>;
+using Polyhedron = CGAL::Polyhedron_3<K>;
+
+// --- the four schemes, and their masks in their hosts ---
+
+struct Catmull_clark
+{
+  static constexpr bool triangles = false, is_dual = false;
+  static auto scheme() { return PN::CatmullClark_scheme(); }
+  template <class Mesh, class NP>
+  static void of_cgal(Mesh& mesh, const NP& p)
+  {
+    cgal::CatmullClark_subdivision(mesh, p);
+  }
+  template <class Mesh, class NP>
+  static void of_ours(Mesh& mesh, const NP& p)
+  {
+    ours::CatmullClark_subdivision(mesh, p);
+  }
+  template <class Mesh, class NP>
+  static void masked(Mesh& mesh, const NP& p)
+  {
+    ours::PQQ(mesh, CGAL::CatmullClark_mask_3<Mesh>(&mesh, get(CGAL::vertex_point, mesh)), p);
+  }
+};
+
+struct Loop
+{
+  static constexpr bool triangles = true, is_dual = false;
+  static auto scheme() { return PN::Loop_scheme(); }
+  template <class Mesh, class NP>
+  static void of_cgal(Mesh& mesh, const NP& p)
+  {
+    cgal::Loop_subdivision(mesh, p);
+  }
+  template <class Mesh, class NP>
+  static void of_ours(Mesh& mesh, const NP& p)
+  {
+    ours::Loop_subdivision(mesh, p);
+  }
+  template <class Mesh, class NP>
+  static void masked(Mesh& mesh, const NP& p)
+  {
+    ours::PTQ(mesh, CGAL::Loop_mask_3<Mesh>(&mesh, get(CGAL::vertex_point, mesh)), p);
+  }
+};
+
+struct Doo_sabin
+{
+  static constexpr bool triangles = false, is_dual = true;
+  static auto scheme() { return PN::DooSabin_scheme(); }
+  template <class Mesh, class NP>
+  static void of_cgal(Mesh& mesh, const NP& p)
+  {
+    cgal::DooSabin_subdivision(mesh, p);
+  }
+  template <class Mesh, class NP>
+  static void of_ours(Mesh& mesh, const NP& p)
+  {
+    ours::DooSabin_subdivision(mesh, p);
+  }
+  template <class Mesh, class NP>
+  static void masked(Mesh& mesh, const NP& p)
+  {
+    ours::DQQ(mesh, CGAL::DooSabin_mask_3<Mesh>(&mesh, get(CGAL::vertex_point, mesh)), p);
+  }
+};
+
+struct Sqrt_3
+{
+  static constexpr bool triangles = true, is_dual = false;
+  static auto scheme() { return PN::Sqrt3_scheme(); }
+  template <class Mesh, class NP>
+  static void of_cgal(Mesh& mesh, const NP& p)
+  {
+    cgal::Sqrt3_subdivision(mesh, p);
+  }
+  template <class Mesh, class NP>
+  static void of_ours(Mesh& mesh, const NP& p)
+  {
+    ours::Sqrt3_subdivision(mesh, p);
+  }
+  template <class Mesh, class NP>
+  static void masked(Mesh& mesh, const NP& p)
+  {
+    ours::Sqrt3(mesh, CGAL::Sqrt3_mask_3<Mesh>(&mesh, get(CGAL::vertex_point, mesh)), p);
+  }
+};
+
+// --- meshes ---
+
+template <class Mesh>
+Mesh built(const Control_mesh& control)
+{
+  mesh_cases::Soup soup{control.points, {}};
+  for (const reference::Face& f : control.faces) soup.faces.emplace_back(f.begin(), f.end());
+  Mesh mesh;
+  mesh_cases::build(soup, mesh);
+  return mesh;
+}
+
+// those that CGAL's functions can refine
+template <class Scheme>
+std::vector<Control_mesh> control_meshes()
+{
+  std::vector<Control_mesh> all;
+  for (const named_shapes::Shape& shape : named_shapes::all()) all.push_back(shape.mesh);
+  std::mt19937 generator(7);
+  for (int i = 0; i < 20; ++i)
+    all.push_back(random_meshes::random_mesh(Scheme::triangles ? random_meshes::Kind::triangles
+                                                               : random_meshes::Kind::polygons,
+                                             generator));
+  std::vector<Control_mesh> result;
+  for (const Control_mesh& mesh : all)
+    if (!test_meshes::has_isolated_vertex(mesh) && mesh.points.size() <= 200 &&
+        !(Scheme::triangles && !test_meshes::all_faces_have_degree(mesh, 3)) &&
+        !named_shapes::has_interior_valence_2(mesh))
+      result.push_back(mesh);
+  return result;
+}
+
+// in an even round CGAL's host of sqrt(3) takes a triangle to have one border edge at most
+template <class Mesh>
+std::size_t most_border_edges_of_a_face(const Mesh& mesh)
+{
+  std::size_t most = 0;
+  for (auto f : faces(mesh)) {
+    std::size_t number = 0;
+    for (auto h : halfedges_around_face(halfedge(f, mesh), mesh))
+      number += CGAL::is_border(opposite(h, mesh), mesh);
+    most = (std::max)(most, number);
+  }
+  return most;
+}
+
+template <class Mesh>
+std::vector<K::Point_3> points(const Mesh& mesh)
+{
+  std::vector<K::Point_3> result;
+  for (auto v : vertices(mesh)) result.push_back(get(get(CGAL::vertex_point, mesh), v));
+  return result;
+}
+
+// every face from its least vertex on
+template <class Mesh>
+std::multiset<std::vector<std::size_t>> face_cycles(const Mesh& mesh)
+{
+  std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, std::size_t> index;
+  for (auto v : vertices(mesh)) index.emplace(v, index.size());
+  std::multiset<std::vector<std::size_t>> result;
+  for (auto f : faces(mesh)) {
+    std::vector<std::size_t> face;
+    for (auto v : vertices_around_face(halfedge(f, mesh), mesh)) face.push_back(index.at(v));
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    result.insert(face);
+  }
+  return result;
+}
+
+double box_size(const std::vector<K::Point_3>& all)
+{
+  const CGAL::Bbox_3 box = CGAL::bbox_3(all.begin(), all.end());
+  return (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+}
+
+constexpr double units = 8 * std::numeric_limits<double>::epsilon();
+
+template <class Mesh, class Other>
+void expect_same(const Mesh& mine, const Other& theirs, double box, double tolerance = units)
+{
+  const std::vector<K::Point_3> a = points(mine), b = points(theirs);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      ASSERT_LE(std::abs(a[i][c] - b[i][c]), tolerance * box) << "vertex " << i;
+  EXPECT_EQ(face_cycles(mine), face_cycles(theirs));
+}
+
+template <class Scheme, class Mesh>
+void compare_with_cgal(const std::function<void(Mesh&, unsigned)>& refine)
+{
+  std::size_t compared = 0;
+  for (const Control_mesh& control : control_meshes<Scheme>())
+    for (unsigned rounds = 1; rounds <= 3; ++rounds) {
+      if (rounds == 3 && control.faces.size() > 24) continue;
+      SCOPED_TRACE(control.name + ", rounds " + std::to_string(rounds));
+      Mesh mine = built<Mesh>(control);
+      if (std::is_same_v<Scheme, Sqrt_3> && rounds > 1 && most_border_edges_of_a_face(mine) > 1)
+        continue;
+      const double box = box_size(points(mine));
+      const auto p = np::number_of_iterations(rounds);
+      refine(mine, rounds);
+      EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mine));
+      // of a Surface_mesh CGAL's DQQ fills removed vertices again, in another order
+      if (Scheme::is_dual && rounds > 1) {
+        Polyhedron theirs = built<Polyhedron>(control);
+        Scheme::of_cgal(theirs, p);
+        expect_same(mine, theirs, box);
+      } else {
+        Mesh theirs = built<Mesh>(control);
+        Scheme::of_cgal(theirs, p);
+        expect_same(mine, theirs, box);
+      }
+      ++compared;
+      if (testing::Test::HasFailure()) return;
+    }
+  EXPECT_GE(compared, 60u);
+}
+
+template <class Scheme>
+class As_cgal : public testing::Test
+{};
+struct Names
+{
+  template <class Scheme>
+  static std::string GetName(int)
+  {
+    return Scheme::scheme().name();
+  }
+};
+using Four_schemes = testing::Types<Catmull_clark, Loop, Doo_sabin, Sqrt_3>;
+TYPED_TEST_SUITE(As_cgal, Four_schemes, Names);
+
+TYPED_TEST(As_cgal, RefinesSurfaceMeshes)
+{
+  compare_with_cgal<TypeParam, Surface_mesh>([](Surface_mesh& mesh, unsigned rounds) {
+    TypeParam::of_ours(mesh, np::number_of_iterations(rounds));
+  });
+}
+TYPED_TEST(As_cgal, RefinesPolyhedra)
+{
+  compare_with_cgal<TypeParam, Polyhedron>([](Polyhedron& mesh, unsigned rounds) {
+    TypeParam::of_ours(mesh, np::number_of_iterations(rounds));
+  });
+}
+TYPED_TEST(As_cgal, RefinesSurfaceMeshesWithMasks)
+{
+  compare_with_cgal<TypeParam, Surface_mesh>([](Surface_mesh& mesh, unsigned rounds) {
+    TypeParam::masked(mesh, np::number_of_iterations(rounds));
+  });
+}
+TYPED_TEST(As_cgal, RefinesPolyhedraWithMasks)
+{
+  compare_with_cgal<TypeParam, Polyhedron>([](Polyhedron& mesh, unsigned rounds) {
+    TypeParam::masked(mesh, np::number_of_iterations(rounds));
+  });
+}
+
+// the number of rounds as it was once given, and none
+TYPED_TEST(As_cgal, TakesNumbersOfRounds)
+{
+  const Control_mesh control = control_meshes<TypeParam>().front();
+  Surface_mesh a = built<Surface_mesh>(control), b = a, c = a;
+  TypeParam::of_ours(a, 2);
+  TypeParam::of_ours(b, np::number_of_iterations(2));
+  expect_same(a, b, 1, 0);
+  TypeParam::of_ours(c, 0);
+  EXPECT_EQ(points(c), points(built<Surface_mesh>(control)));
+  Surface_mesh d = built<Surface_mesh>(control), e = d;
+  TypeParam::of_ours(d, np::default_values());
+  TypeParam::masked(e, 1);
+  expect_same(d, e, 1, 1e-13);
+}
+
+// with normals they are the point-normal schemes, which may have another order
+TYPED_TEST(As_cgal, IsPointNormalWithNormals)
+{
+  const auto normals_of = [](Surface_mesh& mesh) {
+    const auto map =
+      mesh.add_property_map<Surface_mesh::Vertex_index, K::Vector_3>("v:normal", CGAL::NULL_VECTOR)
+        .first;
+    for (auto v : mesh.vertices()) map[v] = mesh.point(v) - K::Point_3(0.1, 0.2, 0.3);
+    return map;
+  };
+  std::size_t curved = 0;
+  for (const Control_mesh& control : control_meshes<TypeParam>()) {
+    Surface_mesh a = built<Surface_mesh>(control), b = a, linear = a;
+    const auto of_a = normals_of(a), of_b = normals_of(b);
+    TypeParam::of_ours(a, np::vertex_normal_map(of_a));
+    PN::subdivide(b, TypeParam::scheme(), np::vertex_normal_map(of_b));
+    TypeParam::of_ours(linear, np::default_values());
+    std::vector<K::Point_3> pa = points(a), pb = points(b);
+    curved += pa != points(linear);
+    if (TypeParam::is_dual) {
+      std::sort(pa.begin(), pa.end());
+      std::sort(pb.begin(), pb.end());
+    }
+    EXPECT_EQ(pa, pb) << control.name;
+  }
+  EXPECT_GE(curved, 20u);
+}
+
+// --- what CGAL's cannot do ---
+
+// vertices without edges, which CGAL's hosts turn into NaN or a crash, and empty meshes
+TYPED_TEST(As_cgal, KeepsVerticesWithoutEdges)
+{
+  for (bool masked : {false, true})
+    for (const Control_mesh& control : control_meshes<TypeParam>()) {
+      if (control.points.size() > 30) continue;
+      Surface_mesh mesh = built<Surface_mesh>(control), with = mesh;
+      with.add_vertex(K::Point_3(7, 8, 9));
+      const auto run = [&](Surface_mesh& m) {
+        masked ? TypeParam::masked(m, np::number_of_iterations(2))
+               : TypeParam::of_ours(m, np::number_of_iterations(2));
+      };
+      if (std::is_same_v<TypeParam, Sqrt_3> && most_border_edges_of_a_face(mesh) > 1) continue;
+      run(mesh);
+      run(with);
+      std::vector<K::Point_3> expected = points(mesh);
+      const std::vector<K::Point_3> found = points(with);
+      if (!TypeParam::is_dual)
+        expected.insert(expected.begin() + std::ptrdiff_t(control.points.size()),
+                        K::Point_3(7, 8, 9));
+      EXPECT_EQ(found, expected) << control.name;
+    }
+  Surface_mesh empty;
+  TypeParam::of_ours(empty, np::number_of_iterations(3));
+  TypeParam::masked(empty, np::number_of_iterations(3));
+  EXPECT_TRUE(CGAL::is_empty(empty));
+}
+
+template <class Call>
+std::string message(const Call& call)
+{
+  try {
+    call();
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(As_cgal_refusals, LeaveTheMeshAsItWas)
+{
+  Surface_mesh triangle, quad;
+  triangle.add_face(triangle.add_vertex(K::Point_3(0, 0, 0)),
+                    triangle.add_vertex(K::Point_3(1, 0, 0)),
+                    triangle.add_vertex(K::Point_3(0, 1, 0)));
+  quad.add_face(quad.add_vertex(K::Point_3(0, 0, 0)), quad.add_vertex(K::Point_3(1, 0, 0)),
+                quad.add_vertex(K::Point_3(1, 1, 0)), quad.add_vertex(K::Point_3(0, 1, 0)));
+  const std::string corners = "face 0 has 4 corners";
+  EXPECT_NE(message([&] { ours::Loop_subdivision(quad); }).find(corners), std::string::npos);
+  EXPECT_NE(message([&] { Loop::masked(quad, 1); }).find(corners), std::string::npos);
+  EXPECT_NE(message([&] { ours::Sqrt3_subdivision(quad); }).find(corners), std::string::npos);
+  EXPECT_NE(message([&] { Sqrt_3::masked(quad, 1); }).find(corners), std::string::npos);
+  EXPECT_EQ(quad.number_of_faces(), 1u);
+  ours::Sqrt3_subdivision(triangle, np::number_of_iterations(2));
+  EXPECT_EQ(triangle.number_of_faces(), 9u);
+}
+
+// Linear_mask_3 sets no vertices on borders: CGAL 5.5 moves them to where its memory happens to be
+TEST(As_cgal_masks, LeaveWhatTheyDoNotSet)
+{
+  std::size_t bordered = 0;
+  for (const Control_mesh& control : control_meshes<Catmull_clark>()) {
+    Surface_mesh mesh = built<Surface_mesh>(control), linear = mesh;
+    ours::PQQ(mesh, CGAL::Linear_mask_3<Surface_mesh>(&mesh, get(CGAL::vertex_point, mesh)),
+              np::number_of_iterations(2));
+    PN::subdivide(linear, PN::internal::in_order_of_cgal<true>(PN::linear(PN::Bilinear_scheme())),
+                  np::number_of_iterations(2));
+    expect_same(mesh, linear, box_size(points(linear)));
+    bordered += !CGAL::is_closed(mesh);
+  }
+  EXPECT_GE(bordered, 10u);
+}
+
+// point maps of pairs: the point-normal masks of CGAL's masks, in these hosts
+TEST(As_cgal_masks, MayBePointNormalOnes)
+{
+  const Control_mesh control = control_meshes<Catmull_clark>().front();
+  Surface_mesh mesh = built<Surface_mesh>(control), expected = mesh;
+  const auto run = [](Surface_mesh& m, const auto& host) {
+    const auto normals =
+      m.add_property_map<Surface_mesh::Vertex_index, K::Vector_3>("v:normal", CGAL::NULL_VECTOR)
+        .first;
+    for (auto v : m.vertices()) normals[v] = m.point(v) - K::Point_3(0.1, 0.2, 0.3);
+    const auto map = PN::Zipped_point_normal_map(get(CGAL::vertex_point, m), normals);
+    host(m, PN::make_PN_mask_3<CGAL::CatmullClark_mask_3>(m, map),
+         np::vertex_point_map(map).number_of_iterations(2));
+  };
+  run(mesh, [](auto& m, const auto& mask, const auto& p) { ours::PQQ(m, mask, p); });
+  run(expected, [](auto& m, const auto& mask, const auto& p) { cgal::PQQ(m, mask, p); });
+  expect_same(mesh, expected, box_size(points(expected)), 1e-13);
+}
+
+TEST(As_cgal_creases, AreSharp)
+{
+  const Surface_mesh cube = built<Surface_mesh>([] {
+    for (const named_shapes::Shape& shape : named_shapes::all())
+      if (shape.mesh.name == "cube") return shape.mesh;
+    throw std::logic_error("there is no cube");
+  }());
+  Surface_mesh sharp = cube, smooth = cube, expected = cube;
+  const auto all_edges = [](Surface_mesh& mesh) {
+    return mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", true).first;
+  };
+  const auto rounds = np::number_of_iterations(3);
+  ours::CatmullClark_subdivision(sharp, rounds.edge_is_constrained_map(all_edges(sharp)));
+  ours::CatmullClark_subdivision(smooth, rounds);
+  PN::subdivide(expected, PN::linear(PN::CatmullClark_scheme()),
+                rounds.edge_is_constrained_map(all_edges(expected)));
+  std::vector<K::Point_3> a = points(sharp), b = points(expected);
+  EXPECT_NE(a, points(smooth));
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(a[i], points(cube)[i]); // corners
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_LE(CGAL::squared_distance(a[i], b[i]), 1e-28);
+}
+
+} // namespace

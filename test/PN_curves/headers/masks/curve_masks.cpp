@@ -1,0 +1,21 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include <CGAL/PN_curves/masks/curve_masks.h>
+
+using namespace CGAL::PN_subdivision_3;
+
+namespace header_in_use {
+
+void use_masks()
+{
+  (void)B_spline_mask(3).coefficients<double>();
+  (void)Dubuc_Deslauriers_mask(4).coefficients<double>();
+}
+
+} // namespace header_in_use

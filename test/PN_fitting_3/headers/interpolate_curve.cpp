@@ -1,0 +1,23 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include <CGAL/PN_fitting_3/interpolate_curve.h>
+
+#include "polygon.h"
+#include <CGAL/PN_curves/masks/curve_masks.h>
+
+using namespace CGAL::PN_subdivision_3;
+
+namespace header_in_use {
+
+void use_interpolate_curve(const Polygon& polygon)
+{
+  (void)interpolate_curve(polygon, B_spline_mask(3), Curve_end::closed);
+}
+
+} // namespace header_in_use

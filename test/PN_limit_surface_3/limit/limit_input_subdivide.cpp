@@ -1,0 +1,192 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// subdivide_to_limit() is subdivide() and move_to_limit(), but leaves a mesh as it was where either fails.
+
+#include "Limit_cases.h"
+#include "Mesh_cases.h"
+#include "support/Options.h"
+
+#include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
+#include <CGAL/Polyhedron_3.h>
+
+#include <stdexcept>
+
+namespace {
+
+using namespace limit_cases;
+namespace params = CGAL::parameters;
+
+template <class Mesh>
+struct With_normals
+{
+  explicit With_normals(const mesh_cases::Soup& soup)
+  {
+    mesh_cases::build(soup, mesh);
+    normals = get(CGAL::dynamic_vertex_property_t<Kernel::Vector_3>(), mesh);
+    mesh_cases::put_normals(mesh_cases::normals(soup), mesh, normals);
+  }
+
+  Mesh mesh;
+  typename boost::property_map<Mesh, CGAL::dynamic_vertex_property_t<Kernel::Vector_3>>::type
+    normals;
+};
+
+// normals of the first vertices
+template <class A, class B>
+void expect_same(With_normals<A>& a, With_normals<B>& b, std::size_t number_of_normals)
+{
+  ASSERT_EQ(num_vertices(a.mesh), num_vertices(b.mesh));
+  ASSERT_EQ(num_faces(a.mesh), num_faces(b.mesh));
+  ASSERT_TRUE(CGAL::is_valid_polygon_mesh(a.mesh));
+  auto w = vertices(b.mesh).begin();
+  for (auto v : vertices(a.mesh)) {
+    EXPECT_EQ(get(CGAL::vertex_point, a.mesh, v), get(CGAL::vertex_point, b.mesh, *w));
+    if (number_of_normals > 0) {
+      EXPECT_EQ(get(a.normals, v), get(b.normals, *w));
+      --number_of_normals;
+    }
+    ++w;
+  }
+}
+
+template <class Mesh, class Concurrency_tag, class Scheme>
+void compare(const mesh_cases::Soup& soup, const Scheme& scheme)
+{
+  for (const unsigned rounds : {0u, 1u, 3u})
+    for (const bool surface_normals : {false, true}) {
+      With_normals<Mesh> one(soup), two(soup);
+      const std::size_t old_vertices = num_vertices(one.mesh);
+      const auto np = [](auto& m, unsigned k) {
+        return params::vertex_normal_map(m.normals).number_of_iterations(k);
+      };
+      test_options::Limit_options options;
+      options.surface_normals = surface_normals;
+      const PN::Limit_report report = PN::subdivide_to_limit<Concurrency_tag>(
+        one.mesh, scheme, PN::parameters::join(options.pack(), np(one, rounds)));
+      PN::subdivide(two.mesh, scheme, np(two, rounds));
+      options.rounds_done = rounds;
+      const PN::Limit_report expected = PN::subdivide_to_limit(
+        two.mesh, scheme,
+        PN::parameters::join(CGAL::parameters::number_of_iterations(0), options.pack(),
+                             params::vertex_normal_map(two.normals)));
+      // what is not asked for is not set at new vertices
+      const bool has_all_normals = surface_normals || !PN::internal::Is_linear<Scheme>::value;
+      expect_same(one, two, has_all_normals ? num_vertices(one.mesh) : old_vertices);
+      EXPECT_EQ(report.error, expected.error);
+      EXPECT_EQ(report.number_of_stand_ins, expected.number_of_stand_ins);
+    }
+}
+
+TEST(Subdivide_to_limit, IsSubdivideAndMoveToLimit)
+{
+  compare<Surface_mesh, CGAL::Sequential_tag>(mesh_cases::mixed_with_border(),
+                                              PN::CatmullClark_scheme());
+  compare<CGAL::Polyhedron_3<Kernel>, CGAL::Sequential_tag>(mesh_cases::mixed_with_border(),
+                                                            PN::CatmullClark_scheme());
+#ifdef CGAL_LINKED_WITH_TBB
+  compare<Surface_mesh, CGAL::Parallel_tag>(mesh_cases::mixed_with_border(),
+                                            PN::CatmullClark_scheme());
+#endif
+}
+
+// with a linear scheme normals that are not asked for stay as they are at old vertices
+TEST(Subdivide_to_limit, OfALinearSchemeWritesNormalsOnlyWhenAskedFor)
+{
+  compare<Surface_mesh, CGAL::Sequential_tag>(mesh_cases::mixed_with_border(),
+                                              PN::linear(PN::CatmullClark_scheme()));
+}
+
+TEST(Subdivide_to_limit, RunsOutsideTheMapsAndWithoutNormals)
+{
+  Surface_mesh empty;
+  EXPECT_TRUE(PN::subdivide_to_limit(empty, PN::CatmullClark_scheme()).is_within_tolerance());
+  Surface_mesh one, two;
+  mesh_cases::build(mesh_cases::mixed_with_border(), one);
+  two = one;
+  PN::subdivide_to_limit(one, PN::CatmullClark_scheme(),
+                         PN::parameters::roundness(1)); // as that of given normals
+  // normals are estimated once, on the control mesh
+  const auto normals =
+    two.add_property_map<Surface_mesh::Vertex_index, Kernel::Vector_3>("n").first;
+  PN::estimate_control_normals(two, normals);
+  PN::subdivide_to_limit(two, PN::CatmullClark_scheme(), params::vertex_normal_map(normals));
+  for (auto v : one.vertices()) EXPECT_EQ(one.point(v), two.point(v));
+}
+
+// The rounds can be done, the limits cannot.
+TEST(Subdivide_to_limit, AFailureLeavesTheMeshAsItWas)
+{
+  Surface_mesh mesh;
+  mesh_cases::build(mesh_cases::mixed_with_border(), mesh);
+  const auto points = [&] {
+    return std::vector<Kernel::Point_3>(mesh.points().begin(), mesh.points().end());
+  };
+  const auto expect_refusal = [&](const auto& scheme, const test_options::Limit_options& options,
+                                  const std::string& what) {
+    const auto before = points();
+    try {
+      PN::subdivide_to_limit(mesh, scheme,
+                             PN::parameters::join(options.pack(), params::number_of_iterations(2)));
+      ADD_FAILURE() << what;
+    } catch (const std::exception& e) {
+      EXPECT_NE(std::string(e.what()).find(what), std::string::npos) << e.what();
+    }
+    EXPECT_EQ(points(), before);
+    EXPECT_TRUE(mesh.is_valid());
+  };
+  const PN::CatmullClark_scheme scheme;
+  expect_refusal(PN::internal::with_border(PN::Kobbelt_scheme(), PN::Border::curve),
+                 test_options::Limit_options(), "has no rules for creases");
+  test_options::Limit_options counted;
+  counted.rounds_done = 2;
+  expect_refusal(scheme, counted, "leave rounds_done 0");
+  test_options::Limit_options wrong;
+  wrong.tolerance = -1;
+  expect_refusal(scheme, wrong, "tolerance");
+  const PN::CatmullClark_scheme::Tuned late(0.5, 20);
+  expect_refusal(late, test_options::Limit_options(), "first round");
+}
+
+// points of a mesh, of which the n-th that is put is refused
+struct Failing_points
+{
+  using key_type = Surface_mesh::Vertex_index;
+  using value_type = Kernel::Point_3;
+  using reference = value_type;
+  using category = boost::read_write_property_map_tag;
+
+  Surface_mesh* mesh;
+  int* puts_left;
+
+  friend value_type get(const Failing_points& m, key_type v) { return m.mesh->point(v); }
+  friend void put(const Failing_points& m, key_type v, const value_type& p)
+  {
+    if ((*m.puts_left)-- == 0) throw std::runtime_error("no more");
+    m.mesh->point(v) = p;
+  }
+};
+
+TEST(Subdivide_to_limit, AMapThatThrowsLeavesTheMeshAsItWas)
+{
+  Surface_mesh mesh;
+  mesh_cases::build(mesh_cases::mixed_with_border(), mesh);
+  const std::vector<Kernel::Point_3> before(mesh.points().begin(), mesh.points().end());
+  // new vertices are put before the old ones: the last numbers are theirs
+  for (const int puts : {0, 10, 22, 30}) {
+    int puts_left = puts;
+    EXPECT_THROW(
+      PN::subdivide_to_limit(mesh, PN::CatmullClark_scheme(),
+                             params::vertex_point_map(Failing_points{&mesh, &puts_left})),
+      std::runtime_error);
+    EXPECT_EQ(std::vector<Kernel::Point_3>(mesh.points().begin(), mesh.points().end()), before);
+    EXPECT_TRUE(mesh.is_valid());
+  }
+}
+
+} // namespace

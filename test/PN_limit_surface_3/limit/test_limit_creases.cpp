@@ -1,0 +1,232 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Limits of meshes with creases, corners and borders that are creases: what they are.
+
+#include "Creased_limit_cases.h"
+#include "support/Options.h"
+
+#include <gtest/gtest.h>
+
+#include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace creased_limit_cases;
+
+// --- shapes ---
+
+template <class Scheme>
+void expect_exact(const Part& part, const Control& control, const Scheme& scheme)
+{
+  for (const unsigned rounds : {1u, 2u}) {
+    Tagged<Mesh> t(control);
+    const PN::Limit_report report = to_limit(t, PN::internal::with_border(scheme, part.border),
+                                             rounds, test_options::Limit_options());
+    EXPECT_TRUE(report.is_within_tolerance());
+    const Real bar = 8 * Real(std::numeric_limits<double>::epsilon());
+    Real points = 0, normals = 0, border = 0;
+    for (const auto f : t.mesh.faces()) {
+      const Surface* const surface = surface_of(part, t, f);
+      if (surface == nullptr) continue;
+      const Surface& s = *surface;
+      for (const auto h : t.mesh.halfedges_around_face(t.mesh.halfedge(f))) {
+        const Vector p = vector(t.mesh.point(t.mesh.target(h)));
+        points = (std::max)(points, s.distance(p));
+        normals = (std::max)(normals, Real((vector(get(t.normals, h)) - s.normal(p)).norm()));
+        if (part.of_border.empty() || !t.mesh.is_border(t.mesh.target(h))) continue;
+        Real least = std::numeric_limits<Real>::infinity();
+        for (const Surface& b : part.of_border) least = (std::min)(least, b.distance(p));
+        border = (std::max)(border, least);
+      }
+    }
+    EXPECT_LE(double(points), double(bar * part.scale()));
+    EXPECT_LE(double(normals), double(bar));
+    EXPECT_LE(double(border), double(bar * part.scale()));
+  }
+}
+
+TEST(Limit_creases, PartsKeepTheirSurfacesRimsAndNormals)
+{
+  for (Part part : {capped_cylinder(uneven(7)), half_ball(), washer(), d_section(), cube(),
+                    plate_with_hole(), octant()}) {
+    SCOPED_TRACE("part with " + std::to_string(part.points.size()) + " vertices");
+    part.place();
+    const Control control = part.control();
+    expect_exact(part, control, PN::CatmullClark_scheme());
+    expect_exact(part, triangulated(control), PN::Loop_scheme());
+  }
+}
+
+// rings of a capped cylinder, in float
+TEST(Limit_creases, RimsAreCirclesInFloat)
+{
+  using Float = CGAL::Simple_cartesian<float>;
+  using Float_mesh = CGAL::Surface_mesh<Float::Point_3>;
+  const Part part = capped_cylinder(uneven(7));
+  const Control c = part.control();
+  Float_mesh mesh;
+  for (const Triple& p : c.points)
+    mesh.add_vertex(Float::Point_3(float(p[0]), float(p[1]), float(p[2])));
+  for (const Face& f : c.faces) {
+    std::vector<CGAL::SM_Vertex_index> corners;
+    for (const int v : f) corners.emplace_back(CGAL::SM_Vertex_index::size_type(v));
+    mesh.add_face(corners);
+  }
+  auto sharp = mesh.add_property_map<CGAL::SM_Edge_index, bool>("e:sharp", false).first;
+  PN::detect_creases(mesh, 75, sharp);
+  PN::subdivide_to_limit(mesh, PN::CatmullClark_scheme(),
+                         np::number_of_iterations(2).edge_is_constrained_map(sharp));
+  int rims = 0;
+  for (const auto e : mesh.edges()) {
+    if (!sharp[e]) continue;
+    const auto p = mesh.point(mesh.vertex(e, 0));
+    EXPECT_NEAR(std::hypot(p.x(), p.y()), 1, 8 * std::numeric_limits<float>::epsilon());
+    ++rims;
+  }
+  EXPECT_EQ(rims, 2 * 7 * 4);
+}
+
+// --- the limit of all rounds ---
+
+// The limits are those of every later level, and the points of the levels come closer to them.
+template <class Scheme>
+void expect_limit_of_rounds(const Control& control, const Scheme& scheme, bool is_linear)
+{
+  const double tolerance = 1e-11;
+  const Limits last = limits(control, scheme, 3, close(tolerance));
+  for (const unsigned rounds : {0u, 1u, 2u}) {
+    const Limits l = limits(control, scheme, rounds, close(tolerance));
+    EXPECT_EQ(l.report.number_of_misses, 0u);
+    const auto [points, normals] = difference(l, last);
+    EXPECT_LE(points, is_linear ? 1e-14 : 2e-11) << "from round " << rounds;
+    if (!is_linear) {
+      EXPECT_LE(normals, 1e-9) << "from round " << rounds;
+    }
+  }
+  double before = std::numeric_limits<double>::infinity();
+  Crease_run<double, Scheme> run(control, scheme);
+  for (int k = 0; k < 5; ++k) {
+    if (k != 0) run.refine();
+    double distance = 0;
+    for (std::size_t v = 0; v < last.points.size(); ++v) {
+      const Triple p = run.point(static_cast<Index>(v));
+      distance = (std::max)(distance, double((crease_shapes::vector(p) - last.points[v]).norm()));
+    }
+    EXPECT_LE(distance, 0.75 * before) << "after round " << k;
+    before = distance;
+  }
+}
+
+TEST(Limit_creases, AreTheSameFromEveryLevel)
+{
+  for (int seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Control c = random_net(seed);
+    expect_limit_of_rounds(c, PN::CatmullClark_scheme(), false);
+    expect_limit_of_rounds(c, PN::CatmullClark_scheme::Tuned(), false);
+    expect_limit_of_rounds(triangulated(c), PN::Loop_scheme(), false);
+    expect_limit_of_rounds(c, PN::linear(PN::CatmullClark_scheme()), true);
+  }
+}
+
+// where rounds differ and where curvature is transferred, the whole level is refined
+TEST(Limit_creases, AreTheSameWhereTheRulesSettleLate)
+{
+  const Control c = random_net(3);
+  expect_limit_of_rounds(c, PN::CatmullClark_scheme::Tuned(.5, 3), false);
+  expect_limit_of_rounds(triangulated(c), PN::Loop_scheme::Transfer(), false);
+}
+
+// A box of 1 x 2 x 2 cells: its corners are neighbors in pairs, and a crease ends at one of them, which so keeps the
+// other one from being separated in the first round.
+TEST(Limit_creases, AreTheSameBesideAnIrregularDart)
+{
+  const int cells[] = {1, 2, 2};
+  Control c;
+  std::map<std::array<int, 3>, int> index;
+  const auto vertex = [&](const std::array<int, 3>& p) {
+    const auto [it, is_new] = index.try_emplace(p, int(c.points.size()));
+    if (is_new) c.points.push_back({double(p[0]), double(p[1]), double(p[2])});
+    return it->second;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const int side : {0, 1})
+      for (int i = 0; i < cells[(axis + 1) % 3]; ++i)
+        for (int j = 0; j < cells[(axis + 2) % 3]; ++j) {
+          Face f;
+          for (const auto& [di, dj] : {Edge{0, 0}, Edge{1, 0}, Edge{1, 1}, Edge{0, 1}}) {
+            std::array<int, 3> p{};
+            p[axis] = side * cells[axis];
+            p[(axis + 1) % 3] = i + di;
+            p[(axis + 2) % 3] = j + dj;
+            f.push_back(vertex(p));
+          }
+          if (side == 0) std::reverse(f.begin(), f.end());
+          c.faces.push_back(f);
+        }
+  c.sharp_edges[undirected(index.at({0, 0, 0}), index.at({0, 1, 0}))] = infinity;
+  std::mt19937 random(1);
+  random_creases::perturb(c, random);
+  random_creases::give_normals(c, random);
+  expect_limit_of_rounds(c, PN::CatmullClark_scheme::Tuned(), false);
+}
+
+// Roundness of its own at every vertex, or the same at all: a crease is then between its curve and the linear one.
+template <class Scheme>
+void expect_round_limit_of_rounds(const Control& control, const Scheme& scheme,
+                                  double any_roundness)
+{
+  std::vector<std::vector<Vector>> of_rounds;
+  for (const unsigned rounds : {0u, 1u, 3u}) {
+    Tagged<Mesh> t(control);
+    unsigned i = 0;
+    for (const auto v : t.mesh.vertices())
+      put(t.roundness, v, any_roundness < 0 ? (7 * i++ % 9) / 8. : any_roundness);
+    to_round_limit(t, PN::internal::with_border(scheme, control.border), rounds, close(1e-11));
+    of_rounds.emplace_back();
+    for (std::size_t v = 0; v < control.points.size(); ++v)
+      of_rounds.back().push_back(vector(t.mesh.point(Mesh::Vertex_index(Mesh::size_type(v)))));
+  }
+  for (std::size_t v = 0; v < control.points.size(); ++v)
+    for (const std::size_t k : {0u, 1u})
+      EXPECT_LE(double((of_rounds[k][v] - of_rounds[2][v]).norm()), 1e-10) << "vertex " << v;
+}
+
+TEST(Limit_creases, AreTheSameFromEveryLevelOfAnyRoundness)
+{
+  for (const double w : {-1., 0., .5})
+    for (int seed = 1; seed <= 6; ++seed) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", roundness " + std::to_string(w));
+      const Control c = random_net(seed);
+      expect_round_limit_of_rounds(c, PN::CatmullClark_scheme(), w);
+      expect_round_limit_of_rounds(triangulated(c), PN::Loop_scheme(), w);
+    }
+}
+
+TEST(Limit_creases, TheErrorIsNotUnderestimated)
+{
+  for (const int seed : {1, 2, 3, 4, 5})
+    for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+      const Control c = random_net(seed);
+      const Limits exact = limits(c, PN::CatmullClark_scheme(), 1, close(1e-13)),
+                   l = limits(c, PN::CatmullClark_scheme(), 1, close(tolerance));
+      EXPECT_LE(difference(l, exact).first, l.report.error) << seed << ' ' << tolerance;
+      EXPECT_LE(l.report.error, l.report.tolerance);
+    }
+}
+
+} // namespace
