@@ -8,7 +8,7 @@
 # Author(s): PN_subdivision_3 developers
 """Checks that the headers lie in layers. A row of the table is a layer: the folders NAME and internal/NAME of
 include/CGAL/PN_subdivision_3, with what belongs there and is elsewhere, and the layers above in the table, or packages, that it
-may include. !NAME:3 is an arrow that has to go, with the includes that are left: there may be no more, and fewer are written down.
+may include; nothing outside include/CGAL. !NAME:3 is an arrow that has to go, with the includes that are left: there may be no more, and fewer are written down.
 
     scripts/check_layers.py [ROOT]              exit code 1 if a header includes what it may not
     scripts/check_layers.py --circles [ROOT]    prints the pairs of folders, and of layers, that include each other
@@ -59,13 +59,12 @@ PN_fitting_3
 PN_certificates_3
   exact       enclose.h reproduction.h | PN_subdivision_3 curves
   comparison  compare_with_linear.h | PN_subdivision_3
-test_support
-  analysis    | PN_subdivision_3 curvature limit curves
 umbrellas
   umbrellas   PN_subdivision_3.h PN_subdivision_curve.h PN_subdivision_limit_3.h
               | PN_subdivision_3 PN_limit_surface_3 PN_curves PN_recognition_3 PN_fitting_3
 """
 INCLUDE = re.compile(r"^ *# *include [<\"]CGAL/(PN_[^>\"]+)", re.MULTILINE)
+OUTSIDE = re.compile(r"^ *# *include \"(?!CGAL/)([^\"]+)", re.MULTILINE)  # such as test_support/
 
 
 Circles = tuple[list[tuple[str, str]], list[str]]
@@ -125,6 +124,8 @@ def check(root: Path) -> list[str]:
     table = layers()
     of_header, others = layers_of_headers(root)
     wrong = [f"{header}: belongs to no layer of the table in scripts/check_layers.py" for header in others]
+    wrong += [f"{header} includes {other}, which is not installed: it is not in include/CGAL" for header in headers(root)
+              for other in OUTSIDE.findall((root / "include" / "CGAL" / header).read_text())]
     leaving: Counter[tuple[str, str]] = Counter()
     for header, included in headers(root).items():
         for other in included:

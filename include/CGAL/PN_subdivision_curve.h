@@ -11,8 +11,8 @@
 
 /*!
 \file PN_subdivision_curve.h
-Point-normal subdivision of curves in the plane and in space. Not included are their limits (`curve_limit_points.h`),
-interpolation (`interpolate_curve.h`), and what measures them (`analysis/curve_analysis.h`).
+Point-normal subdivision of curves in the plane and in space. Not included are their limits (`curve_limit_points.h`)
+and interpolation (`interpolate_curve.h`).
 */
 
 #include <CGAL/PN_curves/curve_control_normals.h>

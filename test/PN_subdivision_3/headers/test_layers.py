@@ -61,6 +61,13 @@ class Layers(unittest.TestCase):
                          ["PN_subdivision_3/internal/helpers/Helper.h: belongs to no layer of the table in "
                           "scripts/check_layers.py"])
 
+    def test_arrow_out_of_the_package(self) -> None:
+        path = self.headers / "subdivide.h"
+        path.write_text('#include "analysis/subdivision_matrix.h"\n' + path.read_text())
+        self.assertEqual(check_layers.check(self.root),
+                         ["PN_subdivision_3/subdivide.h includes analysis/subdivision_matrix.h, which is not installed: "
+                          "it is not in include/CGAL"])
+
     def test_arrow_that_has_gone_is_still_marked(self) -> None:
         path = self.headers / "refine_in_pieces.h"
         path.write_text(path.read_text().replace("#include <CGAL/PN_limit_surface_3/limit/Limit_point.h>\n", ""))
