@@ -1,10 +1,11 @@
-# Target pn_headers_alone: all headers compile in the company of what <windows.h>, Qt and <X11/Xlib.h> define; with PN_TEST_FULL
+# Target pn_headers_alone: all headers, and those of test_support/, compile in the company of what <windows.h>, Qt and <X11/Xlib.h> define; with PN_TEST_FULL
 # together without it and every one alone, too, those with a documented name where they are used
 # (test/PACKAGE/headers). The internal ones take the headers of others precompiled, which saves minutes: that
 # they include those themselves is seen where precompiled headers are off (build preset clang-headers).
 # Only checked, not translated: no code is generated.
 set(include_dir ${PN_subdivision_3_SOURCE_DIR}/include)
-file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include_dir}/*.h)
+set(support_dir ${PN_subdivision_3_SOURCE_DIR}/test_support)
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include_dir}/*.h ${support_dir}/*.h)
 pn_leave_out_without_eigen(headers "headers")
 set(generated ${PN_subdivision_3_BINARY_DIR}/generated/headers_alone)
 set(public)
@@ -12,10 +13,12 @@ set(internal)
 set(external)
 set(all_headers "")
 foreach(header ${headers})
-  file(RELATIVE_PATH relative ${include_dir} ${header})
+  string(REPLACE "${include_dir}/" "" relative ${header})
+  string(REPLACE "${support_dir}/" "" relative ${relative})
   string(MAKE_C_IDENTIFIER ${relative} name)
   set(in_use "")
   string(REGEX REPLACE "^CGAL/([^/]*)/(.*)\\.h$" "test/\\1/headers/\\2.cpp" use ${relative})
+  string(REGEX REPLACE "^analysis/(.*)\\.h$" "test/PN_subdivision_3/headers/analysis/\\1.cpp" use ${use})
   if(EXISTS ${PN_subdivision_3_SOURCE_DIR}/${use})
     set(in_use "#include \"${PN_subdivision_3_SOURCE_DIR}/${use}\"\n")
   endif()
@@ -32,7 +35,7 @@ foreach(header ${headers})
 endforeach()
 
 list(REMOVE_DUPLICATES external)
-list(FILTER external EXCLUDE REGEX "parameters_interface.h$") # calls of macros that whoever includes it defines
+list(FILTER external EXCLUDE REGEX "^test_support/|parameters_interface.h$") # calls of macros that whoever includes it defines
 list(TRANSFORM external REPLACE "(.+)" "<\\1>")
 
 # the headers of others are not ours to mend: they come before the macros

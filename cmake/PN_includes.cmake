@@ -1,13 +1,14 @@
 # What sources of the package include, read from their texts. An include inside #if is indented
 # (clang-format) and does not count: such a source does without.
 
-set(pn_include_folders ${PN_subdivision_3_SOURCE_DIR}/include ${PN_subdivision_3_SOURCE_DIR}/src/pn_subdivide
+set(pn_include_folders ${PN_subdivision_3_SOURCE_DIR}/include ${PN_subdivision_3_SOURCE_DIR}/test_support
+                       ${PN_subdivision_3_SOURCE_DIR}/src/pn_subdivide
                        ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3
                        ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/support
                        ${PN_subdivision_3_SOURCE_DIR}/examples/PN_subdivision_3)
 
 # pn_external_includes(result source): the headers of others that a source of the package includes,
-# directly or by headers of the package.
+# directly or by headers of the package; and those of test_support/, as test_support/NAME.
 function(pn_external_includes result source)
   get_property(known GLOBAL PROPERTY pn_external_includes_of_${source} SET)
   if(NOT known)
@@ -26,6 +27,9 @@ function(pn_external_includes result source)
       if(own)
         pn_external_includes(further ${own})
         list(APPEND external ${further})
+        if(own MATCHES "/test_support/")
+          list(APPEND external test_support/${name})
+        endif()
       else()
         list(APPEND external ${name})
       endif()

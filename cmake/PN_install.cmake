@@ -34,9 +34,19 @@ install(DIRECTORY include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${pn_comp
 install(FILES LICENSE.LGPL LICENSE.GPL README.md CHANGES.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
         ${pn_component})
 
-# side by side: there CGAL::data_file_path() finds the meshes
+# side by side: there CGAL::data_file_path() finds the meshes. Examples that include test_support/, which is not installed,
+# are not either.
+file(GLOB_RECURSE pn_example_files CONFIGURE_DEPENDS examples/*.cpp examples/*.h)
+set(pn_not_installed)
+foreach(file ${pn_example_files})
+  pn_external_includes(external ${file})
+  if(external MATCHES "(^|;)test_support/")
+    get_filename_component(name ${file} NAME)
+    list(APPEND pn_not_installed PATTERN ${name} EXCLUDE)
+  endif()
+endforeach()
 install(DIRECTORY data examples DESTINATION ${CMAKE_INSTALL_DATADIR}/PN_subdivision_3
-        COMPONENT PN_subdivision_3_examples)
+        COMPONENT PN_subdivision_3_examples ${pn_not_installed})
 
 if(TARGET pn_subdivide)
   # optional: whoever wants the headers alone need not build the command

@@ -25,3 +25,15 @@ foreach(file
     message(FATAL_ERROR "${PREFIX}/${file} has not been installed")
   endif()
 endforeach()
+
+# what is installed includes nothing that is not
+file(GLOB_RECURSE sources ${PREFIX}/include/*.h ${PREFIX}/share/*.h ${PREFIX}/share/*.cpp)
+file(GLOB_RECURSE headers RELATIVE ${SOURCE}/test_support ${SOURCE}/test_support/*.h)
+foreach(source ${sources})
+  file(STRINGS ${source} includes REGEX "^ *# *include \"")
+  foreach(header ${headers})
+    if("${includes}" MATCHES "\"${header}\"")
+      message(FATAL_ERROR "${source} includes ${header} of test_support/, which is not installed")
+    endif()
+  endforeach()
+endforeach()

@@ -17,13 +17,15 @@ if(PN_SUBDIVISION_3_DEVELOPER)
   endif()
 endif()
 
-# Links a program to the package, with all that this build uses, and applies the package's rules on warnings.
+# Links a program to the package, with all that this build uses and what is only for its own programs (test_support/), and
+# applies the package's rules on warnings.
 function(pn_own_target target)
   foreach(library PN_subdivision_3 PN_subdivision_3_Eigen PN_subdivision_3_TBB)
     if(TARGET CGAL::${library})
       target_link_libraries(${target} PRIVATE CGAL::${library})
     endif()
   endforeach()
+  target_include_directories(${target} PRIVATE ${PN_subdivision_3_SOURCE_DIR}/test_support)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   if(TARGET pn_warnings)
     target_link_libraries(${target} PRIVATE pn_warnings)

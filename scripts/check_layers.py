@@ -8,7 +8,7 @@
 # Author(s): PN_subdivision_3 developers
 """Checks that the headers lie in layers. A row of the table is a layer: the folders NAME and internal/NAME of the
 package's folder below include/CGAL, with what else belongs there (`.`: the package's folder), and the layers above in the table,
-or packages, that it may include.
+or packages, that it may include; nothing outside include/CGAL.
 
     scripts/check_layers.py [ROOT]              exit code 1 if a header includes what it may not
     scripts/check_layers.py --circles [ROOT]    prints the pairs of folders, and of layers, that include each other
@@ -59,14 +59,13 @@ PN_fitting_3
   fitting     . internal interpolation | PN_subdivision_3 PN_limit_surface_3 curves
 PN_certificates_3
   certificates  . internal exact | PN_subdivision_3 curves
-test_support
-  analysis    | PN_subdivision_3 curvature limit curves
 umbrellas
   umbrellas   PN_subdivision_3.h PN_subdivision_curve.h PN_subdivision_limit_3.h PN_fitting_3.h PN_recognition_3.h
               PN_certificates_3.h PN_cgal_masks_3.h
               | PN_subdivision_3 PN_limit_surface_3 PN_curves PN_recognition_3 PN_fitting_3 PN_certificates_3 PN_cgal_masks_3
 """
 INCLUDE = re.compile(r"^ *# *include [<\"]CGAL/(PN_[^>\"]+)", re.MULTILINE)
+OUTSIDE = re.compile(r"^ *# *include \"(?!CGAL/)([^\"]+)", re.MULTILINE)  # such as test_support/
 Circles = tuple[list[tuple[str, str]], list[str]]
 
 
@@ -91,7 +90,7 @@ def layers() -> dict[str, Layer]:
             if not of_entry:
                 raise SystemExit(f"check_layers.py: {entry}, which {name} may include, is not above it in the table")
             allowed |= of_entry
-        folder = "" if package == "umbrellas" else "PN_subdivision_3/" if package == "test_support" else f"{package}/"
+        folder = "" if package == "umbrellas" else f"{package}/"
         result[name] = Layer(package, [str(Path(folder + place)) for place in (name, f"internal/{name}", *places)], allowed)
     return result
 
@@ -118,6 +117,8 @@ def check(root: Path) -> list[str]:
     table = layers()
     of_header, others = layers_of_headers(root)
     wrong = [f"{header}: belongs to no layer of the table in scripts/check_layers.py" for header in others]
+    wrong += [f"{header} includes {other}, which is not installed: it is not in include/CGAL" for header in headers(root)
+              for other in OUTSIDE.findall((root / "include" / "CGAL" / header).read_text())]
     for header, included in headers(root).items():
         for other in included:
             if header not in of_header or other not in of_header:

@@ -6,7 +6,7 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""Which lines of include/ the tests run.
+"""Which lines of include/ and test_support/ the tests run.
 
     scripts/coverage.py [--least PERCENT] [--jobs N] [TEST...]
     scripts/coverage.py --build build/asan-ubsan
@@ -31,6 +31,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "asan-ubsan"
 PROFILES = "profiles"
+FOLDERS = (ROOT / "include", ROOT / "test_support")
 # compiled, never run: what a parameter has to offer, for messages of static assertions
 COMPILED_ONLY = {"concept_checks.h", "property_map_checks.h"}
 
@@ -59,7 +60,7 @@ def programs(build):
 
 
 def counts(build):
-    """For each header of include/ how often its lines ran, all programs together."""
+    """For each header of the package, and of test_support/, how often its lines ran, all programs together."""
     profiles = [str(p) for p in build.rglob("*.profraw") if p.stat().st_size > 0]
     if not profiles:
         sys.exit(f"{build}: no profiles; run the tests first, with LLVM_PROFILE_FILE={profile_pattern(build)}")
@@ -75,8 +76,8 @@ def counts(build):
         for line in run.stdout.splitlines():
             if line.startswith("SF:"):
                 path = pathlib.Path(os.path.normpath(line[3:]))
-                inside = ROOT / "include" in path.parents and path.name not in COMPILED_ONLY
-                count = result[path.relative_to(ROOT / "include")] if inside else None
+                folder = next((f for f in FOLDERS if f in path.parents), None)
+                count = result[path.relative_to(folder)] if folder and path.name not in COMPILED_ONLY else None
             elif line.startswith("DA:") and count is not None:
                 number, times = line[3:].split(",")[:2]
                 count[int(number)] += int(times)
@@ -112,8 +113,8 @@ def main():
         run += len(count) - len(missed)
         if missed:
             print(f"{100 * (1 - len(missed) / len(count)):5.1f} %  {path}: {ranges(missed)}")
-    unseen = [p.relative_to(ROOT / "include") for p in (ROOT / "include").rglob("*.h")
-              if p.relative_to(ROOT / "include") not in files and p.name not in COMPILED_ONLY]
+    unseen = [p.relative_to(folder) for folder in FOLDERS for p in folder.rglob("*.h")
+              if p.relative_to(folder) not in files and p.name not in COMPILED_ONLY]
     if unseen:
         print("without code that these tests compile: " + ", ".join(map(str, sorted(unseen))))
     percent = 100 * run / max(lines, 1)

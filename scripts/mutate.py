@@ -36,6 +36,7 @@ import tomllib
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TESTS = ROOT / "test" / "PN_subdivision_3"
 HEADERS = pathlib.Path("CGAL")
+FOLDERS = ("include", "test_support")
 RESULTS = ROOT / "scripts" / "mutation_results.tsv"
 WORK = ROOT / "build" / "mutate"
 TIME_LIMIT = 1800  # seconds of one change, after which there is no verdict
@@ -65,9 +66,14 @@ def mutations():
         return tomllib.load(file)["mutation"]
 
 
+def file_of(mutation, root):
+    name = mutation["file"]
+    return root / name if name.startswith("test_support/") else root / "include" / HEADERS / name
+
+
 def changed_text(mutation):
     """The file with the change, None if the pattern is not found exactly once or more."""
-    text = (ROOT / "include" / HEADERS / mutation["file"]).read_text()
+    text = file_of(mutation, ROOT).read_text()
     words = (re.escape(word) for word in mutation["pattern"].split())
     pattern = re.compile(r"\s*".join(words))
     changed = pattern.sub(lambda _: mutation["replacement"], text)
@@ -119,7 +125,8 @@ def prepare(jobs):
     for job in range(jobs):
         folder = WORK / str(job)
         shutil.rmtree(folder, ignore_errors=True)
-        shutil.copytree(ROOT / "include", folder / "include")
+        for name in FOLDERS:
+            shutil.copytree(ROOT / name, folder / name)
         folders.put(folder)
     header = WORK / "third_party.h"
     if IS_CLANG and not header.with_suffix(".pch").exists():
@@ -142,7 +149,7 @@ def compile_test(test, folder, deadline):
     """The program, or None and the error."""
     program = folder / test.replace("/", "_")
     program.unlink(missing_ok=True)
-    options = [*OPTIONS, f"-I{TESTS}", f"-I{TESTS}/support", f"-I{folder}/include",
+    options = [*OPTIONS, f"-I{TESTS}", f"-I{TESTS}/support", *(f"-I{folder}/{name}" for name in FOLDERS),
                f'-DPN_DATA_DIR="{ROOT}/data/meshes"', f'-DPN_TEST_REAL_MESH_DIR="{WORK}"',
                '-DPN_TEST_EXTRA_MESH_DIR=""', *OPTIONS_OF_TESTS.get(test, [])]
     if IS_CLANG:
@@ -198,7 +205,7 @@ def try_mutation(mutation, folders):
     verdict = "INVALID", "", "the pattern is not found"
     if changed is not None:
         folder = folders.get()
-        file = folder / "include" / HEADERS / mutation["file"]
+        file = file_of(mutation, folder)
         original = file.read_text()
         file.write_text(changed)
         try:

@@ -76,7 +76,7 @@ containers()
 {
   local compiler=${CXX:-clang++} programs=("${tests[@]}") gtest=/usr/src/googletest/googletest folder=build/containers name source
   [[ ${#programs[@]} -gt 0 ]] || programs=(test_bad_input test_surface_refiner test_curves test_creases_mesh test_pieces)
-  local flags=(-std=c++17 -O0 -g1 -w -D_GLIBCXX_DEBUG -D_GLIBCXX_DEBUG_PEDANTIC -DNOMINMAX -frounding-math -Iinclude
+  local flags=(-std=c++17 -O0 -g1 -w -D_GLIBCXX_DEBUG -D_GLIBCXX_DEBUG_PEDANTIC -DNOMINMAX -frounding-math -Iinclude -Itest_support
                -Itest/PN_subdivision_3 -Itest/PN_subdivision_3/support -I"$gtest" -I"$gtest/include"
                -isystem /usr/include/eigen3 -DPN_DATA_DIR="\"$PWD/data/meshes\"" -DPN_TEST_REAL_MESH_DIR='""'
                -DPN_TEST_EXTRA_MESH_DIR='""')

@@ -12,9 +12,9 @@
 //   benchmark_quality [--csv]
 
 #include "../../examples/PN_limit_surface_3/Extraordinary_data.h"
+#include "analysis/extraordinary_curvature.h"
+#include "analysis/extraordinary_eigenvalues.h"
 
-#include <CGAL/PN_subdivision_3/analysis/extraordinary_curvature.h>
-#include <CGAL/PN_subdivision_3/analysis/extraordinary_eigenvalues.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>

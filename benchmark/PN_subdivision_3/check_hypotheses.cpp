@@ -16,8 +16,8 @@
 //   check_hypotheses
 
 #include "../../examples/PN_certificates_3/Order_samples.h"
+#include "analysis/subdivision_matrix.h"
 
-#include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 

@@ -9,7 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_EXAMPLES_ORDER_SAMPLES_H
 #define CGAL_PN_SUBDIVISION_3_EXAMPLES_ORDER_SAMPLES_H
 
-#include <CGAL/PN_limit_surface_3/curvature/Extraordinary_net.h>
+#include "analysis/Extraordinary_net.h"
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

@@ -19,10 +19,10 @@
 
 #include "Log_plot_svg.h"
 #include "Sampled_shapes.h"
+#include "analysis/curve_analysis.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/PN_certificates_3/reproduction.h>
-#include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/PN_subdivision_curve.h>

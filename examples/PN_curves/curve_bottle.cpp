@@ -12,8 +12,9 @@
 //
 //   curve_bottle [OUTPUT.svg]
 
-#include <CGAL/PN_subdivision_3/analysis/Curve_svg.h>
-#include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
+#include "analysis/Curve_svg.h"
+#include "analysis/curve_analysis.h"
+
 #include <CGAL/PN_subdivision_curve.h>
 
 #include <algorithm>

@@ -11,8 +11,9 @@
 //
 //   curve_circle [OUTPUT.svg]
 
+#include "analysis/Curve_svg.h"
+
 #include <CGAL/PN_certificates_3/reproduction.h>
-#include <CGAL/PN_subdivision_3/analysis/Curve_svg.h>
 #include <CGAL/PN_subdivision_curve.h>
 
 #include <algorithm>

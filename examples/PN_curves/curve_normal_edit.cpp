@@ -12,7 +12,8 @@
 //
 //   curve_normal_edit [OUTPUT.svg]
 
-#include <CGAL/PN_subdivision_3/analysis/Curve_svg.h>
+#include "analysis/Curve_svg.h"
+
 #include <CGAL/PN_subdivision_curve.h>
 
 #include <CGAL/intersections.h>

@@ -9,8 +9,9 @@
 #ifndef CGAL_PN_SUBDIVISION_3_EXAMPLES_EXTRAORDINARY_DATA_H
 #define CGAL_PN_SUBDIVISION_3_EXAMPLES_EXTRAORDINARY_DATA_H
 
-#include <CGAL/PN_limit_surface_3/curvature/Extraordinary_net.h>
-#include <CGAL/PN_subdivision_3/analysis/extraordinary_curvature.h>
+#include "analysis/Extraordinary_net.h"
+#include "analysis/extraordinary_curvature.h"
+
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/Simple_cartesian.h>

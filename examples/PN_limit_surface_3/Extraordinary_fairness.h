@@ -9,9 +9,9 @@
 #define CGAL_PN_SUBDIVISION_3_EXAMPLES_EXTRAORDINARY_FAIRNESS_H
 
 #include "Extraordinary_data.h"
+#include "analysis/extraordinary_curvature.h"
 
 #include <CGAL/PN_limit_surface_3/internal/curvature/Regular_jet.h>
-#include <CGAL/PN_subdivision_3/analysis/extraordinary_curvature.h>
 
 #include <array>
 #include <cmath>

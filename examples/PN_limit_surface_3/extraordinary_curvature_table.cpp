@@ -14,9 +14,9 @@
 
 #include "Extraordinary_data.h"
 #include "Log_plot_svg.h"
+#include "analysis/extraordinary_curvature.h"
+#include "analysis/extraordinary_eigenvalues.h"
 
-#include <CGAL/PN_subdivision_3/analysis/extraordinary_curvature.h>
-#include <CGAL/PN_subdivision_3/analysis/extraordinary_eigenvalues.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>

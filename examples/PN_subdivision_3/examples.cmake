@@ -9,7 +9,7 @@ if(NOT TARGET CGAL::PN_subdivision_3)
   find_package(TBB CONFIG QUIET)
   include(CGAL_TBB_support)
   if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/../../include/CGAL/PN_subdivision_3.h)
-    include_directories(BEFORE ../../include)
+    include_directories(BEFORE ../../include ../../test_support)
   else()
     find_package(PN_subdivision_3 CONFIG QUIET) # in a CGAL tree the headers are CGAL's own
   endif()

@@ -7,7 +7,7 @@
 // Author(s): PN_subdivision_3 developers
 
 // What any scheme can do: point-normal and linear subdivision, several threads, exact numbers and
-// the subdivision matrix. For the examples with schemes of your own.
+// eigenvalues. For the examples with schemes of your own.
 
 #ifndef TRY_SCHEME_H
 #define TRY_SCHEME_H
@@ -21,7 +21,6 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #if __has_include(<Eigen/Eigenvalues>)
-#  include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
 #  include <Eigen/Eigenvalues>
 #endif
 
@@ -83,27 +82,34 @@ double rounding_error(const Mesh& control, const Normals& normals, const Scheme&
 }
 
 #if __has_include(<Eigen/Eigenvalues>)
-// The moduli, largest first, of the eigenvalues of the part of the matrix that takes an interior
-// vertex among triangles or quads and its neighborhood to their successors: the ends of its edges
-// and, with quads, the corners opposite to it.
+// The moduli, largest first, of the eigenvalues of the matrix that takes an interior vertex among
+// triangles or quads and its neighborhood to their successors: the ends of its edges and, with quads,
+// the corners opposite to it. Column by column: what a round makes of 1 at a vertex and 0 elsewhere.
 template <class Scheme>
 std::vector<double> eigenvalues_at(Mesh::Vertex_index v, const Mesh& mesh, const Scheme& scheme)
 {
-  const Eigen::Index first_edge = Eigen::Index(mesh.number_of_vertices());
-  const Eigen::Index first_face = first_edge + Eigen::Index(mesh.number_of_edges());
-  const auto index = [](auto i) { return Eigen::Index(std::size_t(i)); };
-  std::vector<Eigen::Index> olds{index(v)}, news{index(v)};
+  const auto child = [](std::size_t i) { return Mesh::Vertex_index(Mesh::size_type(i)); };
+  const std::size_t first_edge = mesh.number_of_vertices();
+  const std::size_t first_face = first_edge + mesh.number_of_edges();
+  std::vector<Mesh::Vertex_index> olds{v}, news{v};
   for (Mesh::Halfedge_index h : CGAL::halfedges_around_target(v, mesh)) {
-    olds.push_back(index(mesh.source(h)));
-    news.push_back(first_edge + index(mesh.edge(h)));
+    olds.push_back(mesh.source(h));
+    news.push_back(child(first_edge + mesh.edge(h)));
     if (mesh.degree(mesh.face(h)) == 3) continue;
-    olds.push_back(index(mesh.target(mesh.next(mesh.next(h)))));
-    news.push_back(first_face + index(mesh.face(h)));
+    olds.push_back(mesh.target(mesh.next(mesh.next(h))));
+    news.push_back(child(first_face + mesh.face(h)));
   }
-  const Eigen::MatrixXd matrix = PN::subdivision_matrix(mesh, scheme);
-  const Eigen::MatrixXd part = matrix(news, olds);
+  const auto size = Eigen::Index(olds.size());
+  Eigen::MatrixXd matrix(size, size);
+  for (Eigen::Index j = 0; j < size; ++j) {
+    Mesh unit = mesh;
+    for (Mesh::Vertex_index u : unit.vertices())
+      unit.point(u) = Kernel::Point_3(u == olds[std::size_t(j)] ? 1 : 0, 0, 0);
+    PN::subdivide(unit, PN::linear(scheme));
+    for (Eigen::Index i = 0; i < size; ++i) matrix(i, j) = unit.point(news[std::size_t(i)]).x();
+  }
   std::vector<double> values;
-  for (const auto& z : part.eigenvalues()) values.push_back(std::abs(z));
+  for (const auto& z : matrix.eigenvalues()) values.push_back(std::abs(z));
   std::sort(values.begin(), values.end(), std::greater<>());
   return values;
 }

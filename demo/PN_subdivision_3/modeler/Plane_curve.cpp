@@ -8,10 +8,10 @@
 
 #include "Plane_curve.h"
 
+#include "analysis/curve_analysis.h"
 #include "curve/curve_schemes.h"
 
 #include <CGAL/PN_curves/curve_control_normals.h>
-#include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
 
 #include <stdexcept>
 #include <utility>

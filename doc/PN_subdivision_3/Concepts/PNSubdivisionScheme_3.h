@@ -32,7 +32,6 @@ the weights of the new vertices. Parameters such as a tension are members of the
 \cgalHasModelsEnd
 
 \sa `CGAL::PN_subdivision_3::subdivide()`
-\sa `CGAL::PN_subdivision_3::subdivision_matrix()`
 */
 class PNSubdivisionScheme_3
 {

@@ -194,7 +194,7 @@ border ring determine a plane. They do not exist at other valences, where the su
 border, nor where the neighborhood collapses to a line. There the control normal stands in.
 
 <b>Curvature.</b> It exists at regular interior vertices of Catmull-Clark and Loop subdivision and of their
-modified forms, and at the extraordinary vertices of the latter, see `Limit_curvature`. Its error is not
+modified forms, and at the extraordinary vertices of the latter (\ref PNSubdivision_curvature). Its error is not
 estimated; at extraordinary vertices, where a round reduces it by &lambda;<sup>2</sup>, eight rounds are done.
 
 <b>Creases.</b> Of what is sharp, by the maps of `subdivide()` or by `border`, corners are their own limits; on

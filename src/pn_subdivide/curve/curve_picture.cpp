@@ -7,10 +7,10 @@
 // Author(s): PN_subdivision_3 developers
 
 #include "curve/curve_picture.h"
+#include "analysis/Curve_svg.h"
+#include "analysis/curve_analysis.h"
 
 #include <CGAL/Default_diagonalize_traits.h>
-#include <CGAL/PN_subdivision_3/analysis/Curve_svg.h>
-#include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
 #include <CGAL/centroid.h>
 
 #include <algorithm>

@@ -9,9 +9,9 @@
 // Estimated, rotated and dropped control normals; curvature, combs, differences, deviations.
 
 #include "Curve_cases.h"
+#include "analysis/curve_analysis.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
 
 #include <boost/property_map/function_property_map.hpp>
 

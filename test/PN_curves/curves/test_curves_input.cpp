@@ -9,12 +9,12 @@
 // Curves from degenerate and bad input, and over other kernels.
 
 #include "Curve_cases.h"
+#include "analysis/Curve_svg.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
-#include <CGAL/PN_subdivision_3/analysis/Curve_svg.h>
 
 #include <boost/property_map/function_property_map.hpp>
 

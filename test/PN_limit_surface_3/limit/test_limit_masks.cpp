@@ -15,10 +15,9 @@
 #include "reference/Limit.h"
 #include "support/Options.h"
 
-#include <CGAL/PN_limit_surface_3/curvature/Extraordinary_net.h>
-#include <CGAL/PN_subdivision_3/analysis/extraordinary_curvature.h>
-
 #include "../../examples/PN_limit_surface_3/Extraordinary_data.h"
+#include "analysis/Extraordinary_net.h"
+#include "analysis/extraordinary_curvature.h"
 
 namespace {
 

@@ -146,6 +146,55 @@ TEST(LimitSurfaceQueries, RaysBesideCurvedBorders)
   expect(flat, PN::linear(PN::CatmullClark_scheme()));
 }
 
+// in how many triangles of parameters a place is
+template <class Triangles>
+int number_of_triangles(const Triangles& triangles, double u, double v)
+{
+  int number = 0;
+  for (const auto& t : triangles) {
+    int left = 0; // of how many sides
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto &a = t.corners[k].parameters, &b = t.corners[(k + 1) % 3].parameters;
+      if ((b[0] - a[0]) * (v - a[1]) > (b[1] - a[1]) * (u - a[0])) ++left;
+    }
+    if (left == 0 || left == 3) ++number;
+  }
+  return number;
+}
+
+// Every place of a piece is in one triangle, and in one part of that.
+template <class Scheme>
+void expect_one_triangle_everywhere(Control_mesh shape, const Scheme& scheme)
+{
+  shape.normals = shape.points; // not used
+  const Surface_mesh mesh = to_surface_mesh(shape);
+  const PN::Limit_surface<Surface_mesh, Kernel> surface(mesh, scheme);
+  const PN::internal::Surface_places<PN::Limit_surface<Surface_mesh, Kernel>> places(surface);
+  std::vector<PN::internal::Query_triangle<Surface_mesh::Face_index>> triangles;
+  places.add_triangles(*mesh.faces().begin(), 0, 2, triangles);
+  for (int round = 0; round < 2; ++round) {
+    constexpr int n = 12; // between the sides
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < (surface.is_triangular() ? n - i : n); ++j) {
+        const double u = (i + 0.37) / n, v = (j + 0.41) / n;
+        const bool is_inside = !surface.is_triangular() || u + v < 1;
+        EXPECT_EQ(number_of_triangles(triangles, u, v), is_inside ? 1 : 0)
+          << "(" << u << ", " << v << ") after " << round;
+      }
+    auto split = triangles;
+    split.clear();
+    for (const auto& t : triangles)
+      for (const auto& part : places.parts(t)) split.push_back(part);
+    triangles = split;
+  }
+}
+
+TEST(LimitSurfaceQueries, PartsOfTrianglesCoverThem)
+{
+  expect_one_triangle_everywhere(named_shapes::cube(), PN::linear(PN::CatmullClark_scheme()));
+  expect_one_triangle_everywhere(test_meshes::bipyramid(5), PN::linear(PN::Loop_scheme()));
+}
+
 // \name Creases and borders: the surfaces are known
 
 void expect_point(const Queries::Hit& hit, const Point& expected, double distance)

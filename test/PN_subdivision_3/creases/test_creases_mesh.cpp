@@ -9,9 +9,9 @@
 // Creases of meshes: what is read, written and refused.
 
 #include "Tagged_meshes.h"
+#include "analysis/subdivision_matrix.h"
 
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -61,6 +61,13 @@ class Layers(unittest.TestCase):
                          ["PN_subdivision_3/internal/helpers/Helper.h: belongs to no layer of the table in "
                           "scripts/check_layers.py"])
 
+    def test_arrow_out_of_the_package(self) -> None:
+        path = self.headers / "PN_subdivision_3" / "subdivide.h"
+        path.write_text('#include "analysis/subdivision_matrix.h"\n' + path.read_text())
+        self.assertEqual(check_layers.check(self.root),
+                         ["PN_subdivision_3/subdivide.h includes analysis/subdivision_matrix.h, which is not installed: "
+                          "it is not in include/CGAL"])
+
     def test_circles(self) -> None:
         before, inside = check_layers.circles(self.root)
         self.put("PN_subdivision_3/average/PN_average.h", "PN_subdivision_3/schemes/Loop_scheme.h")

@@ -9,11 +9,11 @@
 // Every scheme and function with exact kernels, multiprecision and intervals.
 
 #include "Kernel_cases.h"
+#include "analysis/curve_analysis.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Gmpfr.h>
 #include <CGAL/Interval_nt.h>
-#include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
 
 #ifdef CGAL_USE_CORE
 #  include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>

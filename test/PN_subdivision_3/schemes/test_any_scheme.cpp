@@ -9,6 +9,8 @@
 // A scheme that is chosen at run time gives the bits of the scheme itself, in every function that takes a scheme.
 
 #include "Mesh_cases.h"
+#include "analysis/extraordinary_eigenvalues.h"
+#include "analysis/subdivision_matrix.h"
 #include "support/Options.h"
 
 #include <CGAL/PN_fitting_3/interpolate_limit_points.h>
@@ -17,8 +19,6 @@
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
-#include <CGAL/PN_subdivision_3/analysis/extraordinary_eigenvalues.h>
-#include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/estimated_row_entries.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>

@@ -10,10 +10,10 @@
 // of the 1-ring, rows known from hand, all valences and caps.
 
 #include "Modified_rings.h"
+#include "analysis/subdivision_matrix.h"
 #include "reference/Complex_matrix.h"
 
 #include <CGAL/Gmpq.h>
-#include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
 
 #include <Eigen/Eigenvalues>
 

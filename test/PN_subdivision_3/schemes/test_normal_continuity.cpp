@@ -10,7 +10,8 @@
 // draw together as the net is refined (Yang, Theorem 4.9). A scheme whose surfaces have kinks shows
 // that the measure sees them.
 
-#include <CGAL/PN_limit_surface_3/curvature/Extraordinary_net.h>
+#include "analysis/Extraordinary_net.h"
+
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/Simple_cartesian.h>

@@ -10,9 +10,9 @@
 // sum to 1 and rows that copy, any number of threads.
 
 #include "Scheme_rows.h"
+#include "analysis/subdivision_matrix.h"
 #include "support/Exact_rational.h"
 
-#include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
 #include <CGAL/PN_subdivision_3/schemes/estimated_row_entries.h>
 
 #include <array>

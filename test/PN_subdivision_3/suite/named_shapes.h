@@ -14,8 +14,8 @@
 #include "Mesh_cases.h"
 #include "Named_shapes.h"
 #include "Scheme_runs.h"
+#include "analysis/subdivision_matrix.h"
 
-#include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <functional>

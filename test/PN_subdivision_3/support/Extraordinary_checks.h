@@ -10,9 +10,9 @@
 #define CGAL_PN_SUBDIVISION_3_TEST_EXTRAORDINARY_CHECKS_H
 
 #include "../../examples/PN_limit_surface_3/Extraordinary_data.h"
+#include "analysis/extraordinary_curvature.h"
+#include "analysis/extraordinary_eigenvalues.h"
 
-#include <CGAL/PN_subdivision_3/analysis/extraordinary_curvature.h>
-#include <CGAL/PN_subdivision_3/analysis/extraordinary_eigenvalues.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 
 #include <gtest/gtest.h>

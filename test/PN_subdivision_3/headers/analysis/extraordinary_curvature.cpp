@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_subdivision_3/analysis/extraordinary_curvature.h>
+#include "analysis/extraordinary_curvature.h"
 
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 
@@ -16,7 +16,7 @@ namespace header_in_use {
 
 void use_extraordinary_curvature()
 {
-  (void)extraordinary_curvature(CatmullClark_scheme(), 5);
+  (void)Extraordinary_vertex_zoom<CatmullClark_scheme>(CatmullClark_scheme(), 5);
 }
 
 } // namespace header_in_use

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_subdivision_3/analysis/extraordinary_eigenvalues.h>
+#include "analysis/extraordinary_eigenvalues.h"
 
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 

@@ -6,9 +6,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
+#include "analysis/subdivision_matrix.h"
+#include "../mesh.h"
 
-#include "headers/mesh.h"
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 

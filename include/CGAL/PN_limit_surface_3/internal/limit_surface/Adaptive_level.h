@@ -111,10 +111,10 @@ public:
                values_of_part(level.faces, part.faces),
                {},
                {}};
-    const Level_part::Origins slots = take_creases(part, left.creases);
-    left.level.values = values_of_part(level.level.values, slots);
-    left.slot_ids = values_of_part(level.slot_ids, slots);
-    for (const auto& plane : level.planes) left.planes.push_back(values_of_part(plane, slots));
+    const Level_part::Origins origins = take_creases(part, left.creases);
+    left.level.values = values_of_part(level.level.values, origins);
+    left.slot_ids = values_of_part(level.slot_ids, origins);
+    for (const auto& plane : level.planes) left.planes.push_back(values_of_part(plane, origins));
     if (!level.corners.empty())
       for (const Index f : part.faces) left.corners.push_back(std::move(level.corners[f]));
     left.level.level = std::move(part.level);

@@ -6,11 +6,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_H
-#define CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_H
+#ifndef CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_CURVE_SVG_H
+#define CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_CURVE_SVG_H
 
-#include <CGAL/PN_subdivision_3/analysis/Curve_svg_panel.h>
-#include <CGAL/PN_subdivision_3/analysis/Curve_svg_writer.h>
+#include "analysis/Curve_svg_panel.h"
+#include "analysis/Curve_svg_writer.h"
 
 #include <algorithm>
 #include <fstream>
@@ -23,7 +23,6 @@ namespace PN_subdivision_3 {
 namespace curve_svg {
 
 /*!
-\ingroup PkgPNSubdivision3Curves
 returns the text of an SVG file with the curves side by side. All are drawn at one scale, and so are their
 combs. The colors follow the reader's light or dark mode. Details finer than a pixel are left out, so that
 a curve of many points makes a small drawing.
@@ -69,7 +68,6 @@ inline std::string drawing(const std::string& title, const std::vector<Panel>& p
 }
 
 /*!
-\ingroup PkgPNSubdivision3Curves
 writes the `drawing()` to a file; returns `false` if that fails.
 */
 inline bool write(const std::string& file, const std::string& title,
@@ -84,4 +82,4 @@ inline bool write(const std::string& file, const std::string& title,
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_H
+#endif // CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_CURVE_SVG_H

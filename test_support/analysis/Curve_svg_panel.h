@@ -6,11 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_PANEL_H
-#define CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_PANEL_H
+#ifndef CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_CURVE_SVG_PANEL_H
+#define CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_CURVE_SVG_PANEL_H
+
+#include "analysis/curve_analysis.h"
 
 #include <CGAL/PN_curves/masks/Curve_end.h>
-#include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -22,7 +23,6 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 
-/// \ingroup PkgPNSubdivision3Curves
 /// drawings of curves.
 namespace curve_svg {
 
@@ -37,7 +37,6 @@ using Vector = Kernel::Vector_2;
 using Curve = std::vector<std::pair<Point, Vector>>;
 
 /*!
-\ingroup PkgPNSubdivision3Curves
 One curve of a drawing.
 */
 struct Panel
@@ -61,7 +60,6 @@ struct Panel
 };
 
 /*!
-\ingroup PkgPNSubdivision3Curves
 returns the panel of a plane curve with its control polygon, control normals and curvature comb.
 \param caption the line of text below
 \param polygon the control points with their normals
@@ -88,4 +86,4 @@ inline Panel panel(const std::string& caption, const Curve& polygon, const Curve
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_PANEL_H
+#endif // CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_CURVE_SVG_PANEL_H

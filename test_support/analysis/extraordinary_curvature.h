@@ -6,11 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_EXTRAORDINARY_CURVATURE_H
-#define CGAL_PN_SUBDIVISION_3_ANALYSIS_EXTRAORDINARY_CURVATURE_H
+#ifndef CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_EXTRAORDINARY_CURVATURE_H
+#define CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_EXTRAORDINARY_CURVATURE_H
 
-#include <CGAL/PN_limit_surface_3/curvature/Extraordinary_net.h>
-#include <CGAL/PN_limit_surface_3/internal/curvature/Extraordinary_limit.h>
+#include "analysis/Extraordinary_limit.h"
+#include "analysis/Extraordinary_net.h"
+
 #include <CGAL/PN_limit_surface_3/internal/curvature/Regular_jet.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
@@ -31,7 +32,6 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 
 /*!
-\ingroup PkgPNSubdivision3Curvature
 The extent of the curvatures on one ring about an extraordinary vertex. The sign of the mean curvature is
 that of `Vertex_curvature`: positive where the surface bends away from its normal, as spheres with outward
 normals do. Both ends are NaN if a curvature on the ring is, as where the surface degenerates.
@@ -65,7 +65,6 @@ struct Ring_curvature
 };
 
 /*!
-\ingroup PkgPNSubdivision3Curvature
 The second order data that is predicted for a PN scheme with modified rules at an extraordinary vertex, see
 `Extraordinary_vertex_zoom::limit()`. The sign of the mean curvature is that of `Ring_curvature`.
 */
@@ -92,7 +91,6 @@ struct Limit_curvature
 };
 
 /*!
-\ingroup PkgPNSubdivision3Curvature
 What `Extraordinary_vertex_zoom::measure()` returns.
 */
 template <class FT>
@@ -134,8 +132,6 @@ struct Extraordinary_curvature
 };
 
 /*!
-\ingroup PkgPNSubdivision3Curvature
-
 measures the curvature of a subdivision surface near one extraordinary vertex as deep as the number
 type allows: a control net of five rings is refined, cropped to five rings, moved so that its middle
 vertex is the origin, and so on. Coordinates then shrink with the net and keep their relative
@@ -408,4 +404,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_ANALYSIS_EXTRAORDINARY_CURVATURE_H
+#endif // CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_EXTRAORDINARY_CURVATURE_H

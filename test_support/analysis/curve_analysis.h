@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_ANALYSIS_H
-#define CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_ANALYSIS_H
+#ifndef CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_CURVE_ANALYSIS_H
+#define CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_CURVE_ANALYSIS_H
 
 #include <CGAL/PN_curves/internal/Curve_points.h>
 #include <CGAL/PN_curves/internal/Univariate_rows.h>
@@ -71,8 +71,6 @@ std::vector<Result> at_vertices(const std::vector<Point>& p, bool closed, const 
 } // namespace internal
 
 /*!
-\ingroup PkgPNSubdivision3Curves
-
 returns the discrete curvature at each point of a curve: one over the radius of the circle through
 the point and its two neighbors, 0 up to rounding if they are on a line. In the plane it is positive where the curve
 turns left; in space it is not negative. The ends of an open curve take the value of the point next
@@ -110,8 +108,6 @@ std::vector<double> discrete_curvature(const Range& curve, Curve_end end,
 }
 
 /*!
-\ingroup PkgPNSubdivision3Curves
-
 returns the end points of the teeth of a curvature comb: from each point p of the curve a tooth of
 length `scale` times the discrete curvature, away from the center of curvature.
 
@@ -151,8 +147,6 @@ auto curvature_comb(const Range& curve, Curve_end end, double scale,
 }
 
 /*!
-\ingroup PkgPNSubdivision3Curves
-
 returns the divided differences &Delta;<sup>m</sup>p / 2<sup>-km</sup> of a curve after k rounds, as
 vectors in the kernel of its points. As k grows they tend to the m-th derivative with respect to the
 parameter of the control polygon if the curve is m times continuously differentiable; they converge
@@ -194,4 +188,4 @@ auto divided_differences(const Range& curve, Curve_end end, unsigned order, unsi
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_ANALYSIS_H
+#endif // CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_CURVE_ANALYSIS_H

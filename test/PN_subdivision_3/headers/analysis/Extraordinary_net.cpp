@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_limit_surface_3/curvature/Extraordinary_net.h>
+#include "analysis/Extraordinary_net.h"
 
 using namespace CGAL::PN_subdivision_3;
 

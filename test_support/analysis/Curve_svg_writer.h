@@ -6,10 +6,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_WRITER_H
-#define CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_WRITER_H
+#ifndef CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_CURVE_SVG_WRITER_H
+#define CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_CURVE_SVG_WRITER_H
 
-#include <CGAL/PN_subdivision_3/analysis/Curve_svg_panel.h>
+#include "analysis/Curve_svg_panel.h"
 
 #include <CGAL/Bbox_2.h>
 
@@ -277,4 +277,4 @@ inline const char* style()
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_WRITER_H
+#endif // CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_CURVE_SVG_WRITER_H

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_LIMIT_SURFACE_3_CURVATURE_EXTRAORDINARY_NET_H
-#define CGAL_PN_LIMIT_SURFACE_3_CURVATURE_EXTRAORDINARY_NET_H
+#ifndef CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_EXTRAORDINARY_NET_H
+#define CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_EXTRAORDINARY_NET_H
 
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -24,8 +24,6 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 
 /*!
-\ingroup PkgPNSubdivision3Curvature
-
 A control net of quads or triangles with one vertex of any valence n in its middle and a number of
 rings of regular vertices around it.
 
@@ -193,4 +191,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_LIMIT_SURFACE_3_CURVATURE_EXTRAORDINARY_NET_H
+#endif // CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_EXTRAORDINARY_NET_H

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_SUBDIVISION_MATRIX_H
-#define CGAL_PN_SUBDIVISION_3_ANALYSIS_SUBDIVISION_MATRIX_H
+#ifndef CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_SUBDIVISION_MATRIX_H
+#define CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_SUBDIVISION_MATRIX_H
 
 #include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
 
@@ -92,8 +92,6 @@ private:
 } // namespace internal
 
 /*!
-\ingroup PkgPNSubdivision3Functions
-
 returns the weights of one round of a scheme as a sparse matrix: row i holds the weights of the new
 vertex i on the old vertices, which are the columns. Multiplied with the matrix of the old points it
 gives the points of the linear scheme; the eigenvalues of its part that maps the neighborhood of a
@@ -155,4 +153,4 @@ subdivision_matrix(const PolygonMesh& mesh, const Scheme& scheme, unsigned round
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_ANALYSIS_SUBDIVISION_MATRIX_H
+#endif // CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_SUBDIVISION_MATRIX_H

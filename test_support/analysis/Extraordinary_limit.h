@@ -6,10 +6,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_CURVATURE_EXTRAORDINARY_LIMIT_H
-#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_CURVATURE_EXTRAORDINARY_LIMIT_H
+#ifndef CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_EXTRAORDINARY_LIMIT_H
+#define CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_EXTRAORDINARY_LIMIT_H
 
-#include <CGAL/PN_limit_surface_3/curvature/Extraordinary_net.h>
+#include "analysis/Extraordinary_net.h"
+
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/Local_frame.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Ring_functionals.h>
@@ -173,4 +174,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_CURVATURE_EXTRAORDINARY_LIMIT_H
+#endif // CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_EXTRAORDINARY_LIMIT_H

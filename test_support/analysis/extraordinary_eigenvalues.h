@@ -6,10 +6,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_EXTRAORDINARY_EIGENVALUES_H
-#define CGAL_PN_SUBDIVISION_3_ANALYSIS_EXTRAORDINARY_EIGENVALUES_H
+#ifndef CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_EXTRAORDINARY_EIGENVALUES_H
+#define CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_EXTRAORDINARY_EIGENVALUES_H
 
-#include <CGAL/PN_limit_surface_3/internal/curvature/Extraordinary_limit.h>
+#include "analysis/Extraordinary_limit.h"
+
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
@@ -25,7 +26,6 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 
 /*!
-\ingroup PkgPNSubdivision3Curvature
 Moduli of eigenvalues of the matrix that maps the 1-ring of a vertex to that of its successor.
 */
 template <class FT>
@@ -115,8 +115,6 @@ std::array<FT, 2> moduli(const FT& sum, const FT& product)
 } // namespace internal
 
 /*!
-\ingroup PkgPNSubdivision3Curvature
-
 returns the eigenvalues of a scheme at a vertex whose 1-ring is surrounded by regular vertices.
 
 \tparam FT `float`, `double` or `long double`
@@ -171,4 +169,4 @@ Extraordinary_eigenvalues<FT> extraordinary_eigenvalues(const Scheme& scheme,
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_ANALYSIS_EXTRAORDINARY_EIGENVALUES_H
+#endif // CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_EXTRAORDINARY_EIGENVALUES_H
