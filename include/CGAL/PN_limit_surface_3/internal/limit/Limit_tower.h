@@ -32,18 +32,6 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// What is asked of the limit.
-struct Limit_demand
-{
-  double tolerance = 0; // absolute
-  double normal_tolerance = 0;
-  unsigned max_depth = 0;
-  bool points = true; // if they are not asked for, one average of the limit mask may do
-  bool surface_normals = false, curvatures = false;
-  // where some vertices are asked for: whether so are the neighbors of all whose normals count
-  bool has_neighbors = false;
-};
-
 // The limit at one vertex or face.
 template <class Average>
 struct Limit_result

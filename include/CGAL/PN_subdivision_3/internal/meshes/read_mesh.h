@@ -85,28 +85,6 @@ Coordinates<FT, 3> checked_point(const Access& access, Point_map points,
   return p;
 }
 
-// the point of a value, with normal or without
-template <class FT, std::size_t dimension>
-std::array<FT, dimension>& point_of(std::array<FT, dimension>& value)
-{
-  return value;
-}
-template <class FT, std::size_t dimension>
-const std::array<FT, dimension>& point_of(const std::array<FT, dimension>& value)
-{
-  return value;
-}
-template <class Value, class = std::enable_if_t<has_normal_v<Value>>>
-auto& point_of(Value& value)
-{
-  return value.point;
-}
-template <class Value, class = std::enable_if_t<has_normal_v<Value>>>
-const auto& point_of(const Value& value)
-{
-  return value.point;
-}
-
 template <class FT, class Value, class Access, class Normal_map>
 void read_normals(const Access& access, Normal_map normals, std::vector<Value>& values)
 {
