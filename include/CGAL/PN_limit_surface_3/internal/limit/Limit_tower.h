@@ -13,7 +13,6 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_class.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_planes.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>

@@ -12,7 +12,6 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_classes.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_tower.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/creases/Crease_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
@@ -26,7 +25,6 @@
 #include <boost/container/small_vector.hpp>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <memory>
