@@ -10,22 +10,25 @@
 #define CGAL_PN_CURVES_CURVE_LIMIT_POINTS_H
 
 #include <CGAL/PN_curves/internal/Curve_limits.h>
+#include <CGAL/PN_curves/internal/Curve_subdivision.h>
 #include <CGAL/PN_curves/subdivide_curve.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -72,229 +75,117 @@ struct Curve_limit_point
 
 namespace internal {
 
-// A polygon in the number type of its computations, checked, with unit normals.
-template <class Limits, class Parameters, class Range, class NamedParameters>
-std::vector<typename Limits::Value> limit_polygon(const Range& polygon, Curve_end end,
-                                                  const NamedParameters& np)
+// a limit as a user sees it
+template <class Limit, class Subdivision, class Result>
+Limit to_curve_limit_point(const Result& result, double parameter)
 {
-  using FT = typename Parameters::FT;
-  constexpr int dimension = Parameters::dimension;
-  std::vector<typename Limits::Value> values;
-  const auto add = [&](const auto& point, const auto& normal) {
-    const auto name = [&] { return "point " + std::to_string(values.size()); };
-    Point_normal<FT, dimension> v;
-    for (std::size_t c = 0; c < dimension; ++c) {
-      v.point[c] = FT(point.cartesian(static_cast<int>(c)));
-      v.normal[c] = FT(normal.cartesian(static_cast<int>(c)));
-    }
-    check_finite<FT, dimension>(v.point, "position", name);
-    check_finite<FT, dimension>(v.normal, "normal", name);
-    if constexpr (Limits::is_pn) {
-      normalize_control_normal<FT, dimension>(v.normal, name);
-      values.push_back(v);
-    } else
-      values.push_back(v.point);
-  };
-  for_each_point_and_normal<Parameters, Limits::is_pn>(polygon, end, np, add);
-  return values;
-}
-
-// The results as a user sees them.
-template <class Point, class Vector, class FT, int dimension>
-class Curve_limit_maker
-{
-  using Reals = Coordinates<double, dimension>;
-
-public:
-  using Limit = Curve_limit_point<Point, Vector>;
-
-  template <class Average>
-  static Limit make(const Curve_limit_result<Average, dimension>& result, double parameter)
-  {
-    Limit l;
-    l.parameter = parameter;
-    Reals n{};
-    if constexpr (std::is_same_v<typename Average::Value, Point_normal<FT, dimension>>) {
-      l.point = to<Point>(result.value.point);
-      l.control_normal = to<Vector>(result.value.normal);
-      for (std::size_t c = 0; c < dimension; ++c) n[c] = close_double(result.value.normal[c]);
-    } else {
-      l.point = to<Point>(result.value);
-      l.control_normal = to<Vector>(internal::zero_vector<FT, dimension>());
-    }
-    l.error = result.error;
-    l.tangent_error = result.tangent_error;
-    l.has_tangent = result.has_tangent;
-    l.tangent = to<Vector>(result.tangent);
-    l.normal = result.has_tangent ? to<Vector>(normal(n, result.tangent)) : l.control_normal;
-    l.has_curvature = result.has_curvature;
-    if (l.has_curvature) l.curvature = curvature(result);
-    return l;
-  }
-
-private:
-  template <class Point_or_vector, class Number>
-  static Point_or_vector to(const Coordinates<Number, dimension>& c)
-  {
-    if constexpr (dimension == 2)
-      return Point_or_vector(FT(c[0]), FT(c[1]));
-    else
-      return Point_or_vector(FT(c[0]), FT(c[1]), FT(c[2]));
-  }
-
-  static Reals normal(Reals n, const Reals& tangent)
-  {
-    add_multiple<double, dimension>(n, -dot<double, dimension>(n, tangent), tangent);
+  using Point = decltype(Limit::point);
+  using Vector = decltype(Limit::tangent);
+  using Reals = decltype(result.tangent);
+  constexpr int dimension = std::tuple_size_v<Reals>;
+  const Reals &t = result.tangent, &k = result.curvature_vector;
+  Limit l;
+  l.parameter = parameter;
+  l.point = Subdivision::template make<Point>(point_of(result.value));
+  const auto control_normal = Subdivision::normal_of(result.value);
+  l.control_normal = l.normal = Subdivision::template make<Vector>(control_normal);
+  l.tangent = Subdivision::template make<Vector>(t);
+  if (result.has_surface_normal) {
+    Reals n;
+    for (std::size_t c = 0; c < dimension; ++c) n[c] = close_double(control_normal[c]);
+    add_multiple<double, dimension>(n, -dot<double, dimension>(n, t), t);
     const double length = std::sqrt(dot<double, dimension>(n, n));
-    if (length > 1e-12) {
-      for (double& x : n) x /= length;
-      return n;
-    }
+    for (double& x : n) x = length > 1e-12 ? x / length : 0;
     if constexpr (dimension == 2)
-      return {tangent[1], -tangent[0]};
-    else
-      return {};
+      if (!(length > 1e-12)) n = {t[1], -t[0]};
+    l.normal = Subdivision::template make<Vector>(n);
   }
-
-  template <class Average>
-  static double curvature(const Curve_limit_result<Average, dimension>& result)
-  {
-    const Reals &k = result.curvature_vector, &t = result.tangent;
-    const double length = std::sqrt(dot<double, dimension>(k, k));
-    if constexpr (dimension == 2)
-      return t[0] * k[1] - t[1] * k[0] < 0 ? -length : length;
-    else
-      return length;
-  }
-};
-
-template <class FT>
-Curve_limit_demand curve_limit_demand(const Limit_options& options, double box)
-{
-  if (!(options.tolerance >= 0) || !(options.normal_tolerance >= 0))
-    throw std::invalid_argument(
-      "PN_subdivision_3: a tolerance must be a number that is not negative");
-  Curve_limit_demand demand;
-  demand.tolerance = options.tolerance * box;
-  demand.normal_tolerance = options.normal_tolerance;
-  // exact numbers grow too long; the estimate needs one round
-  demand.max_depth = is_exact_v<FT> ? 1 : (std::max)(1u, options.max_depth);
-  demand.normals = options.curve_normals || options.curvatures;
-  demand.curvatures = options.curvatures;
-  return demand;
+  l.error = result.error;
+  l.tangent_error = result.normal_error;
+  l.has_tangent = result.has_surface_normal;
+  l.has_curvature = result.has_curvature;
+  l.curvature = std::sqrt(dot<double, dimension>(k, k));
+  if (dimension == 2 && t[0] * k[1] - t[1] * k[0] < 0) l.curvature = -l.curvature;
+  return l;
 }
 
 // the largest side of the box of the points
-template <class Limits>
-double box_size(const std::vector<typename Limits::Value>& values)
+template <int dimension, class Value>
+double box_size_of(const std::vector<Value>& values)
 {
   double size = 0;
-  for (std::size_t c = 0; c < Limits::dimension; ++c) {
-    double least = 0, greatest = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const double x = CGAL::to_double(Limits::point_of(values[i])[c]);
-      least = i == 0 ? x : (std::min)(least, x);
-      greatest = i == 0 ? x : (std::max)(greatest, x);
+  for (std::size_t c = 0; c < dimension; ++c) {
+    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    for (const Value& v : values) {
+      const double x = CGAL::to_double(point_of(v)[c]);
+      least = (std::min)(least, x);
+      greatest = (std::max)(greatest, x);
     }
     size = (std::max)(size, greatest - least);
   }
   return size;
 }
 
-inline void add_to_report(const Curve_limit_demand& demand, double error, double tangent_error,
-                          unsigned depth, bool has_tangent, Limit_report& report)
+// Of masks of which the last one is that of all further rounds these are the limits that it gives the points after the
+// other rounds.
+template <class Range, class Mask, class NamedParameters>
+auto limits_of_curve(const Range& polygon, const Mask& mask, Curve_end end,
+                     const NamedParameters& np)
 {
-  report.error = (std::max)(report.error, error);
-  report.normal_error = (std::max)(report.normal_error, tangent_error);
-  report.depth = (std::max)(report.depth, depth);
-  if (!(error <= demand.tolerance) || !(tangent_error <= demand.normal_tolerance))
-    ++report.number_of_misses;
-  if (demand.normals && !has_tangent) ++report.number_of_stand_ins;
-}
-
-// What has a limit, by its number in the polygon that is looked at and its parameter in the user's.
-struct Place_of_limit
-{
-  std::int64_t number;
-  double parameter;
-};
-
-// places(first, how many) chooses among those that have limits.
-template <class Range, class Mask, class NamedParameters, class Places>
-auto limits_at_places(const Range& polygon, const Mask& mask, Curve_end end,
-                      const Limit_options& options, const NamedParameters& np, const Places& places)
-{
+  static_assert(!Is_level_dependent<Mask>::value || Is_listed<Mask>::value,
+                "PN_subdivision_3: limits are known of masks that are the same from some round on: "
+                "make the mask of a vector of masks, level_dependent_mask(masks)");
   using Parameters = Curve_parameters<Range, NamedParameters>;
   using FT = typename Parameters::FT;
   constexpr int dimension = Parameters::dimension;
-  using Limits = Curve_limits<FT, dimension, Mask>;
-  using Maker =
-    Curve_limit_maker<typename Parameters::Point, typename Parameters::Vector, FT, dimension>;
-  const auto values = limit_polygon<Limits, Parameters>(polygon, end, np);
-  const Curve_limit_demand demand =
-    curve_limit_demand<FT>(options, internal::box_size<Limits>(values));
-  Limits limits(mask, end, demand, Parameters::roundness(np));
-  std::vector<typename Maker::Limit> result;
-  Limit_report report;
-  report.tolerance = demand.tolerance;
-  const auto [first, number] = limits.range(static_cast<std::int64_t>(values.size()));
-  for (const Place_of_limit& place : places(first, number)) {
-    const auto l = limits(values, place.number);
-    check_in_range<FT, dimension>(Limits::point_of(l.value), [v = place.parameter] {
-      return "the limit point of point " + std::to_string(static_cast<std::int64_t>(v));
-    });
-    add_to_report(demand, l.error, l.tangent_error, l.depth, l.has_tangent, report);
-    result.push_back(Maker::make(l, place.parameter + (limits.is_primal() ? 0. : 0.5)));
-  }
-  return std::make_pair(std::move(result), report);
-}
+  using Subdivision = Curve_subdivision<FT, dimension, Mask>;
+  using Limits = Curve_limits<FT, dimension, Mask_in_round<Mask>>;
+  using Limit = Curve_limit_point<typename Parameters::Point, typename Parameters::Vector>;
 
-// by how many places a round leaves out new points at the beginning
-template <class FT, class Mask>
-std::int64_t left_out_points(const Mask& mask, std::size_t n, Curve_end end)
-{
-  const Univariate_rows<FT> rows(mask);
-  const auto size = static_cast<std::int64_t>(n);
-  std::int64_t first = rows.range(size, end).first;
-  if constexpr (Normal_rows<FT, Mask>::differ)
-    first = (std::max)(first, Normal_rows<FT, Mask>(mask).rows.range(size, end).first);
-  return first - rows.first_point();
-}
-
-// Of masks of which the last one is that of all further rounds: the limits that it gives the points after the other rounds.
-template <class Range, class Mask, class NamedParameters>
-auto limits_of_listed_masks(const Range& polygon, const std::vector<Mask>& masks, Curve_end end,
-                            const Limit_options& options, const NamedParameters& np)
-{
-  using Parameters = Curve_parameters<Range, NamedParameters>;
-  using FT = typename Parameters::FT;
-  const bool is_primal = Univariate_rows<FT>(masks.front()).is_primal();
-  for (const Mask& mask : masks)
-    if (Univariate_rows<FT>(mask).is_primal() != is_primal)
+  const FT roundness = Parameters::roundness(np);
+  Subdivision curve(mask, end, roundness);
+  for_each_point_and_normal<Parameters, Limits::is_pn>(
+    polygon, end, np, [&](const auto& p, const auto& n) { curve.add(p, n); });
+  std::vector<std::int64_t> places(static_cast<std::size_t>(curve.size()));
+  std::iota(places.begin(), places.end(), 0);
+  unsigned rounds = 1;
+  if constexpr (Is_listed<Mask>::value) rounds = static_cast<unsigned>(mask.function.masks.size());
+  const bool is_primal = curve.is_primal();
+  for (unsigned k = 1; !places.empty(); ++k) {
+    curve.begin_round(k);
+    if (curve.is_primal() != is_primal)
       throw std::invalid_argument(
         "PN_subdivision_3: of the masks of the rounds some are primal and "
         "some dual, so that no limit belongs to a vertex or an edge");
-  auto refined = subdivide_curve(polygon, masks.front(), end,
-                                 PN_subdivision_3::parameters::shared(parameters::join(
-                                   CGAL::parameters::number_of_iterations(0), np)));
-  std::vector<Place_of_limit> places;
-  for (std::size_t i = 0; i < refined.size(); ++i)
-    places.push_back({static_cast<std::int64_t>(i), static_cast<double>(i)});
-  const auto traits = PN_subdivision_3::parameters::roundness(Parameters::roundness(np))
-                        .geom_traits(typename Parameters::Geom_traits());
-  for (std::size_t k = 0; k + 1 < masks.size() && !refined.empty(); ++k) {
-    const std::int64_t left_out = left_out_points<FT>(masks[k], refined.size(), end);
-    for (Place_of_limit& place : places) place.number = 2 * place.number - left_out;
-    refined = subdivide_curve(refined, masks[k], end, traits);
+    if (k == rounds) break;
+    const auto left_out = curve.refine();
+    for (std::int64_t& place : places) place = 2 * place - left_out;
   }
-  return limits_at_places(
-    refined, masks.back(), end, options, traits, [&](std::int64_t first, std::int64_t number) {
-      const auto is_none = [=](const Place_of_limit& place) {
-        return place.number < first || place.number >= first + number;
-      };
-      places.erase(std::remove_if(places.begin(), places.end(), is_none), places.end());
-      return places;
-    });
+  const auto values =
+    curve.template result<typename Limits::Value>(0, [](const auto& value) { return value; });
+  if (!values.empty()) curve.range(curve.size()); // refuses polygons that are too short
+
+  Limit_options options = limit_options(np);
+  options.surface_normals = options.curve_normals || options.curvatures;
+  const Limit_demand demand = limit_demand<FT>(options, box_size_of<dimension>(values));
+  Limits limits(mask_in_round(mask, rounds), end, demand, roundness);
+  const auto [first, last] = limits.range(curve.size());
+  std::vector<typename Limits::Result> results;
+  std::vector<Limit> points;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i] < first || places[i] >= last) continue;
+    const auto name = [i] { return "point " + std::to_string(i); };
+    results.emplace_back();
+    decided<FT>([&, i] { results.back() = limits(values, places[i]); },
+                [&] {
+                  return "whether a normal next to " + name() +
+                         " vanishes or is opposite to a neighbor's";
+                });
+    check_in_range(point_of(results.back().value), [&] { return "the limit point of " + name(); });
+    points.push_back(to_curve_limit_point<Limit, Subdivision>(
+      results.back(), static_cast<double>(i) + (is_primal ? 0. : 0.5)));
+  }
+  return std::make_pair(std::move(points), limit_report(results, demand));
 }
 
 } // namespace internal
@@ -362,19 +253,8 @@ auto curve_limit_points(const Range& polygon, const Mask& mask, Curve_end end,
                            internal::normal_tolerance_t, internal::max_depth_t,
                            internal::curve_normals_t, internal::curvatures_t>();
   using Parameters = internal::Curve_parameters<Range, NamedParameters>;
-  if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {
-    if constexpr (internal::Is_listed<Mask>::value)
-      return internal::limits_of_listed_masks(polygon, mask.function.masks, end,
-                                              internal::limit_options(np), np);
-    else
-      return internal::limits_at_places(polygon, mask, end, internal::limit_options(np), np,
-                                        [](std::int64_t first, std::int64_t number) {
-                                          std::vector<internal::Place_of_limit> places;
-                                          for (std::int64_t v = first; v < first + number; ++v)
-                                            places.push_back({v, static_cast<double>(v)});
-                                          return places;
-                                        });
-  }
+  if constexpr (internal::check_kernel<typename Parameters::Geom_traits>())
+    return internal::limits_of_curve(polygon, mask, end, np);
 }
 
 } // namespace PN_subdivision_3

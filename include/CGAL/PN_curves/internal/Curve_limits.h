@@ -11,20 +11,17 @@
 
 #include <CGAL/PN_curves/internal/Curve_subdivision.h>
 #include <CGAL/PN_curves/internal/Curve_windows.h>
+#include <CGAL/PN_curves/masks/Curve_end.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
-#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
-#include <CGAL/Uncertain.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -33,119 +30,76 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// What is asked of the limit of a curve; tolerances are absolute.
-struct Curve_limit_demand
-{
-  double tolerance = 0, normal_tolerance = 0;
-  unsigned max_depth = 0;
-  bool normals = false, curvatures = false;
-};
-
-template <class Average, int dimension>
+// The limit at a vertex or edge. Of a curve the tangent is what is asked for and reported as surface normals are.
+template <class Value, int dimension>
 struct Curve_limit_result
 {
-  typename Average::Value value; // point and control normal
+  Value value; // point and control normal
   Coordinates<double, dimension> tangent{}, curvature_vector{};
-  double error = 0, tangent_error = 0;
+  double error = 0, normal_error = 0;
   unsigned depth = 0; // rounds
-  bool has_tangent = false, has_curvature = false;
+  bool has_surface_normal = false, has_curvature = false;
 };
 
 // The limits of a control polygon. Each has a window of points, which is refined round by round on its own until
-// the averages of the limit mask over it no longer change; see Limit_tower, which does the same on surfaces.
-template <class FT, int dimension_, class Mask>
+// the averages of the limit mask over it no longer change.
+template <class FT, int dimension, class Mask>
 class Curve_limits
 {
-  static_assert(!Is_level_dependent<Mask>::value,
-                "PN_subdivision_3: limits are known of masks that are the same from some round on: "
-                "make the mask of a vector of masks, level_dependent_mask(masks)");
+  using Subdivision = Curve_subdivision<FT, dimension, Mask>;
+  using Average = typename Subdivision::Average;
 
 public:
-  static constexpr int dimension = dimension_;
-  static constexpr bool is_pn = !Is_linear_mask<Mask>::value;
-  using Average = Average_of<is_pn, FT, dimension>;
+  static constexpr bool is_pn = Subdivision::is_pn;
   using Value = typename Average::Value;
-  using Result = Curve_limit_result<Average, dimension>;
+  using Result = Curve_limit_result<Value, dimension>;
   using Index = std::int64_t;
 
-  Curve_limits(const Mask& mask, Curve_end end, const Curve_limit_demand& demand,
-               const FT& roundness = FT(1))
+  Curve_limits(const Mask& mask, Curve_end end, const Limit_demand& demand, const FT& roundness)
     : average_(average_of_roundness<Average>(roundness))
     , roundness_(close_double(roundness))
-    , windows_(mask)
     , end_(end)
     , demand_(demand)
   {
-    if constexpr (has_normal_mask) {
-      Curve_windows<FT>& normals = own_normal_windows_.emplace(mask.normal_mask);
-      if (!windows_.has_same_center(normals))
-        throw std::invalid_argument("PN_subdivision_3: the masks of points and normals must both "
-                                    "be primal or both dual, with the same center");
-      windows_.widen(normals.full());
-      normals.widen(windows_.full());
-    }
-    const Window& inner = windows_.at(windows_.full());
-    const Window& inner_normals = normal_windows().at(windows_.full());
+    Index half = Curve_windows<FT>::half_of(mask);
+    if constexpr (has_normal_mask)
+      half = (std::max)(half, Curve_windows<FT>::half_of(mask.normal_mask));
+    windows_.emplace_back(mask, half);
+    if constexpr (has_normal_mask) windows_.emplace_back(mask.normal_mask, half);
     // an end shows nothing of what the curve does next to it
-    has_curvature_ = inner.has_curvature && !inner_normals.first_derivative.empty();
+    has_curvature_ = points(full()).has_curvature && !normals(full()).first_derivative.empty();
   }
 
-  static Coordinates<FT, dimension>& point_of(Value& v)
-  {
-    if constexpr (is_pn)
-      return v.point;
-    else
-      return v;
-  }
-  static Coordinates<FT, dimension> point_of(const Value& v)
-  {
-    if constexpr (is_pn)
-      return v.point;
-    else
-      return v;
-  }
-
-  bool is_primal() const { return windows_.is_primal(); }
-
-  // the first and the number of the vertices, or of the edges if the mask is dual, that have a limit
+  // the first vertex, or edge if the mask is dual, that has a limit, and the one behind the last
   std::pair<Index, Index> range(Index n) const
   {
-    if (n == 0) return {0, 0};
-    windows_.check_size(n, end_);
-    if constexpr (has_normal_mask) own_normal_windows_->check_size(n, end_);
-    const Index all = is_primal() || end_ == Curve_end::closed ? n : n - 1;
-    if (end_ != Curve_end::none) return {0, all};
-    const Window_size full = windows_.full();
-    return {full.first, (std::max)(Index(0), n - full.first - full.second)};
+    if (end_ == Curve_end::none) return {full().first, n - full().second};
+    return {0, windows_[0].is_primal() || end_ == Curve_end::closed ? n : n - 1};
   }
 
   // of vertex or edge v
   Result operator()(const std::vector<Value>& values, Index v)
-  try {
+  {
     const auto n = static_cast<Index>(values.size());
-    Window_size size = windows_.full();
+    Window_size size = full();
     if (end_ != Curve_end::closed)
       size = {(std::min)(size.first, v), (std::min)(size.second, n - 1 - v)};
-    const Coordinates<FT, dimension> center = point_of(values[static_cast<std::size_t>(v)]);
+    const Vector center = point_of(values[static_cast<std::size_t>(v)]);
     window_.clear();
     for (Index j = v - size.first; j <= v + size.second; ++j)
       window_.push_back(
         relative(values[static_cast<std::size_t>(((j % n) + n) % n)], center, FT(-1)));
     Result result;
-    for (; windows_.at(size).next != size; ++result.depth) size = refine(size);
+    for (; points(size).next != size; ++result.depth) size = refine(size);
     converge(size, result);
     result.value = relative(result.value, center, FT(1));
     return result;
-  } catch (const Uncertain_conversion_exception&) {
-    throw std::domain_error(
-      "PN_subdivision_3: the precision of the number type does not decide whether a normal next to "
-      "point " +
-      std::to_string(v) + " vanishes or is opposite to a neighbor's: use a higher precision");
   }
 
 private:
   using Window = Curve_window<FT>;
-  using Vector = Coordinates<double, dimension>;
+  using Vector = Coordinates<FT, dimension>;
+  using Reals = Coordinates<double, dimension>;
   static constexpr bool has_normal_mask = Normal_rows<FT, Mask>::differ;
 
   // the error of a curvature falls by 1/4 a round, or by 1/2 at an end
@@ -153,13 +107,12 @@ private:
   // in smaller windows than those of so many rounds second differences are those of rounding
   static constexpr unsigned most_curvature_depth = 12;
 
-  Curve_windows<FT>& normal_windows()
-  {
-    return own_normal_windows_ ? *own_normal_windows_ : windows_;
-  }
+  Window_size full() const { return windows_[0].full(); }
+  const Window& points(const Window_size& size) { return windows_.front().at(size); }
+  const Window& normals(const Window_size& size) { return windows_.back().at(size); }
 
   // Floating point keeps more digits of a window about the origin; intervals would only grow.
-  static Value relative(Value v, [[maybe_unused]] const Coordinates<FT, dimension>& center,
+  static Value relative(Value v, [[maybe_unused]] const Vector& center,
                         [[maybe_unused]] const FT& sign)
   {
     if constexpr (std::is_floating_point_v<FT>)
@@ -167,140 +120,139 @@ private:
     return v;
   }
 
-  using Row = std::vector<typename Window::Entry>;
-  Value average(const Row& row, [[maybe_unused]] const Row& normal_row) const
+  Value average(const Entry_row<FT>& row, [[maybe_unused]] const Entry_row<FT>& normal_row) const
   {
-    const auto* const first = row.data();
     if constexpr (has_normal_mask)
-      return average_(first, first + row.size(), normal_row.data(),
-                      normal_row.data() + normal_row.size(), window_.data());
+      return average_(row.begin(), row.end(), normal_row.begin(), normal_row.end(), window_.data());
     else
-      return average_(first, first + row.size(), window_.data());
+      return average_(row.begin(), row.end(), window_.data());
   }
 
   Window_size refine(const Window_size& size)
   {
-    const Window& points = windows_.at(size);
-    const Window& normals = normal_windows().at(size);
+    const Window &of_points = points(size), &of_normals = normals(size);
     next_.clear();
-    for (std::size_t i = 0; i < points.rows.size(); ++i)
-      next_.push_back(average(points.rows[i], normals.rows[i]));
+    for (std::size_t i = 0; i < of_points.rows.size(); ++i)
+      next_.push_back(average(of_points.rows[i], of_normals.rows[i]));
     window_.swap(next_);
-    return points.next;
+    return of_points.next;
   }
 
   void converge(const Window_size& size, Result& result)
   {
-    const Window& points = windows_.at(size);
-    const Window& normals = normal_windows().at(size);
-    const bool is_exact = !is_pn || (points.limit_row.size() == 1 && normals.limit_row.size() == 1);
-    if (!is_exact) refuse_intervals<FT>();
+    const Window &of_points = points(size), &of_normals = normals(size);
+    const auto is_one = [](const auto& row) { return row.end() - row.begin() == 1; };
+    const bool is_exact = !is_pn || (is_one(of_points.limit_row) && is_one(of_normals.limit_row));
     const bool has_curvature =
-      demand_.curvatures && has_curvature_ && points.has_curvature && points.rows.size() > 1;
+      demand_.curvatures && has_curvature_ && of_points.has_curvature && of_points.rows.size() > 1;
     // as on surfaces: that of the geometric series which the differences become
-    const double ratio =
-      (std::min)(0.9, (std::max)(1. / 16, points.largest_other * points.largest_other));
-    const double factor = limit_error_factor(ratio);
-    Value last = Value();
-    double last_step = 0;
+    const double square = of_points.largest_other * of_points.largest_other;
+    Limit_steps<FT, dimension> steps(demand_, is_exact,
+                                     (std::min)(0.9, (std::max)(1. / 16, square)));
     Tangents tangents;
     for (unsigned depth = 0;; ++depth, ++result.depth) {
       if (depth != 0) refine(size);
-      result.value = average(points.limit_row, normals.limit_row);
-      if (depth != 0 && !is_exact)
-        result.error =
-          limit_error(factor, ratio, distance(point_of(result.value), point_of(last)), last_step);
-      bool is_last = (is_exact || depth != 0) && result.error <= demand_.tolerance;
-      if (demand_.normals && !points.first_derivative.empty())
-        is_last = note_tangent(points, depth, tangents, result) && is_last;
-      if (has_curvature && is_pn && depth < curvature_depth) is_last = false;
-      is_last = is_last || depth >= demand_.max_depth;
+      result.value = average(of_points.limit_row, of_normals.limit_row);
+      bool is_all_else_found = !has_curvature || !is_pn || depth >= curvature_depth;
+      if (demand_.surface_normals && !of_points.first_derivative.empty())
+        is_all_else_found = note_tangent(of_points, tangents, result) && is_all_else_found;
+      const bool is_last = steps.is_last(point_of(result.value), is_all_else_found);
       if (has_curvature &&
           (is_last ? depth <= most_curvature_depth : depth == most_curvature_depth))
-        note_curvature(points, normals, result);
+        note_curvature(of_points, of_normals, result);
       if (is_last) break;
-      last = result.value;
     }
+    result.error = steps.error();
   }
 
-  static double distance(const Coordinates<FT, dimension>& a, const Coordinates<FT, dimension>& b)
+  static Reals to_reals(const Vector& v)
   {
-    double square = 0;
-    for (std::size_t c = 0; c < dimension; ++c) {
-      const double d = close_double(FT(a[c] - b[c]));
-      square = std::hypot(square, d);
-    }
-    return square;
+    Reals r;
+    for (std::size_t c = 0; c < dimension; ++c) r[c] = close_double(v[c]);
+    return r;
   }
 
-  static Point_normal<double, dimension> to_double_value(const Value& v)
+  // Looks at the window about its limit, which is taken away before coordinates are rounded to double, in the frame of the
+  // limit control normal N. There points have a part u perpendicular to N and a height z over it; slopes of normals
+  // are g. With the roundness r and the point-normal height h, which is z - g.u / 2, the three u, w = z + r (h - z)
+  // and g are refined linearly but for terms of third order. The offsets are u + w N.
+  void look(const Result& result)
   {
-    Point_normal<double, dimension> value{};
-    for (std::size_t c = 0; c < dimension; ++c) {
-      value.point[c] = close_double(point_of(v)[c]);
-      if constexpr (is_pn) value.normal[c] = close_double(v.normal[c]);
-    }
-    return value;
-  }
-
-  // of the window about its limit, which is taken away before coordinates are rounded to double
-  Window_geometry<dimension> geometry(const Result& result)
-  {
-    double_window_.clear();
+    offsets_.clear();
+    slopes_.clear();
+    normal_ = to_reals(Subdivision::normal_of(result.value));
+    const bool has_normal = dot<double, dimension>(normal_, normal_) > 0.5;
     double largest = 0;
-    const Coordinates<FT, dimension> center = point_of(result.value);
     for (Value v : window_) {
       for (const FT& x : point_of(v)) largest = (std::max)(largest, std::abs(close_double(x)));
-      add_multiple<FT, dimension>(point_of(v), FT(-1), center);
-      double_window_.push_back(to_double_value(v));
+      add_multiple<FT, dimension>(point_of(v), FT(-1), point_of(result.value));
+      Point_normal<double, dimension> p{to_reals(point_of(v)), to_reals(Subdivision::normal_of(v))};
+      if (has_normal) {
+        const PN_height<double> h = pn_height<double, dimension>(p, Reals{}, normal_);
+        const double of_arc = h.numerator / (std::max)(h.denominator, 1. / 1024);
+        const auto z = dot<double, dimension>(p.point, normal_);
+        add_multiple<double, dimension>(p.point, roundness_ * (of_arc - z), normal_);
+        slopes_.push_back(normal_);
+        add_multiple<double, dimension>(slopes_.back(),
+                                        -1 / dot<double, dimension>(p.normal, normal_), p.normal);
+      }
+      offsets_.push_back(p.point);
     }
     rounding_ = largest * close_double(machine_epsilon<FT>());
-    Point_normal<double, dimension> limit = to_double_value(result.value);
-    limit.point = {};
-    return Window_geometry<dimension>(double_window_, limit, roundness_);
+  }
+
+  static Reals sum(const std::vector<double>& functional, const std::vector<Reals>& values)
+  {
+    Reals s{};
+    for (std::size_t j = 0; j < functional.size() && j < values.size(); ++j)
+      add_multiple<double, dimension>(s, functional[j], values[j]);
+    return s;
   }
 
   // those of the rounds so far
   struct Tangents
   {
-    Vector last{};
+    Reals last{};
     double last_change = 0;
   };
 
   // whether it meets the tolerance, or no further round will make it better
-  bool note_tangent(const Window& points, unsigned depth, Tangents& tangents, Result& result)
+  bool note_tangent(const Window& of_points, Tangents& tangents, Result& result)
   {
-    Vector t = geometry(result).derivative(points.first_derivative);
-    double largest = 0;
-    for (const double x : t) largest = (std::max)(largest, std::abs(x));
-    if (!(largest > 0) || !std::isfinite(largest)) return true; // nor will there be one
-    for (double& x : t) x /= largest; // its square neither overflows nor underflows now
-    const double length = std::sqrt(dot<double, dimension>(t, t));
+    look(result);
+    Reals t = sum(of_points.first_derivative, offsets_);
+    const double length = length_of<double, dimension>(t);
+    if (!(length > 0) || !std::isfinite(length)) return true; // nor will there be one
     for (double& x : t) x /= length;
-    const Vector last = std::exchange(tangents.last, t);
-    if (!is_pn || depth == 0 || !result.has_tangent) {
+    const Reals last = std::exchange(tangents.last, t);
+    if (!std::exchange(result.has_surface_normal, true) || !is_pn) {
       result.tangent = t;
-      result.has_tangent = true;
       return !is_pn;
     }
-    double change = 0;
-    for (std::size_t c = 0; c < dimension; ++c) change = std::hypot(change, t[c] - last[c]);
+    const double change = length_of<double, dimension>(difference<double, dimension>(t, last));
     // small windows have the rounding of large coordinates
-    const double rounding = 4 * (rounding_ / largest + std::numeric_limits<double>::epsilon());
+    const double rounding = 4 * (rounding_ / length + std::numeric_limits<double>::epsilon());
     // as for points, with 1/2 = 3/2 of 1/4 + 1/16 + ..., but 1 while it is not this series yet
     const double error = (std::max)({change, tangents.last_change / 4, rounding});
     tangents.last_change = change;
     // further rounds have more rounding still
-    if (result.tangent_error > 0 && rounding >= result.tangent_error) return true;
+    if (result.normal_error > 0 && rounding >= result.normal_error) return true;
     result.tangent = t;
-    result.tangent_error = error;
+    result.normal_error = error;
     return error <= demand_.normal_tolerance;
   }
 
-  void note_curvature(const Window& points, const Window& normals, Result& result)
+  // It does not exist where the derivative is zero or normals are turned by a right angle.
+  void note_curvature(const Window& of_points, const Window& of_normals, Result& result)
   {
-    const Vector k = geometry(result).curvature_vector(
-      points.first_derivative, normals.first_derivative, points.second_derivative);
+    look(result);
+    const Reals d = sum(of_points.first_derivative, offsets_);
+    Reals k = sum(of_points.second_derivative, offsets_);
+    const Reals slope = sum(of_normals.first_derivative, slopes_);
+    add_multiple<double, dimension>(k, roundness_ * dot<double, dimension>(slope, d), normal_);
+    const auto square = dot<double, dimension>(d, d);
+    add_multiple<double, dimension>(k, -dot<double, dimension>(d, k) / square, d);
+    for (double& x : k) x /= square;
     for (const double x : k)
       if (!std::isfinite(x)) return;
     result.curvature_vector = k;
@@ -309,14 +261,15 @@ private:
 
   Average average_;
   double roundness_;
-  Curve_windows<FT> windows_;
-  std::optional<Curve_windows<FT>> own_normal_windows_; // if they differ
+  std::vector<Curve_windows<FT>> windows_; // of points and, if they differ, of normals
   Curve_end end_;
-  Curve_limit_demand demand_;
+  const Limit_demand& demand_;
   bool has_curvature_ = false;
   std::vector<Value> window_, next_;
-  std::vector<Point_normal<double, dimension>> double_window_;
-  double rounding_ = 0; // of the coordinates that it was taken from
+  // of what look() has seen
+  std::vector<Reals> offsets_, slopes_;
+  Reals normal_{};
+  double rounding_ = 0; // of the coordinates
 };
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #include <CGAL/PN_curves/internal/Univariate_rows.h>
 #include <CGAL/PN_curves/masks/curve_masks.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/rows/PN_average_block.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
@@ -61,16 +62,14 @@ template <class FT, int dimension, class Mask>
 class Curve_subdivision
 {
   using Round_mask = Mask_in_round<Mask>;
+
+public:
   static constexpr bool is_pn = !Is_linear_mask<Round_mask>::value;
   using Average = Average_of<is_pn, FT, dimension>;
   using Value = typename Average::Value;
-  using Block = typename Block_of<Average>::type;
-  using Stored_value = typename Block::Stored_value;
-  using Values = boost::container::vector<Stored_value>;
   using Index = typename Univariate_rows<FT>::Index;
   using Vector_coordinates = Coordinates<FT, dimension>;
 
-public:
   // the roundness is that of all points
   Curve_subdivision(const Mask& mask, Curve_end end, const FT& roundness = FT(1))
     : block_(average_of_roundness<Average>(roundness))
@@ -136,50 +135,8 @@ public:
     return curve;
   }
 
-private:
-  template <class Point_or_vector>
-  static Vector_coordinates coordinates(const Point_or_vector& p)
-  {
-    Vector_coordinates c;
-    for (int i = 0; i < dimension; ++i) c[static_cast<std::size_t>(i)] = FT(p.cartesian(i));
-    return c;
-  }
-  template <class Point_or_vector>
-  static Point_or_vector make(const Vector_coordinates& c)
-  {
-    if constexpr (dimension == 2)
-      return Point_or_vector(c[0], c[1]);
-    else
-      return Point_or_vector(c[0], c[1], c[2]);
-  }
-  static const Vector_coordinates& point_of(const Value& value)
-  {
-    if constexpr (is_pn)
-      return value.point;
-    else
-      return value;
-  }
-  static Vector_coordinates normal_of([[maybe_unused]] const Value& value)
-  {
-    if constexpr (is_pn)
-      return value.normal;
-    else {
-      Vector_coordinates zero;
-      zero.fill(FT(0));
-      return zero;
-    }
-  }
-
+  bool is_primal() const { return rows_.is_primal(); }
   Index size() const { return static_cast<Index>(values_.size()); }
-
-  void check_centers() const
-  {
-    if constexpr (Normal_rows<FT, Round_mask>::differ)
-      if (!rows_.has_same_center(normal_rows_.rows))
-        throw std::invalid_argument(
-          "PN_subdivision_3: the masks of points and normals must both be "
-          "primal or both dual, with the same center");
-  }
 
   void begin_round([[maybe_unused]] unsigned k)
   {
@@ -202,6 +159,56 @@ private:
     return r;
   }
 
+  // a round; by how many places it leaves out new points at the beginning
+  Index refine()
+  {
+    const auto [first, last] = range(size());
+    Values refined(static_cast<std::size_t>(last - first), boost::container::default_init);
+    Stored_value* next = refined.data();
+    evaluate(first, last, [&next](const Value* values, std::size_t n) {
+      for (std::size_t i = 0; i < n; ++i) *next++ = values[i];
+    });
+    values_ = std::move(refined);
+    return first - rows_.first_point();
+  }
+
+  template <class Point_or_vector, class Number>
+  static Point_or_vector make(const Coordinates<Number, dimension>& c)
+  {
+    if constexpr (dimension == 2)
+      return Point_or_vector(FT(c[0]), FT(c[1]));
+    else
+      return Point_or_vector(FT(c[0]), FT(c[1]), FT(c[2]));
+  }
+  static Vector_coordinates normal_of([[maybe_unused]] const Value& value)
+  {
+    if constexpr (is_pn)
+      return value.normal;
+    else
+      return zero_vector<FT, dimension>();
+  }
+
+private:
+  using Block = typename Block_of<Average>::type;
+  using Stored_value = typename Block::Stored_value;
+  using Values = boost::container::vector<Stored_value>;
+
+  template <class Point_or_vector>
+  static Vector_coordinates coordinates(const Point_or_vector& p)
+  {
+    Vector_coordinates c;
+    for (int i = 0; i < dimension; ++i) c[static_cast<std::size_t>(i)] = FT(p.cartesian(i));
+    return c;
+  }
+  void check_centers() const
+  {
+    if constexpr (Normal_rows<FT, Round_mask>::differ)
+      if (!rows_.has_same_center(normal_rows_.rows))
+        throw std::invalid_argument(
+          "PN_subdivision_3: the masks of points and normals must both be "
+          "primal or both dual, with the same center");
+  }
+
   // before the first round: none may need more points than can be numbered
   void check_sizes(unsigned iterations)
   {
@@ -218,17 +225,6 @@ private:
         return; // in all further rounds, too
       n = last - first;
     }
-  }
-
-  void refine()
-  {
-    const auto [first, last] = range(size());
-    Values refined(static_cast<std::size_t>(last - first), boost::container::default_init);
-    Stored_value* next = refined.data();
-    evaluate(first, last, [&next](const Value* values, std::size_t n) {
-      for (std::size_t i = 0; i < n; ++i) *next++ = values[i];
-    });
-    values_ = std::move(refined);
   }
 
   // Computes the new points [first, last) and hands them to sink(values, how many) in their order.

@@ -10,19 +10,19 @@
 #define CGAL_PN_CURVES_INTERNAL_CURVE_WINDOWS_H
 
 #include <CGAL/PN_curves/internal/Univariate_rows.h>
-#include <CGAL/PN_curves/internal/Window_functionals.h>
 #include <CGAL/PN_curves/masks/Curve_end.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_weights.h>
-#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_masks.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
-#include <CGAL/PN_subdivision_3/rows/Stencil.h>
+#include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -40,19 +40,51 @@ using Window_size = std::pair<std::int64_t, std::int64_t>;
 template <class FT>
 struct Curve_window
 {
-  using Entry = typename Stencil<FT>::Entry;
-  using Rows = std::vector<std::vector<Entry>>;
-
-  Rows rows;
+  std::vector<Entry_row<FT>> rows;
   Window_size next;
 
   // the rest is there if `next` is the window itself, so that the next rounds are all alike
-  std::vector<Entry> limit_row;
-  // of the points: functionals in double, empty if there is none
+  Entry_row<FT> limit_row;
+  // of the points, in double; the first one is empty if there is none, the second one if it is zero for all data
   std::vector<double> first_derivative, second_derivative;
+  // whether all other parts of the data shrink much faster than those of the curvature
   bool has_curvature = false;
+  // the modulus of the largest eigenvalue besides 1 and that of the first derivative, within some percent
   double largest_other = 0;
 };
+
+// A matrix of a few rows, or those of the differences of neighbors.
+template <class FT>
+using Window_matrix = std::vector<std::vector<FT>>;
+
+// The row l with l S = l and sum 1, by elimination; empty if there is not exactly one. Rows of S sum to 1.
+template <class FT>
+std::vector<FT> window_limit_row(const Window_matrix<FT>& matrix)
+{
+  const std::size_t n = matrix.size();
+  const FT tolerance = is_exact_v<FT> ? FT(0) : FT(1e-9);
+  // Equations for l: a row for each column of S - 1, of which the first depends on the others; the sum takes
+  // its place. The right side is in column n.
+  Window_matrix<FT> a(n, std::vector<FT>(n + 1, FT(0)));
+  a[0].assign(n + 1, FT(1));
+  for (std::size_t j = 1; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i) a[j][i] = matrix[i][j] - FT(i == j ? 1 : 0);
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k; i < n; ++i)
+      if (CGAL::abs(a[pivot][k]) < CGAL::abs(a[i][k])) pivot = i;
+    if (!(tolerance < CGAL::abs(a[pivot][k]))) return {};
+    std::swap(a[k], a[pivot]);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i == k || a[i][k] == FT(0)) continue;
+      const FT factor = a[i][k] / a[k][k];
+      for (std::size_t j = k; j <= n; ++j) a[i][j] -= factor * a[k][j];
+    }
+  }
+  std::vector<FT> row;
+  for (std::size_t k = 0; k < n; ++k) row.push_back(a[k][n] / a[k][k]);
+  return row;
+}
 
 // The windows of a mask, each made where it is met first.
 template <class FT>
@@ -61,30 +93,29 @@ class Curve_windows
 public:
   using Index = std::int64_t;
   using Window = Curve_window<FT>;
-  using Entry = typename Window::Entry;
 
+  // the points of a window behind its center, if the polygon does not end there
   template <class Mask>
-  explicit Curve_windows(const Mask& mask)
+  static Index half_of(const Mask& mask)
+  {
+    const auto width = static_cast<Index>(mask.template coefficients<double>().size());
+    return (std::max)(1 - width % 2, (width - 2) / 2);
+  }
+
+  // half: half_of(mask) or more
+  template <class Mask>
+  Curve_windows(const Mask& mask, Index half)
     : rows_(mask)
+    , half_(half)
   {
     const std::vector<double> a = mask.template coefficients<double>();
-    const auto width = static_cast<Index>(a.size());
-    half_ = rows_.is_primal() ? (width - 1) / 2 - 1 : (width - 2) / 2;
-    half_ = (std::max)(half_, rows_.is_primal() ? Index(0) : Index(1));
     outer_ = (std::max)(std::abs(a.front()), std::abs(a.back()));
   }
 
   bool is_primal() const { return rows_.is_primal(); }
-  bool has_same_center(const Curve_windows& other) const
-  {
-    return rows_.has_same_center(other.rows_);
-  }
-  // what a polygon of n points becomes; throws if it is too short
-  void check_size(Index n, Curve_end end) const { rows_.range(n, end); }
 
   // the size of a window with both sides inside of the polygon
   Window_size full() const { return {is_primal() ? half_ : half_ - 1, half_}; }
-  void widen(const Window_size& other) { half_ = (std::max)(half_, other.second); }
 
   const Window& at(const Window_size& size)
   {
@@ -94,189 +125,133 @@ public:
   }
 
 private:
-  using Real = Window_functionals::Real;
+  using Real = Ring_masks::Real;
+  using Matrix = Window_matrix<Real>;
 
-  // a side that ends with the polygon has twice as many points in the next round
-  Window_size next_size(const Window_size& size) const
-  {
-    const Index behind = is_primal() ? 2 * size.second : 2 * size.second - 1;
-    return {(std::min)(2 * size.first, full().first), (std::min)(behind, full().second)};
-  }
+  static constexpr Real tolerance = 1e-9L;
+  // what does not shrink faster than this would spoil the curvature for many rounds
+  static constexpr double settling = 0.65 / 4;
+  // parts of data that shrink by more than this compared with others are hardly smaller than these
+  static constexpr double converging = 0.95;
 
-  // rows from a polygon that is no longer than the window; no row leaves it where it does not end there
-  typename Window::Rows rows(const Window_size& size, const Window_size& next) const
-  {
-    typename Window::Rows result;
-    const Index center = 2 * size.first + rows_.first_point();
-    Stencil_block<FT> block;
-    for (Index i = center - next.first; i <= center + next.second; ++i) {
-      block.clear();
-      rows_.emit_row(i, size.first + size.second + 1, Curve_end::reflect, block.row());
-      block.close_row();
-      result.emplace_back(block.begin(0), block.end(0));
-    }
-    return result;
-  }
-
-  static Ring_matrix<FT> matrix(const typename Window::Rows& rows)
-  {
-    Ring_matrix<FT> m;
-    for (const auto& row : rows) {
-      m.emplace_back();
-      for (const auto& e : row) m.back().emplace_back(e.vertex, e.weight);
-    }
-    return m;
-  }
-
-  // Rows that sum to 1 but for the rounding of Real: the largest weight, which is the last, is the rest.
-  static Ring_matrix<Real> real_matrix(const typename Window::Rows& rows)
-  {
-    Ring_matrix<Real> m;
-    for (const auto& row : rows) {
-      m.emplace_back();
-      Real rest = 1;
-      for (const auto& e : row) {
-        const bool is_last = &e == &row.back();
-        const Real weight = is_last ? rest : real(e.weight);
-        m.back().emplace_back(e.vertex, weight);
-        rest -= weight;
-      }
-    }
-    return m;
-  }
-  static Real real(const FT& x)
-  {
-    if constexpr (std::is_floating_point_v<FT>)
-      return x;
-    else
-      return close_double(x);
-  }
-
+  // A side that ends with the polygon has twice as many points in the next round. The rows are those of a
+  // polygon that is no longer than the window: none leaves it where it does not end there.
   void make(const Window_size& size, Window& window) const
   {
-    window.next = next_size(size);
-    window.rows = rows(size, window.next);
-    if (window.next != size) return;
-    const Ring_matrix<Real> reals = real_matrix(window.rows);
-    const Window_functionals f(reals, outer_);
-    if (f.limit().empty())
+    const Index behind = is_primal() ? 2 * size.second : 2 * size.second - 1;
+    window.next = {(std::min)(2 * size.first, full().first), (std::min)(behind, full().second)};
+    const Index center = 2 * size.first + rows_.first_point();
+    for (Index i = center - window.next.first; i <= center + window.next.second; ++i) {
+      window.rows.emplace_back();
+      rows_.emit_row(i, size.first + size.second + 1, Curve_end::reflect, window.rows.back());
+    }
+    if (window.next == size) set_functionals(window);
+  }
+
+  template <class Number>
+  static Window_matrix<Number> matrix(const Window& window)
+  {
+    Window_matrix<Number> m;
+    for (const Entry_row<FT>& row : window.rows) {
+      m.emplace_back(window.rows.size(), Number(0));
+      for (const auto& e : row)
+        if constexpr (std::is_same_v<Number, FT> || std::is_floating_point_v<FT>)
+          m.back()[e.vertex] = e.weight;
+        else
+          m.back()[e.vertex] = close_double(e.weight);
+    }
+    return m;
+  }
+
+  static Ring_row<FT> limit_row(const Window& window, [[maybe_unused]] const Matrix& reals)
+  {
+    Ring_row<FT> result;
+    if constexpr (is_exact_v<FT>) {
+      for (const FT& x : window_limit_row(matrix<FT>(window)))
+        result.emplace_back(static_cast<std::uint32_t>(result.size()), x);
+      return result;
+    } else {
+      Ring_matrix<FT> m;
+      for (const Entry_row<FT>& row : window.rows) {
+        m.emplace_back();
+        for (const auto& e : row) m.back().emplace_back(e.vertex, e.weight);
+      }
+      return limit_weights(window_limit_row(reals), m);
+    }
+  }
+
+  // Left eigenvectors: the limit, and the derivatives with respect to the parameter of the points 0, 1, 2, ..., which
+  // are limits of differences of points and of differences of these. These have matrices of their own, whose rows
+  // sum to 1 where linear and quadratic data are reproduced.
+  void set_functionals(Window& window) const
+  {
+    const Matrix points = matrix<Real>(window), first = of_differences(points),
+                 second = of_differences(first);
+    const double rest = radius(first) / 2, rest_of_first = radius(second) / 4;
+    if (!(rest < converging))
       throw std::invalid_argument("PN_subdivision_3: the mask has no limit points: the powers of "
                                   "its matrix do not converge");
-    for (const auto& [place, weight] : limit_row(f.limit(), matrix(window.rows)))
-      window.limit_row.push_back({place, weight});
-    window.first_derivative.assign(f.first_derivative().begin(), f.first_derivative().end());
-    window.second_derivative.assign(f.second_derivative().begin(), f.second_derivative().end());
-    window.has_curvature = f.has_curvature();
-    window.largest_other = static_cast<double>(f.largest_other());
-  }
-
-  static Ring_row<FT> limit_row(const Window_functionals::Vector& limit,
-                                const Ring_matrix<FT>& matrix)
-  {
-    if constexpr (is_exact_v<FT>) {
-      Ring_row<FT> row = exact_limit_row(matrix);
-      if (!row.empty()) return row;
+    for (const auto& [place, weight] : limit_row(window, points))
+      if (!CGAL::certainly(weight == FT(0))) window.limit_row.add(place, weight);
+    window.largest_other = (std::max)(outer_, rest);
+    if (!sum_to_one(first) || (std::max)(outer_, rest_of_first) >= converging / 2) return;
+    window.first_derivative = over_points(window_limit_row(first), 1);
+    window.largest_other = (std::max)(outer_, rest_of_first);
+    double others = window.largest_other;
+    if (sum_to_one(second)) {
+      others = (std::max)(outer_, radius(of_differences(second)) / 8);
+      window.second_derivative = over_points(window_limit_row(second), 2);
     }
-    return limit_weights(limit, matrix);
+    window.has_curvature = others < settling;
   }
 
-  Univariate_rows<FT> rows_;
-  Index half_ = 0;
-  Real outer_ = 0;
-  std::map<Window_size, Window> windows_;
-};
-
-// First and second order of a curve at the limit of a window, in double. In the frame of the limit control
-// normal N points have a part u perpendicular to N and a height z over it; slopes of normals are g. With the roundness r and
-// the point-normal height h, which is z - g.u / 2, the three u, w = z + r (h - z) and g are refined linearly but for terms of
-// third order.
-template <int dimension>
-class Window_geometry
-{
-public:
-  using Vector = Coordinates<double, dimension>;
-  using Value = Point_normal<double, dimension>;
-
-  // N is zero without control normals
-  Window_geometry(const std::vector<Value>& window, const Value& limit, double roundness = 1)
-    : roundness_(roundness)
-    , normal_(limit.normal)
-    , has_normal_(dot<double, dimension>(normal_, normal_) > 0.5)
+  // that maps differences of neighbors to twice those of the next round
+  static Matrix of_differences(const Matrix& m)
   {
-    for (const Value& v : window) {
-      Vector u = v.point;
-      add_multiple<double, dimension>(u, -1, limit.point);
-      double w = 0;
-      if (has_normal_) {
-        const PN_height<double> h = pn_height<double, dimension>(v, limit.point, normal_);
-        w = h.numerator / (std::max)(h.denominator, 1. / 1024);
-        const auto z = dot<double, dimension>(u, normal_);
-        if (roundness_ != 1) w = z + roundness_ * (w - z);
-        add_multiple<double, dimension>(u, -z, normal_);
+    Matrix d;
+    for (std::size_t i = 1; i < m.size(); ++i) {
+      d.emplace_back();
+      Real sum = 0;
+      for (std::size_t j = 1; j < m.size(); ++j) {
+        sum += m[i - 1][j - 1] - m[i][j - 1];
+        d.back().push_back(2 * sum);
       }
-      u_.push_back(u);
-      w_.push_back(w);
     }
-    if (has_normal_)
-      for (const Value& v : window) {
-        const auto height = dot<double, dimension>(v.normal, normal_);
-        Vector g = normal_;
-        for (std::size_t c = 0; c < dimension; ++c) g[c] -= v.normal[c] / height;
-        g_.push_back(g);
-      }
-  }
-
-  // the derivative with respect to the parameter
-  Vector derivative(const std::vector<double>& first) const
-  {
-    Vector d = masked(first, u_);
-    add_multiple<double, dimension>(d, masked(first, w_), normal_);
     return d;
   }
 
-  // The curvature vector. `second` may be empty, and `normal_first` is the first derivative of the normals.
-  // It is not finite where the derivative is zero or normals are turned by a right angle.
-  Vector curvature_vector(const std::vector<double>& first, const std::vector<double>& normal_first,
-                          const std::vector<double>& second) const
+  static bool sum_to_one(const Matrix& m)
   {
-    const Vector d = derivative(first);
-    Vector dd{};
-    double height = 0;
-    if (!second.empty()) {
-      dd = masked(second, u_);
-      height = masked(second, w_);
-    }
-    if (has_normal_) {
-      const Vector slope = masked(normal_first, g_), u = masked(first, u_);
-      height += roundness_ * dot<double, dimension>(slope, u);
-    }
-    add_multiple<double, dimension>(dd, height, normal_);
-    const auto square = dot<double, dimension>(d, d);
-    add_multiple<double, dimension>(dd, -dot<double, dimension>(d, dd) / square, d);
-    for (double& x : dd) x /= square;
-    return dd;
+    return !m.empty() && std::all_of(m.begin(), m.end(), [](const std::vector<Real>& row) {
+      Real rest = 1;
+      for (const Real x : row) rest -= x;
+      return std::abs(rest) <= tolerance;
+    });
   }
 
-private:
-  static Vector masked(const std::vector<double>& mask, const std::vector<Vector>& values)
+  // a functional of differences, or of differences of these, as one of points
+  static std::vector<double> over_points(std::vector<Real> f, int order)
   {
-    Vector sum{};
-    for (std::size_t j = 0; j < mask.size(); ++j)
-      add_multiple<double, dimension>(sum, mask[j], values[j]);
-    return sum;
-  }
-  static double masked(const std::vector<double>& mask, const std::vector<double>& values)
-  {
-    double sum = 0;
-    for (std::size_t j = 0; j < mask.size(); ++j) sum += mask[j] * values[j];
-    return sum;
+    for (; !f.empty() && order > 0; --order) {
+      f.push_back(0);
+      for (std::size_t j = f.size(); j-- > 0;) f[j] = (j == 0 ? 0 : f[j - 1]) - f[j];
+    }
+    return {f.begin(), f.end()};
   }
 
-  double roundness_;
-  Vector normal_;
-  bool has_normal_;
-  std::vector<Vector> u_, g_;
-  std::vector<double> w_;
+  static double radius(const Matrix& m)
+  {
+    return Ring_masks::largest_modulus(Ring_masks::noise(m.size(), 3), [&](std::vector<Real>& x) {
+      const std::vector<Real> old = x;
+      for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] = std::inner_product(old.begin(), old.end(), m[i].begin(), Real(0));
+    });
+  }
+
+  Univariate_rows<FT> rows_;
+  Index half_;
+  double outer_; // the modulus of the largest eigenvalue that larger windows have besides
+  std::map<Window_size, Window> windows_;
 };
 
 } // namespace internal

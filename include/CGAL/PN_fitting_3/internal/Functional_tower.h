@@ -9,8 +9,8 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_FUNCTIONAL_TOWER_H
 #define CGAL_PN_FITTING_3_INTERNAL_FUNCTIONAL_TOWER_H
 
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_masks.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
 

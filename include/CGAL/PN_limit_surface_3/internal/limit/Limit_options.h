@@ -9,10 +9,18 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_OPTIONS_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_OPTIONS_H
 
+#include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/own_parameters.h>
+#include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -57,6 +65,118 @@ Limit_options limit_options(const NamedParameters& np)
   o.rounds_done = parameter_or<rounds_done_t>(np, o.rounds_done);
   return o;
 }
+
+// What is asked of the limit.
+struct Limit_demand
+{
+  double tolerance = 0; // absolute
+  double normal_tolerance = 0;
+  unsigned max_depth = 0;
+  bool points = true; // if they are not asked for, one average of the limit mask may do
+  bool surface_normals = false, curvatures = false; // of a curve its tangents
+  // where some vertices are asked for: whether so are the neighbors of all whose normals count
+  bool has_neighbors = false;
+};
+
+inline bool asks_for_points(const Limit_options& options)
+{
+  return options.points || !options.surface_normals;
+}
+
+template <class FT>
+Limit_demand limit_demand(const Limit_options& options, double box)
+{
+  if (!(options.tolerance >= 0) || !(options.normal_tolerance >= 0))
+    throw std::invalid_argument(
+      "PN_subdivision_3: a tolerance must be a number that is not negative");
+  Limit_demand demand;
+  demand.tolerance = options.tolerance * box;
+  demand.normal_tolerance = options.normal_tolerance;
+  // exact numbers grow too long; the estimate needs one round
+  demand.max_depth = is_exact_v<FT> ? 1 : (std::max)(1u, options.max_depth);
+  demand.surface_normals = options.surface_normals;
+  demand.points = asks_for_points(options);
+  demand.curvatures = options.curvatures;
+  return demand;
+}
+
+template <class Result>
+Limit_report limit_report(const std::vector<Result>& results, const Limit_demand& demand)
+{
+  Limit_report report;
+  report.tolerance = demand.tolerance;
+  for (const Result& r : results) {
+    const bool counts = demand.points || !r.has_surface_normal;
+    if (counts) report.error = (std::max)(report.error, r.error);
+    report.normal_error = (std::max)(report.normal_error, r.normal_error);
+    report.depth = (std::max)(report.depth, r.depth);
+    if ((counts && !(r.error <= demand.tolerance)) || !(r.normal_error <= demand.normal_tolerance))
+      ++report.number_of_misses;
+    if (demand.surface_normals && !r.has_surface_normal) ++report.number_of_stand_ins;
+  }
+  return report;
+}
+
+// Averages L_k of a limit mask come closer to the limit by steps |L_{k+1} - L_k|, which become a geometric
+// series of some ratio. An estimate of |limit - L_{k+1}| / |L_{k+1} - L_k|: 3/2 of the sum of that series, and
+// 1 at least, while it is not one yet; up to 0.8 was measured then.
+inline double limit_error_factor(double ratio)
+{
+  return (std::max)(1., 1.5 * ratio / (1 - ratio));
+}
+
+// The error after a step. A step may be small by chance, two in a row hardly are.
+inline double limit_error(double factor, double ratio, double step, double& last_step)
+{
+  const double error = factor * (std::max)(step, ratio * last_step);
+  last_step = step;
+  return error;
+}
+
+// Decides when the averages of a limit mask over values that are refined by themselves have come close
+// enough to the limit, as a Limit_tower does.
+template <class FT, int dimension = 3>
+class Limit_steps
+{
+public:
+  // ratio: that of the differences in a row; is_exact: whether the first average is the limit
+  Limit_steps(const Limit_demand& demand, bool is_exact, double ratio)
+    : demand_(demand)
+    , is_exact_(is_exact)
+    , ratio_(ratio)
+  {
+    if (!is_exact) refuse_intervals<FT>();
+  }
+
+  // takes the averages one after the other; whether it is the last one where all else is found
+  bool is_last(const Coordinates<FT, dimension>& limit, bool is_all_else_found = true)
+  {
+    const bool is_first = std::exchange(is_first_, false);
+    if (!is_first) ++depth_;
+    if (!is_first && !is_exact_) {
+      Coordinates<double, 3> step{};
+      for (std::size_t c = 0; c < dimension; ++c) step[c] = close_double(FT(limit[c] - last_[c]));
+      error_ = limit_error(limit_error_factor(ratio_), ratio_, length(step), last_step_);
+    }
+    last_ = limit;
+    const bool is_close = is_exact_ || (!is_first && error_ <= demand_.tolerance);
+    return (is_close && is_all_else_found) || (!is_first && depth_ >= demand_.max_depth);
+  }
+
+  // estimated
+  double error() const { return error_; }
+  // rounds done
+  unsigned depth() const { return depth_; }
+
+private:
+  const Limit_demand& demand_;
+  const bool is_exact_;
+  const double ratio_;
+  bool is_first_ = true;
+  Coordinates<FT, dimension> last_{};
+  double last_step_ = 0, error_ = 0;
+  unsigned depth_ = 0;
+};
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -13,7 +13,6 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_class.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_planes.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
@@ -31,18 +30,6 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
-
-// What is asked of the limit.
-struct Limit_demand
-{
-  double tolerance = 0; // absolute
-  double normal_tolerance = 0;
-  unsigned max_depth = 0;
-  bool points = true; // if they are not asked for, one average of the limit mask may do
-  bool surface_normals = false, curvatures = false;
-  // where some vertices are asked for: whether so are the neighbors of all whose normals count
-  bool has_neighbors = false;
-};
 
 // The limit at one vertex or face.
 template <class Average>

@@ -36,28 +36,6 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-inline bool asks_for_points(const Limit_options& options)
-{
-  return options.points || !options.surface_normals;
-}
-
-template <class FT>
-Limit_demand limit_demand(const Limit_options& options, double box)
-{
-  if (!(options.tolerance >= 0) || !(options.normal_tolerance >= 0))
-    throw std::invalid_argument(
-      "PN_subdivision_3: a tolerance must be a number that is not negative");
-  Limit_demand demand;
-  demand.tolerance = options.tolerance * box;
-  demand.normal_tolerance = options.normal_tolerance;
-  // exact numbers grow too long; the estimate needs one round
-  demand.max_depth = is_exact_v<FT> ? 1 : (std::max)(1u, options.max_depth);
-  demand.surface_normals = options.surface_normals;
-  demand.points = asks_for_points(options);
-  demand.curvatures = options.curvatures;
-  return demand;
-}
-
 template <class Limit, class Average>
 Limit to_limit_point(const Limit_result<Average>& result)
 {
@@ -81,23 +59,6 @@ Limit to_limit_point(const Limit_result<Average>& result)
   l.mean = result.mean;
   l.has_curvature = result.has_curvature;
   return l;
-}
-
-template <class Result>
-Limit_report limit_report(const std::vector<Result>& results, const Limit_demand& demand)
-{
-  Limit_report report;
-  report.tolerance = demand.tolerance;
-  for (const Result& r : results) {
-    const bool counts = demand.points || !r.has_surface_normal;
-    if (counts) report.error = (std::max)(report.error, r.error);
-    report.normal_error = (std::max)(report.normal_error, r.normal_error);
-    report.depth = (std::max)(report.depth, r.depth);
-    if ((counts && !(r.error <= demand.tolerance)) || !(r.normal_error <= demand.normal_tolerance))
-      ++report.number_of_misses;
-    if (demand.surface_normals && !r.has_surface_normal) ++report.number_of_stand_ins;
-  }
-  return report;
 }
 
 template <class FT, class Results, class Name>

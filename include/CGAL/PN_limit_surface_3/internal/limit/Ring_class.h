@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_CLASS_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_CLASS_H
 
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_weights.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_masks.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>

@@ -72,6 +72,29 @@ public:
   // the modulus of the largest eigenvalue besides 1 and those of the tangents, within some percent
   double largest_other() const { return largest_other_; }
 
+  // The modulus of the largest eigenvalue, within some percent, of what `multiply` does to a vector that it is given; 0 if
+  // all vanishes.
+  template <class Multiply>
+  static double largest_modulus(Vector x, const Multiply& multiply)
+  {
+    Real logarithm = 0;
+    constexpr int skipped = 30, measured = 60;
+    for (int k = 0; k < skipped + measured; ++k) {
+      const Real length = normalize(x);
+      if (!(length > 1e-15L)) return 0;
+      if (k > skipped) logarithm += std::log(length);
+      multiply(x);
+    }
+    return static_cast<double>(std::exp(logarithm / (measured - 1)));
+  }
+  static Vector noise(std::size_t size, int seed)
+  {
+    Vector x(size);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] = std::sin(static_cast<Real>(seed) + static_cast<Real>(i) * static_cast<Real>(i + 3));
+    return x;
+  }
+
 private:
   static constexpr int max_steps = 3000;
 
@@ -181,15 +204,8 @@ private:
   {
     Vector x(matrix_.size(), Real(0));
     for (std::size_t s = 0; s < layout.number; ++s) x[layout.first + s] = wave[s];
-    if (layout.at_border) add(x, Real(1) / 100, noise(seed));
+    if (layout.at_border) add(x, Real(1) / 100, noise(x.size(), seed));
     remove_constant(x);
-    return x;
-  }
-  Vector noise(int seed) const
-  {
-    Vector x(matrix_.size());
-    for (std::size_t i = 0; i < x.size(); ++i)
-      x[i] = std::sin(static_cast<Real>(seed) + static_cast<Real>(i) * static_cast<Real>(i + 3));
     return x;
   }
 
@@ -237,17 +253,15 @@ private:
       for (std::size_t j = 0; j < i; ++j) add(basis[i], -dot(basis[i], basis[j]), basis[j]);
       normalize(basis[i]);
     }
-    Vector z = noise(3);
-    Real logarithm = 0;
-    constexpr int skipped = 30, measured = 60;
-    for (int k = 0; k < skipped + measured; ++k) {
+    const auto project = [&](Vector& z) {
       for (const Vector& b : basis) add(z, -dot(z, b), b);
-      const Real length = normalize(z);
-      if (!(length > 1e-15L)) return;
-      if (k > skipped) logarithm += std::log(length);
-      z = matrix_times(z);
-    }
-    largest_other_ = static_cast<double>(std::exp(logarithm / (measured - 1)));
+    };
+    Vector z = noise(matrix_.size(), 3);
+    project(z);
+    largest_other_ = largest_modulus(std::move(z), [&](Vector& x) {
+      x = matrix_times(x);
+      project(x);
+    });
     // a plane that is not the largest part of the net is not the tangent plane
     if (has_tangents() && largest_other_ > smaller_ * (1 - 1e-4)) tangents_ = {};
   }
@@ -256,7 +270,7 @@ private:
   // image of the plane net that they are the coordinates of. Empty if they are not found.
   std::array<Vector, 2> plane_net() const
   {
-    std::array<Vector, 2> u = {noise(4), noise(5)};
+    std::array<Vector, 2> u = {noise(matrix_.size(), 4), noise(matrix_.size(), 5)};
     const double ratio = largest_other_ / smaller_;
     const int steps = ratio > 1e-4 ? static_cast<int>(40 / -std::log(ratio)) : 4;
     for (int k = 0; k < (std::min)(steps, max_steps); ++k) {

@@ -34,6 +34,28 @@ Coordinates<FT, dimension> zero_vector()
   return zero;
 }
 
+// the point of a value, with normal or without
+template <class FT, std::size_t dimension>
+std::array<FT, dimension>& point_of(std::array<FT, dimension>& value)
+{
+  return value;
+}
+template <class FT, std::size_t dimension>
+const std::array<FT, dimension>& point_of(const std::array<FT, dimension>& value)
+{
+  return value;
+}
+template <class Value, class = std::enable_if_t<has_normal_v<Value>>>
+auto& point_of(Value& value)
+{
+  return value.point;
+}
+template <class Value, class = std::enable_if_t<has_normal_v<Value>>>
+const auto& point_of(const Value& value)
+{
+  return value.point;
+}
+
 template <class FT, int dimension>
 inline Coordinates<FT, dimension> difference(Coordinates<FT, dimension> a,
                                              const Coordinates<FT, dimension>& b)

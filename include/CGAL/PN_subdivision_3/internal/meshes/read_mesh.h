@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
@@ -83,28 +84,6 @@ Coordinates<FT, 3> checked_point(const Access& access, Point_map points,
   const Coordinates<FT, 3> p = coordinates_3<FT>(get(points, access.vertex(v)));
   check_finite<FT, 3>(p, "point", [&] { return access.vertex_name(v); });
   return p;
-}
-
-// the point of a value, with normal or without
-template <class FT, std::size_t dimension>
-std::array<FT, dimension>& point_of(std::array<FT, dimension>& value)
-{
-  return value;
-}
-template <class FT, std::size_t dimension>
-const std::array<FT, dimension>& point_of(const std::array<FT, dimension>& value)
-{
-  return value;
-}
-template <class Value, class = std::enable_if_t<has_normal_v<Value>>>
-auto& point_of(Value& value)
-{
-  return value.point;
-}
-template <class Value, class = std::enable_if_t<has_normal_v<Value>>>
-const auto& point_of(const Value& value)
-{
-  return value.point;
 }
 
 template <class FT, class Value, class Access, class Normal_map>
