@@ -16,12 +16,9 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 build=${1:-build/release}
-command=$build/src/pn_subdivide/pn_subdivide
 drawn=build/pictures
 rm -rf "$drawn"
-for script in scripts/make_*_pictures.sh; do
-  "$script" "$command" "$drawn" >/dev/null
-done
+scripts/pictures.py --command "$build/src/pn_subdivide/pn_subdivide" --output "$drawn"
 
 stale=0
 scripts/make_paper_figures.sh --build "$build" --output "$drawn" --check >/dev/null || stale=1

@@ -86,6 +86,16 @@ class Mesh:
         return n
 
 
+def grid_quads(columns: int, rows: int, closed: str = "") -> Iterator[Face]:
+    """The quads between columns x rows points that are numbered row by row; `closed` says whether the grid closes
+    across columns and rows, as in "columns"."""
+    for j in range(rows if "rows" in closed else rows - 1):
+        for i in range(columns if "columns" in closed else columns - 1):
+            a, b = j * columns, (j + 1) % rows * columns
+            k = (i + 1) % columns
+            yield (a + i, a + k, b + k, b + i)
+
+
 def check(mesh: Mesh) -> None:
     """Raises ValueError unless the mesh is an oriented 2-manifold, possibly with borders,
     whose closed components face outwards and whose faces agree with the normals."""

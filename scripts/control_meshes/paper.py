@@ -13,7 +13,7 @@ from itertools import product
 from math import sqrt
 
 from .domain import TWO_PI
-from .mesh import Face, Mesh
+from .mesh import Face, Mesh, grid_quads
 from .modelling import Cell, boundary_of_cells
 from .shapes import NO_NORMAL
 from .vector import Vec, add, cos, cross, scaled, sin, with_length
@@ -23,17 +23,9 @@ Sample = tuple[Vec, Vec]
 
 def _grid(columns: int, rows: int, sample: Callable[[int, int], Sample], closed: str = "",
           comment: str = "") -> Mesh:
-    """A grid of quads; `closed` says whether it closes across columns and rows, as in "columns"."""
+    """A grid of quads, closed as by grid_quads()."""
     samples = [sample(i, j) for j, i in product(range(rows), range(columns))]
-    across = range(columns if "columns" in closed else columns - 1)
-    along = range(rows if "rows" in closed else rows - 1)
-
-    def at(i: int, j: int) -> int:
-        return j % rows * columns + i % columns
-
-    faces = [(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1))
-             for j, i in product(along, across)]
-    return Mesh([p for p, _ in samples], faces, [n for _, n in samples],
+    return Mesh([p for p, _ in samples], list(grid_quads(columns, rows, closed)), [n for _, n in samples],
                 [comment] if comment else [])
 
 

@@ -13,7 +13,7 @@ from math import sqrt
 from random import Random
 
 from .domain import TWO_PI
-from .mesh import Face, Mesh
+from .mesh import Face, Mesh, grid_quads
 from .modelling import Cell, boundary_of_cells
 from .vector import Vec, add, cos, cross, dot, length, lerp, mean, scaled, sin, sub, with_length
 
@@ -77,11 +77,7 @@ def torus(around: int, across: int, radius: float, tube: float) -> Mesh:
     points = [(cos(a) * (radius + tube * cos(b)), sin(a) * (radius + tube * cos(b)), tube * sin(b))
               for a, b in product(u, v)]
 
-    def at(i: int, j: int) -> int:
-        return i % around * across + j % across
-
-    faces = [(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1))
-             for i, j in product(range(around), range(across))]
+    faces = [(a, d, c, b) for a, b, c, d in grid_quads(across, around, "columns rows")]
     return Mesh(points, faces, normals, [f"torus 0 0 0 0 0 1 {radius!r} {tube!r}"])
 
 

@@ -1,0 +1,241 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+"""Draws the pictures of the manual that scripts/pictures.toml describes.
+
+  scripts/pictures.py [NAME...] [--command PN_SUBDIVIDE] [--output FOLDER]
+
+NAME is a picture or a pattern of names, as 'creases_*'; without it all are drawn. A picture is left out, with the reason, if
+its meshes cannot be had. Needs what scripts/render.py needs.
+"""
+
+import argparse
+import fnmatch
+import os
+import re
+import shlex
+import subprocess
+import sys
+import tarfile
+import tempfile
+import tomllib
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from control_meshes import pictured
+from control_meshes.output import as_text
+
+ROOT = Path(__file__).resolve().parent.parent
+COMMAND = ROOT / "build/release/src/pn_subdivide/pn_subdivide"
+FIGURES = ROOT / "doc/PN_subdivision_3/fig"
+DATA = ROOT / "data/meshes"
+CGAL_DATA = Path("/usr/share/doc/libcgal-demo/data.tar.gz")
+FURNITURE = Path(os.environ.get("FURNITURE", "/usr/share/sweethome3d/furniture"))
+Table = dict[str, Any]
+
+
+class Missing(Exception):
+    """Why meshes cannot be had."""
+
+
+def put(value: Any, values: Table) -> Any:
+    """With values in place of their names in braces, in all texts of a table."""
+    if isinstance(value, str):
+        for name, text in values.items():
+            value = value.replace("{" + name + "}", str(text))
+    elif isinstance(value, dict):
+        return {key: put(x, values) for key, x in value.items()}
+    elif isinstance(value, list):
+        return [put(x, values) for x in value]
+    return value
+
+
+def all_pictures() -> dict[str, Table]:
+    table = tomllib.loads((ROOT / "scripts/pictures.toml").read_text())
+    return {put(name, row): put(picture, row) for name, picture in table.items() for row in picture.get("for", [{}])}
+
+
+def tiles_of(picture: Table) -> list[Table]:
+    common = {key: picture[key] for key in ("mesh", "as", "control") if key in picture}
+    tiles = [dict(common | tile) for tile in picture["tiles"]]
+    for tile in tiles:
+        if "refine" in tile:
+            tile["refine"] = f"{picture.get('refine', '')} {tile['refine']}"
+    return [put(tile, row) for row in picture.get("rows", [{}]) for tile in tiles]
+
+
+def run(*words: Any, folder: Path = ROOT) -> None:
+    """Its messages are shown if it fails."""
+    done = subprocess.run(list(map(str, words)), cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{shlex.join(done.args)}\n{done.stdout}")
+
+
+# --- control meshes ---
+
+
+class Control_meshes:
+    """Those of data/meshes where they are, others made in a folder when they are first asked for."""
+
+    def __init__(self, command: Path, work: Path) -> None:
+        self.command, self.work = command.resolve(), work
+
+    def find(self, name: str) -> Path:
+        if (DATA / name).is_file():
+            return (DATA / name).relative_to(ROOT)
+        path = self.work / name
+        if not path.exists():
+            path.parent.mkdir(parents=True, exist_ok=True)
+            SOURCES[name.partition("/")[0]](self, path)
+        return path
+
+    def made(self, path: Path) -> None:
+        path.write_text(as_text(pictured.MESHES[path.stem](), path.name))
+
+    def readme(self, path: Path) -> None:
+        """All that the commands of README.md write."""
+        (path.parent / "data").symlink_to(ROOT / "data")
+        for line in re.findall("(?m)^pn_subdivide (.*)", (ROOT / "README.md").read_text()):
+            run(self.command, *shlex.split(line), "--quiet", folder=path.parent)
+
+    def cgal(self, path: Path) -> None:
+        if not CGAL_DATA.exists():
+            raise Missing(f"{CGAL_DATA} is missing (Debian package libcgal-demo)")
+        with tarfile.open(CGAL_DATA) as archive:
+            path.write_bytes(archive.extractfile(f"data/meshes/{path.name}").read())  # type: ignore[union-attr]
+
+    def sweethome3d(self, path: Path) -> None:
+        """COLLECTION/MODEL.obj"""
+        if not FURNITURE.is_dir():
+            raise Missing(f"{FURNITURE} is missing (Debian package sweethome3d-furniture)")
+        collection = path.parent.name
+        with zipfile.ZipFile(FURNITURE / f"{collection}.sh3f") as archive:
+            path.write_bytes(archive.read(f"{collection.lower()}/{path.stem}/{path.name}"))
+
+    def interpolate_samples(self, path: Path) -> None:
+        run(self.example("interpolate_samples"), path.parent)
+
+    def prescribe_normals(self, path: Path) -> None:
+        folder = path.parent
+        run(self.example("prescribe_normals"), DATA / "head.obj", folder)
+        for when in ("before", "after"):  # both patches in one mesh
+            run("/usr/bin/python3", "-c", JOIN, *(folder / f"{part}_{when}.ply" for part in ("left", "right", "joined")))
+
+    def example(self, name: str) -> Path:
+        """Built where the command is."""
+        found = sorted(self.command.parents[2].glob(f"examples/*/{name}"))
+        if not found:
+            raise Missing(f"the example {name} is missing: scripts/build.sh {name} builds it")
+        return found[0]
+
+
+SOURCES: dict[str, Callable[[Control_meshes, Path], None]] = {
+    "made": Control_meshes.made, "readme": Control_meshes.readme, "cgal": Control_meshes.cgal,
+    "sweethome3d": Control_meshes.sweethome3d, "interpolate_samples": Control_meshes.interpolate_samples,
+    "prescribe_normals": Control_meshes.prescribe_normals}
+
+JOIN = """
+import sys, vtk
+append = vtk.vtkAppendPolyData()
+for name in sys.argv[1:3]:
+    reader = vtk.vtkPLYReader()
+    reader.SetFileName(name)
+    reader.Update()
+    append.AddInputData(reader.GetOutput())
+append.Update()
+writer = vtk.vtkPLYWriter()
+writer.SetFileName(sys.argv[3])
+writer.SetInputData(append.GetOutput())
+writer.Write()
+"""
+
+
+# --- drawing ---
+
+
+class Drawing:
+    """A picture; the meshes that are refined for it are in a folder of its own."""
+
+    def __init__(self, control_meshes: Control_meshes, work: Path) -> None:
+        self.control_meshes, self.work = control_meshes, work
+        self.refined: dict[tuple[str, str, str], Path] = {}
+
+    def mesh(self, tile: Table) -> Path:
+        result = self.refine(tile) if "refine" in tile else self.control_meshes.find(tile["mesh"])
+        if not tile.get("every_second"):
+            return result
+        half = result.with_stem(result.stem + "_half")
+        half.write_text(re.sub(r".*piece_\d*[13579]\.vtp.*\n", "", result.read_text()))
+        return half
+
+    def refine(self, tile: Table) -> Path:
+        options, ending = tile["refine"], tile.get("as", "vtp" if "--curvature" in tile["refine"] else "ply")
+        key = tile["mesh"], options, ending
+        if key not in self.refined:
+            result = self.work / (ending if "." in ending else f"{len(self.refined)}.{ending}")
+            run(self.control_meshes.command, "surface", self.control_meshes.find(tile["mesh"]), result,
+                *shlex.split(options), "--quiet")
+            self.refined[key] = result
+        return self.refined[key]
+
+    def control(self, tile: Table) -> Path | str:
+        match tile.get("control"):
+            case None:
+                return "none"
+            case True:
+                return self.control_meshes.find(tile["mesh"])
+            case str(name):
+                return self.control_meshes.find(name)
+            case other:
+                return self.mesh({"mesh": tile["mesh"]} | other)
+
+    def draw(self, picture: Table, output: Path) -> None:
+        tiles = tiles_of(picture)
+        meshes = [self.mesh(tile) for tile in tiles]
+        options = shlex.split(picture["draw"])
+        if any("control" in tile for tile in tiles):
+            options += [word for tile in tiles for word in ("--control", str(self.control(tile)))]
+        options += [word for tile in tiles if "caption" in tile for word in ("--caption", tile["caption"])]
+        output.parent.mkdir(parents=True, exist_ok=True)
+        status = subprocess.run(["scripts/render.py", "--output", output, *options, *meshes], cwd=ROOT).returncode
+        if status != 0:
+            sys.exit(status)
+
+
+def draw(names: list[str], command: Path, folder: Path) -> None:
+    """All whose names match one; without names all."""
+    chosen = {name: picture for name, picture in all_pictures().items()
+              if not names or any(fnmatch.fnmatchcase(name, n) for n in names)}
+    unknown = [n for n in names if not fnmatch.filter(chosen, n)]
+    if unknown:
+        sys.exit(f"pictures.py: no picture is named {', '.join(unknown)}")
+    if not os.access(command, os.X_OK):
+        sys.exit(f"{command} is missing: scripts/build.sh pn_subdivide builds it")
+    with tempfile.TemporaryDirectory() as work:
+        control_meshes = Control_meshes(command, Path(work))
+        for name, picture in chosen.items():
+            try:
+                with tempfile.TemporaryDirectory(dir=work) as refined:
+                    Drawing(control_meshes, Path(refined)).draw(picture, folder.resolve() / f"{name}.png")
+            except Missing as reason:
+                print(f"left out: {name}: {reason}", file=sys.stderr)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("names", nargs="*", metavar="NAME")
+    parser.add_argument("--command", type=Path, default=COMMAND, help="pn_subdivide")
+    parser.add_argument("--output", type=Path, default=FIGURES, metavar="FOLDER")
+    arguments = parser.parse_args()
+    draw(arguments.names, arguments.command, arguments.output)
+
+
+if __name__ == "__main__":
+    main()
