@@ -45,6 +45,7 @@ def prose(path: Path) -> str:
     text = re.sub(r"(?s)\\f\[.*?\\f\]|\\f\$.*?\\f\$|`[^`]*`", " X ", text)
     text = re.sub(r'\\ref\s+"?[\w/.]+"?(\s+"([^"]*)")?', lambda m: m[2] or "X", text)
     text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
+    text = re.sub(r"\*+(\w[^*]*)\*+", r"\1", text)
     text = re.sub(r"\\cgal(?:Cite|FigureRef)\s*\{[^}]*\}", "X", text)
     lines = []
     for line in text.splitlines():
