@@ -43,7 +43,7 @@ NOT_OURS = {"Concepts", "node_modules"}
 # The README is the first visit; what needs more words has pages of its own in doc/.
 WORDS_OF_README = 700
 # So is the user manual the first reading.
-BYTES_OF_MANUAL = 45000
+BYTES_OF_MANUAL = 32000
 # The version of CGAL from whose headers the list of dependencies is derived: each names its package.
 REFERENCE_CGAL = "5.5"
 

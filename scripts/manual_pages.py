@@ -8,7 +8,8 @@
 # Author(s): PN_subdivision_3 developers
 """What CGAL's documentation build does around Doxygen, for the manual that is built outside of CGAL.
 
-  manual_pages.py prepare OUT    writes the bibliography that PN_subdivision_3.bib makes
+  manual_pages.py prepare OUT    writes the bibliography that PN_subdivision_3.bib makes, and which function reads which
+                                 named parameters of this package, by its check_are_read<...>()
   manual_pages.py finish HTML    numbers figures and citations in Doxygen's pages, and turns formulas
                                  into MathML, which browsers show without a script and a network
 
@@ -25,7 +26,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-DOC = Path(__file__).resolve().parent.parent / "doc" / "PN_subdivision_3"
+ROOT = Path(__file__).resolve().parent.parent
+DOC = ROOT / "doc" / "PN_subdivision_3"
 ACCENTS = {'"': "uml", "'": "acute", "`": "grave", "^": "circ", "~": "tilde"}
 
 
@@ -80,9 +82,53 @@ def bibliography() -> str:
                       "</table>", "*/", ""])
 
 
+# --- named parameters ---
+
+FUNCTION = re.compile(r"\n {0,2}(?!return|if|else)[^\n/*;{}=]*?(\w+)\((?:const )?[\w:]+(?:<[^()]*>)?[&* ]+\w+[,)]")
+CALLED = {"subdivide_by_variant": "CatmullClark_subdivision"}
+LIKE = {"subdivide": "`subdivide()`, functions of other schemes",
+        "CatmullClark_subdivision": "`CatmullClark_subdivision()`, `Loop_subdivision()`"}
+
+
+def read_parameters() -> dict[str, set[str]]:
+    """Function to the parameters of this package that it does not refuse."""
+    texts = [path.read_text() for path in sorted((ROOT / "include").rglob("*.h"))]
+    packs = {name: set(re.findall(r"(\w+)_t\b", tags)) for text in texts for name, tags in
+             re.findall(r"struct (\w+)\s*:\s*(?:internal::)?Read_parameters<([^>]*)>", text)}
+    found: dict[str, set[str]] = {}
+    for text in texts:
+        for check in re.finditer(r"check_are_read<([\w:,\s]*)>\(\)", text):
+            functions = FUNCTION.findall(text[:check.start()])
+            names = set(re.findall(r"(\w+)_t\b", check[1])).union(
+                *(tags for pack, tags in packs.items() if pack in check[1]))
+            if functions and names:
+                found.setdefault(CALLED.get(functions[-1], functions[-1]), set()).update(names)
+    return found
+
+
+def parameter_page() -> str:
+    found = read_parameters()
+    if "subdivide" not in found:
+        sys.exit("manual_pages.py: the checks of named parameters in include/ are not found")
+    mesh = found["subdivide"] - {"attributes"}
+
+    def row(function: str) -> str:
+        own = found[function]
+        names = (["those of a control mesh"] if mesh <= own else []) + [
+            f"`parameters::{name}()`" for name in sorted(own - mesh if mesh <= own else own)]
+        return f"| {LIKE.get(function, f'`{function}()`')} | {', '.join(names)} |"
+
+    listed = ", ".join(f"`parameters::{name}()`" for name in sorted(mesh))
+    return "\n".join(["namespace CGAL::PN_subdivision_3 {", "/*!",
+                      "\\page PN_subdivision_3_parameters Which Function Reads Which Named Parameter", "",
+                      f"Functions and constructors refuse other parameters of this package. Those of a control mesh are {listed}.", "",
+                      "| function | parameters of this package |", "|---|---|", *map(row, sorted(found, key=str.lower)), "*/", "}", ""])
+
+
 def prepare(out: Path) -> None:
     out.mkdir(parents=True, exist_ok=True)
     (out / "bibliography.txt").write_text(bibliography())
+    (out / "parameters.txt").write_text(parameter_page())
 
 
 # --- the pages ---

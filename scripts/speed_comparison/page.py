@@ -68,17 +68,6 @@ class Page:
             return self.find(beside, job, size, threads, kind, process)
         return m
 
-    def seconds_of_a_fault(self, scheme: str, size: int) -> float:
-        fresh, again = (self.find(scheme, f"floor/{x}", size) for x in ("fresh", "again"))
-        if not fresh or not again or fresh.page_faults <= again.page_faults:
-            return 0
-        return (fresh.seconds - again.seconds) / (fresh.page_faults - again.page_faults)
-
-    def without_faults(self, scheme: str, m: Median, size: int) -> float:
-        """ns a face"""
-        seconds = m.seconds - m.page_faults * self.seconds_of_a_fault(scheme, size)
-        return 1e9 * seconds / m.faces
-
     def rows_of_sizes(self, scheme: str, jobs: list[str]) -> list[list[str]]:
         rows = []
         for job in jobs:
@@ -89,18 +78,11 @@ class Page:
                 name = NAMES[job] + (", 2 threads" if threads == 2 else "")
                 if scheme in BESIDE and job.startswith("cgal/"):
                     name += ", Catmull-Clark"
-                row = [name] + [number(m.ns_per_face()) if m else "" for m in found]
-                at = max((s for s in self.sizes if s <= 1_000_000), default=self.sizes[0])
-                m = self.find(scheme, job, at, threads)
-                row.append(number(self.without_faults(scheme, m, at)) if m else "")
-                row.append(number(1000 * m.page_faults / m.faces) if m else "")
-                rows.append(row)
+                rows.append([name] + [number(m.ns_per_face()) if m else "" for m in found])
         return rows
 
     def tables_of_sizes(self) -> list[str]:
-        at = size_name(max((s for s in self.sizes if s <= 1_000_000), default=self.sizes[0]))
-        header = [""] + [size_name(s) for s in self.sizes] + [f"{at}, faults taken out",
-                                                             f"{at}, faults a 1000 faces"]
+        header = [""] + [size_name(s) for s in self.sizes]
         lines = []
         for scheme in self.schemes:
             lines += [f"### {TITLES[scheme]}", ""]
@@ -112,8 +94,7 @@ class Page:
         for scheme in self.schemes:
             rows = self.rows_of_sizes(scheme, list(AGAIN))
             if rows:
-                header = [TITLES[scheme]] + [size_name(s) for s in self.sizes] + ["", ""]
-                lines += table(header[:-2], [row[:-2] for row in rows])
+                lines += table([TITLES[scheme]] + [size_name(s) for s in self.sizes], rows)
         return lines
 
     def table_of_meshes(self, size: int) -> list[str]:
@@ -122,7 +103,7 @@ class Page:
                    ("regular", "fresh"), ("regular", "huge"))
         rows = []
         for scheme in self.schemes:
-            for job in NAMES:
+            for job in (j for j in NAMES if not j.endswith("/polyhedron")):
                 found = [self.find(scheme, job, size, 1, *c) for c in columns]
                 is_of_other_scheme = scheme in BESIDE and job.startswith("cgal/")
                 if all(found) and not is_of_other_scheme and not job.startswith("floor"):
@@ -148,30 +129,13 @@ class Page:
         sizes = [size_name(s) for s in self.sizes]
         return table([""] + [f"{s}, / CGAL" for s in sizes] + [f"{s}, / floor" for s in sizes], rows)
 
-    def table_of_growth(self) -> list[str]:
-        if not {100_000, 10_000_000} <= set(self.sizes):
-            return []
-        rows = []
-        for scheme in self.schemes:
-            for threads in (1, 2):
-                small, large = (self.find(scheme, "pn/surface-mesh", s, threads)
-                                for s in (100_000, 10_000_000))
-                if small and large:
-                    taken_out = (self.without_faults(scheme, large, 10_000_000) /
-                                 self.without_faults(scheme, small, 100_000))
-                    rows.append([TITLES[scheme] + (", 2 threads" if threads == 2 else ""),
-                                 f"{large.ns_per_face() / small.ns_per_face():.2f}",
-                                 f"{taken_out:.2f}"])
-        return table(["10 M to 100 k, cost a face", "as it is", "faults taken out"], rows)
-
     def lines(self) -> list[str]:
-        lines = ["", "## Ratios", ""] + self.table_of_ratios() + self.table_of_growth()
+        lines = ["", "## Ratios", ""] + self.table_of_ratios()
         lines += ["## Whole jobs on regular control meshes", "", "Nanoseconds a refined face.", ""]
         lines += self.tables_of_sizes()
         lines += ["## Other control meshes, fresh processes, huge pages", "",
                   "Nanoseconds a refined face, one thread.", ""]
-        for size in sorted({r.size for r in self.medians if r.kind == "irregular"}):
-            lines += self.table_of_meshes(size)
+        lines += self.table_of_meshes(max((r.size for r in self.medians if r.kind == "irregular"), default=0))
         lines += ["## Evaluation once more", "", "Nanoseconds a refined face, all control points and "
                   "normals being set again.", ""]
         return lines + self.tables_of_evaluation()

@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+"""Counts the long sentences of the manual, and those that begin with What, Of, Where or That.
+
+  sentences.py [PAGE...]            a line for each page, and its worst twenty sentences
+  sentences.py --check [PAGE...]    only the shares of all pages; exit code 1 if they are above the goals
+
+Without PAGE all pages of doc/PN_subdivision_3 are read. Code, tables, formulas and headings are no sentences; an item of a
+list begins one. A formula, a name in backquotes and a link count as a word.
+"""
+
+import argparse
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+DOC = ROOT / "doc" / "PN_subdivision_3"
+WORDS = 35
+LONG_SHARE = 0.03
+OPENINGS = ("What", "Of", "Where", "That")
+OPENING_SHARE = 0.02
+WORST = 20
+
+
+def pages() -> list[Path]:
+    return sorted(path for path in DOC.iterdir() if path.suffix in (".txt", ".md"))
+
+
+def prose(path: Path) -> str:
+    """The text of a page; an empty line stands where a sentence cannot go on."""
+    text = path.read_text()
+    if path.suffix == ".txt":
+        text = "\n\n".join(re.findall(r"(?s)/\*!(.*?)\*/", text))
+        text = re.sub(r"(?ms)^\\(?:code|verbatim).*?^\\end(?:code|verbatim)$", "\n", text)
+    else:
+        text = re.sub(r"(?ms)^```.*?^```$|^(?:    [^\n]*\n)+(?=\n)", "\n", text)
+    text = re.sub(r"(?s)<!--.*?-->|<pre>.*?</pre>|<table.*?</table>", "", text)
+    text = re.sub(r"(?s)\\f\[.*?\\f\]|\\f\$.*?\\f\$|`[^`]*`", " X ", text)
+    text = re.sub(r'\\ref\s+"?[\w/.]+"?(\s+"([^"]*)")?', lambda m: m[2] or "X", text)
+    text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
+    text = re.sub(r"\*+(\w[^*]*)\*+", r"\1", text)
+    text = re.sub(r"\\cgal(?:Cite|FigureRef)\s*\{[^}]*\}", "X", text)
+    lines = []
+    for line in text.splitlines():
+        if re.match(r"\s*(\||#|\\cgalFigure|\\cgalCRP|\\(sub)*section|\\page|\\anchor|\\authors|\\cgal\w+$|\\example|"
+                    r"\\image|\\cgalExample|\\mainpage|\\(defgroup|ingroup|addtogroup)|\\cgalPkg)", line):
+            lines.append("")
+            continue
+        if re.match(r"\s*(- |-# |\* |\d+\. |<d[td]>|<li>)", line):
+            lines.append("")
+        lines.append(re.sub(r"\\em\b|\\(?=cgal\b)|<[^>]*>|^\s*(?:- |-# |\* |/// ?)", "", line))
+    return "\n".join(lines)
+
+
+def sentences(path: Path) -> list[str]:
+    found = []
+    for paragraph in re.split(r"\n\s*\n", prose(path)):
+        paragraph = " ".join(paragraph.split())
+        for sentence in re.split(r"(?<=[.!?])[)\"]?\s+(?=[(\"]?[A-Z0-9])", paragraph):
+            if len(words(sentence)) > 2:
+                found.append(sentence)
+    return found
+
+
+def words(sentence: str) -> list[str]:
+    return re.findall(r"[\w'\-/.,]*\w[\w'\-]*", sentence)
+
+
+def is_long(sentence: str) -> bool:
+    return len(words(sentence)) > WORDS
+
+
+def begins_badly(sentence: str) -> bool:
+    return re.match(rf"(?:{'|'.join(OPENINGS)})\b", sentence) is not None
+
+
+def shares(found: list[str]) -> tuple[float, float]:
+    number = max(len(found), 1)
+    return sum(map(is_long, found)) / number, sum(map(begins_badly, found)) / number
+
+
+def line(name: str, found: list[str]) -> str:
+    long, opening = shares(found)
+    return (f"{name}: {len(found)} sentences, {long:.1%} of more than {WORDS} words, "
+            f"{opening:.1%} begin with {', '.join(OPENINGS[:-1])} or {OPENINGS[-1]}")
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--check", action="store_true", help="compare with the goals, and print no sentences")
+    parser.add_argument("page", nargs="*", type=Path)
+    options = parser.parse_args()
+    everything = []
+    for path in options.page or pages():
+        found = sentences(path)
+        everything += found
+        if options.check:
+            continue
+        print(line(path.name, found))
+        worst = sorted(found, key=lambda s: len(words(s)), reverse=True)[:WORST]
+        for sentence in filter(lambda s: is_long(s) or begins_badly(s), worst):
+            print(f"  {len(words(sentence))}: {sentence}")
+    print(line("all", everything))
+    long, opening = shares(everything)
+    return 1 if options.check and (long > LONG_SHARE or opening > OPENING_SHARE) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
