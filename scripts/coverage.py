@@ -112,8 +112,8 @@ def main():
         run += len(count) - len(missed)
         if missed:
             print(f"{100 * (1 - len(missed) / len(count)):5.1f} %  {path}: {ranges(missed)}")
-    unseen = [p.relative_to(ROOT / "include") for p in (ROOT / "include").rglob("*.h")
-              if p.relative_to(ROOT / "include") not in files and p.name not in COMPILED_ONLY]
+    unseen = [p.relative_to(ROOT / "include") for p in (ROOT / "include").rglob("*")
+              if p.suffix in (".h", ".cpp") and p.relative_to(ROOT / "include") not in files and p.name not in COMPILED_ONLY]
     if unseen:
         print("without code that these tests compile: " + ", ".join(map(str, sorted(unseen))))
     percent = 100 * run / max(lines, 1)
