@@ -14,6 +14,7 @@ run(${CMAKE_COMMAND} --install ${FOLDER}/install_without_building --prefix ${PRE
 
 foreach(file
         include/CGAL/PN_subdivision_3.h
+        include/CGAL/PN_recognition_3/internal/Shape.cpp
         share/cmake/PN_subdivision_3/PN_subdivision_3Config.cmake
         share/pkgconfig/PN_subdivision_3.pc
         share/doc/PN_subdivision_3/LICENSE.GPL

@@ -96,10 +96,10 @@ def layers() -> dict[str, Layer]:
 
 
 def headers(root: Path) -> dict[Path, list[Path]]:
-    """The package's headers, below include/CGAL, with those that they include."""
+    """The package's headers, and sources that headers include, below include/CGAL, with those that they include."""
     include = root / "include" / "CGAL"
     return {path.relative_to(include): [Path(name) for name in INCLUDE.findall(path.read_text())]
-            for path in sorted(include.rglob("*.h"))}
+            for path in sorted(include.rglob("*")) if path.suffix in (".h", ".cpp")}
 
 
 def layers_of_headers(root: Path) -> tuple[dict[Path, str], list[Path]]:

@@ -113,8 +113,8 @@ def main():
         run += len(count) - len(missed)
         if missed:
             print(f"{100 * (1 - len(missed) / len(count)):5.1f} %  {path}: {ranges(missed)}")
-    unseen = [p.relative_to(folder) for folder in FOLDERS for p in folder.rglob("*.h")
-              if p.relative_to(folder) not in files and p.name not in COMPILED_ONLY]
+    unseen = [p.relative_to(folder) for folder in FOLDERS for p in folder.rglob("*")
+              if p.suffix in (".h", ".cpp") and p.relative_to(folder) not in files and p.name not in COMPILED_ONLY]
     if unseen:
         print("without code that these tests compile: " + ", ".join(map(str, sorted(unseen))))
     percent = 100 * run / max(lines, 1)

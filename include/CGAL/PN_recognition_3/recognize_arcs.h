@@ -10,9 +10,7 @@
 
 #include <CGAL/PN_curves/curve_control_normals.h>
 #include <CGAL/PN_curves/curve_corners.h>
-#include <CGAL/PN_recognition_3/internal/Arc_finder.h>
-#include <CGAL/PN_recognition_3/internal/Plane_of_polygon.h>
-#include <CGAL/PN_recognition_3/internal/recognize_part.h>
+#include <CGAL/PN_recognition_3/internal/recognition.h>
 
 #include <array>
 #include <cmath>
@@ -90,7 +88,7 @@ std::vector<Recognized_arc> recognize_arcs(const Range& polygon, Curve_end end,
   const internal::Recognition_parameters<NamedParameters> options(np);
   const auto points = Points::template get_all<double>(polygon, np);
   const bool closed = end == Curve_end::closed;
-  const internal::Plane_of_polygon plane(points, closed, options.tolerance);
+  const internal::recognition::Plane_of_polygon plane(points, closed, options.tolerance);
   auto [distinct, position] = internal::distinct_neighbors(plane.points(), closed);
   std::vector<std::size_t> original(distinct.size());
   for (std::size_t i = points.size(); i-- > 0;) original[position[i]] = i;
@@ -100,8 +98,8 @@ std::vector<Recognized_arc> recognize_arcs(const Range& polygon, Curve_end end,
     return i < n ? original[i] : original[i - n] + points.size();
   };
   std::vector<Recognized_arc> result;
-  internal::Arc_finder find(std::move(distinct), closed, plane.tolerance(), options.min_facets);
-  for (const internal::Arc_run& run : find()) {
+  for (const internal::recognition::Arc_run& run : internal::recognition::find_arcs(
+         std::move(distinct), closed, plane.tolerance(), options.min_facets)) {
     Recognized_arc& arc = result.emplace_back();
     arc.kind = Recognized_arc::Kind(int(run.kind));
     arc.first = position_of(run.first);
@@ -128,7 +126,7 @@ class Split_at_arcs
 
 public:
   Split_at_arcs(const Range& polygon, bool closed, const std::vector<Recognized_arc>& arcs,
-                const Plane_of_polygon& plane, const NamedParameters& np)
+                const recognition::Plane_of_polygon& plane, const NamedParameters& np)
     : polygon_(polygon)
     , closed_(closed)
     , arcs_(arcs)
@@ -234,7 +232,7 @@ private:
   const Range& polygon_;
   bool closed_;
   const std::vector<Recognized_arc>& arcs_;
-  const Plane_of_polygon& plane_;
+  const recognition::Plane_of_polygon& plane_;
   const NamedParameters& np_;
   std::size_t size_;
 };
@@ -274,8 +272,8 @@ auto split_at_arcs(const Range& polygon, Curve_end end, const std::vector<Recogn
   using Points = internal::Curve_points<Range, NamedParameters>;
   const internal::Recognition_parameters<NamedParameters> options(np);
   const bool closed = end == Curve_end::closed;
-  const internal::Plane_of_polygon plane(Points::template get_all<double>(polygon, np), closed,
-                                         options.tolerance);
+  const internal::recognition::Plane_of_polygon plane(Points::template get_all<double>(polygon, np),
+                                                      closed, options.tolerance);
   return internal::Split_at_arcs<Range, NamedParameters>(polygon, closed, arcs, plane, np)();
 }
 

@@ -8,11 +8,12 @@
 #ifndef CGAL_PN_RECOGNITION_3_RECOGNIZE_SURFACES_H
 #define CGAL_PN_RECOGNITION_3_RECOGNIZE_SURFACES_H
 
-#include <CGAL/PN_recognition_3/internal/Surface_tags.h>
-#include <CGAL/PN_recognition_3/internal/recognize_part.h>
+#include <CGAL/PN_recognition_3/internal/recognition.h>
 #include <CGAL/PN_recognition_3/surfaces/Recognized_surface.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -23,10 +24,54 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
+namespace internal {
+
+struct Read_part
+{
+  Level_connectivity level;
+  recognition::Points points;
+};
+
+template <class Mesh, class Access, class NamedParameters>
+Read_part read_part(const Mesh& mesh, const Access& access, const NamedParameters& np)
+{
+  using Parameters = Surface_parameters<Mesh, NamedParameters>;
+  using FT = typename Parameters::FT;
+  Read_part result{checked_level(access), {}};
+  const auto map = Parameters::const_point_map(mesh, np);
+  for (Level_connectivity::Index v = 0; v < result.level.number_of_vertices(); ++v) {
+    result.points.push_back(to_double_3(checked_point<FT>(access, map, v)));
+    check_finite<double, 3>(result.points.back(), "point", [&] { return access.vertex_name(v); });
+  }
+  return result;
+}
+
+// the number of each face's surface, in the order of the mesh
+template <class Access, class Patch_map>
+std::vector<std::size_t> checked_patches(const Access& access, Patch_map patch_map,
+                                         std::size_t faces, std::size_t surfaces)
+{
+  std::vector<std::size_t> result;
+  for (Level_connectivity::Index f = 0; f < faces; ++f) {
+    const auto number = get(patch_map, access.face_at(f));
+    if (static_cast<long long>(number) < 0 || std::size_t(number) >= surfaces)
+      throw std::invalid_argument("PN_subdivision_3: " + access.face_name(f) +
+                                  " has the number of a surface that there is not: take those of "
+                                  "recognize_surfaces() for this mesh");
+    result.push_back(std::size_t(number));
+  }
+  return result;
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -74,12 +119,12 @@ recognize_surfaces(const FaceGraph& mesh, FacePatchMap patch_map,
                            internal::surface_tolerance_t>();
   const internal::Recognition_parameters<NamedParameters> options(np);
   internal::with_mesh_access(mesh, [&](const auto& access) {
-    const auto read = internal::read_part(mesh, access, np, options.tolerance);
-    const auto segments = internal::recognition::recognize_part(read.part, options.min_facets);
-    result = internal::recognition::surfaces_of(read.part, segments);
-    for (Level_connectivity::Index f = 0; f < segments.segment_of_face.size(); ++f)
-      put(patch_map, access.face_at(read.part.face_of_mesh[f]),
-          static_cast<Number>(segments.segment_of_face[f]));
+    const internal::Read_part part = internal::read_part(mesh, access, np);
+    auto found = internal::recognition::find_surfaces(part.level, part.points, options.tolerance,
+                                                      options.min_facets);
+    for (Level_connectivity::Index f = 0; f < found.surface_of_face.size(); ++f)
+      put(patch_map, access.face_at(f), static_cast<Number>(found.surface_of_face[f]));
+    result = std::move(found.surfaces);
   });
   return result;
 }
@@ -126,40 +171,44 @@ std::size_t surface_creases(const FaceGraph& mesh, FacePatchMap patch_map,
                            internal::sharp_angle_t, internal::vertex_roundness_map_t>();
   using Parameters = internal::Surface_parameters<FaceGraph, NamedParameters>;
   using Index = Level_connectivity::Index;
+  const internal::Recognition_parameters<NamedParameters> options(np);
   std::size_t number = 0;
-  internal::with_surface_tags(
-    mesh, patch_map, surfaces, np,
-    [&](const auto& access, const Level_connectivity& level, const auto& tags) {
-      for (Index e = 0; e < level.number_of_edges(); ++e) {
-        const bool is_crease = tags.is_crease(e);
-        put(edge_map, access.edge_at(e), is_crease);
-        number += is_crease;
+  internal::with_mesh_access(mesh, [&](const auto& access) {
+    const internal::Read_part part = internal::read_part(mesh, access, np);
+    const internal::recognition::Surface_tags tags(
+      part.level, part.points, options.tolerance, surfaces,
+      internal::checked_patches(access, patch_map, part.level.number_of_faces(), surfaces.size()),
+      internal::recognition::radians(options.sharp_angle));
+    for (Index e = 0; e < part.level.number_of_edges(); ++e) {
+      const bool is_crease = tags.is_crease(e);
+      put(edge_map, access.edge_at(e), is_crease);
+      number += is_crease;
+    }
+    using Corner_map = typename Parameters::Vertex_constraint_map;
+    if constexpr (internal::is_constraint_map_v<Corner_map>) {
+      const Corner_map corners = Parameters::vertex_constraint_map(np);
+      for (Index v = 0; v < part.level.number_of_vertices(); ++v)
+        put(corners, access.vertex(v), tags.is_corner(v));
+    }
+    if constexpr (internal::is_given_roundness_v<typename Parameters::Roundness_map>) {
+      const auto roundness = Parameters::roundness_map(np);
+      using Number = typename boost::property_traits<decltype(roundness)>::value_type;
+      for (Index v = 0; v < part.level.number_of_vertices(); ++v)
+        put(roundness, access.vertex(v), Number(tags.is_unknown(v) ? 0 : 1));
+    }
+    using Normal_map = typename Parameters::Normal_map;
+    if constexpr (!std::is_same_v<Normal_map, internal::No_normal_map>) {
+      static_assert(internal::is_of_halfedges_v<std::decay_t<decltype(access)>, Normal_map>,
+                    "PN_subdivision_3: the normals of surfaces belong to the corners of faces: "
+                    "the vertex_normal_map must be one of half-edges");
+      using Normal = typename boost::property_traits<Normal_map>::value_type;
+      const Normal_map normals = Parameters::normal_map(np);
+      for (Index h = 0; h < part.level.number_of_halfedges(); ++h) {
+        const auto n = tags.normal(h);
+        put(normals, access.halfedge_at(h), Normal(n.x, n.y, n.z));
       }
-      using Corner_map = typename Parameters::Vertex_constraint_map;
-      if constexpr (internal::is_constraint_map_v<Corner_map>) {
-        const Corner_map corners = Parameters::vertex_constraint_map(np);
-        for (Index v = 0; v < level.number_of_vertices(); ++v)
-          put(corners, access.vertex(v), tags.is_corner(v));
-      }
-      if constexpr (internal::is_given_roundness_v<typename Parameters::Roundness_map>) {
-        const auto roundness = Parameters::roundness_map(np);
-        using Number = typename boost::property_traits<decltype(roundness)>::value_type;
-        for (Index v = 0; v < level.number_of_vertices(); ++v)
-          put(roundness, access.vertex(v), Number(tags.is_unknown(v) ? 0 : 1));
-      }
-      using Normal_map = typename Parameters::Normal_map;
-      if constexpr (!std::is_same_v<Normal_map, internal::No_normal_map>) {
-        static_assert(internal::is_of_halfedges_v<std::decay_t<decltype(access)>, Normal_map>,
-                      "PN_subdivision_3: the normals of surfaces belong to the corners of faces: "
-                      "the vertex_normal_map must be one of half-edges");
-        using Normal = typename boost::property_traits<Normal_map>::value_type;
-        const Normal_map normals = Parameters::normal_map(np);
-        for (Index h = 0; h < level.number_of_halfedges(); ++h) {
-          const auto n = tags.normal(h);
-          put(normals, access.halfedge_at(h), Normal(n.x, n.y, n.z));
-        }
-      }
-    });
+    }
+  });
   return number;
 }
 

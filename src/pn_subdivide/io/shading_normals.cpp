@@ -10,7 +10,7 @@
 
 #include "io/corner_normals.h"
 
-#include <CGAL/PN_recognition_3/internal/file_rounding.h>
+#include <CGAL/PN_recognition_3/internal/recognition.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 #include "io/corner_normals.h"
 #include "surface/Wedges.h"
 
-#include <CGAL/PN_recognition_3/internal/file_rounding.h>
+#include <CGAL/PN_recognition_3/internal/recognition.h>
 #include <CGAL/PN_recognition_3/recognize_surfaces.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -129,13 +129,13 @@ void fill(Recognized_part& part, const Surface& surface, Patch_map segments, Cre
     part.creases.push_back(creases[e]);
     if (!creases[e]) continue;
     const double cosine = cosine_between(part, surface, segments, normals, e);
-    const auto is_round = [&](Halfedge h) {
-      return part.surfaces[segments[surface.face(h)]].kind != Kind::plane;
+    const auto is_beside_round = [&](Halfedge h) {
+      return is_round(part.surfaces[segments[surface.face(h)]].kind);
     };
     if (cosine >= cosine_of_2_degrees)
       ++part.tangent_creases;
-    else if (cosine > cosine_of_40_degrees && is_round(surface.halfedge(e)) &&
-             is_round(surface.opposite(surface.halfedge(e))))
+    else if (cosine > cosine_of_40_degrees && is_beside_round(surface.halfedge(e)) &&
+             is_beside_round(surface.opposite(surface.halfedge(e))))
       ++part.slight_creases;
   }
   for (const Halfedge h : surface.halfedges()) part.normals.push_back(normals[h]);
@@ -176,6 +176,11 @@ void try_tolerance_of_six_digits(Recognized_part& part, Surface& surface,
 }
 
 } // namespace
+
+bool is_round(Recognized_surface::Kind kind)
+{
+  return PN::internal::recognition::facts_of(kind).is_round();
+}
 
 bool Recognized_part::knows_any() const
 {

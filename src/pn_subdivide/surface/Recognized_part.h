@@ -22,6 +22,9 @@ namespace pn_subdivide {
 
 using Recognized_surface = CGAL::PN_subdivision_3::Recognized_surface;
 
+// neither a plane nor unknown
+bool is_round(Recognized_surface::Kind kind);
+
 // What --sharp surfaces finds in a control mesh, by the numbers of make_surface().
 struct Recognized_part
 {

@@ -10,7 +10,7 @@
 
 #include "surface/Recognized_part.h"
 
-#include <CGAL/PN_recognition_3/internal/Shape.h>
+#include <CGAL/PN_recognition_3/internal/recognition.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -54,11 +54,6 @@ Point_3 as_point(const Vec3& p)
 double six_volumes(const Vec3& p, const Vec3& q, const Vec3& r)
 {
   return dot(p, cross(q, r));
-}
-
-bool is_round(Kind kind)
-{
-  return kind != Kind::unknown && kind != Kind::plane;
 }
 
 // The point of one surface or of two that is near to one of their tessellation; that itself if they are far apart.

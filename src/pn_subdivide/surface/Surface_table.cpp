@@ -11,7 +11,7 @@
 #include "surface/Surface.h"
 #include "surface/output_tags.h"
 
-#include <CGAL/PN_recognition_3/internal/Shape.h>
+#include <CGAL/PN_recognition_3/internal/recognition.h>
 
 #include <algorithm>
 #include <array>
@@ -37,38 +37,37 @@ namespace PN_recognition = CGAL::PN_subdivision_3::internal::recognition;
 
 using Kind = Recognized_surface::Kind;
 
-constexpr std::array<Kind, 6> kinds{Kind::plane,  Kind::cylinder, Kind::cone,
-                                    Kind::sphere, Kind::torus,    Kind::unknown};
+// What reports say of a kind, in their order. The compiler tells of a kind that is not here.
+struct Kind_words
+{
+  int place = 0;
+  const char* one = "";
+  const char* many = "";
+  bool has_direction = false, has_radius = false;
+};
 
-const char* name_of(Kind kind)
+Kind_words words_of(Kind kind)
 {
   switch (kind) {
   case Kind::plane:
-    return "plane";
+    return {0, "plane", "planes", true, false};
   case Kind::cylinder:
-    return "cylinder";
+    return {1, "cylinder", "cylinders", true, true};
   case Kind::cone:
-    return "cone";
+    return {2, "cone", "cones", true, false};
   case Kind::sphere:
-    return "sphere";
+    return {3, "sphere", "spheres", false, true};
   case Kind::torus:
-    return "torus";
+    return {4, "torus", "tori", true, true};
   case Kind::unknown:
     break;
   }
-  return "unknown";
+  return {5, "unknown segment", "unknown segments"};
 }
 
 std::string number_of(std::size_t n, const std::string& one, const std::string& many)
 {
   return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
-std::string number_of(std::size_t n, Kind kind)
-{
-  if (kind == Kind::unknown) return number_of(n, "unknown segment", "unknown segments");
-  const std::string name = name_of(kind);
-  return number_of(n, name, kind == Kind::torus ? "tori" : name + "s");
 }
 
 std::string digits(double x)
@@ -165,13 +164,8 @@ std::string columns(const std::array<std::string, 6>& words)
 std::string radius_of(const Recognized_surface& s)
 {
   if (s.kind == Kind::torus) return digits(s.radius) + "/" + digits(s.tube_radius);
-  if (s.kind == Kind::cone) return digits(s.half_angle * 180 / CGAL_PI) + " deg";
-  return digits(s.radius);
-}
-
-bool is_round(const Recognized_surface& s)
-{
-  return s.kind != Kind::plane && s.kind != Kind::unknown;
+  return words_of(s.kind).has_radius ? digits(s.radius)
+                                     : digits(s.half_angle * 180 / CGAL_PI) + " deg";
 }
 
 // Prisms that are not round: how many of their sides, and with which --min-facets they were.
@@ -243,15 +237,18 @@ std::string Surface_table::text() const
 {
   std::string text = "surfaces:";
   const char* before = " ";
-  for (const Kind kind : kinds) {
+  for (int place = 0; place <= words_of(Kind::unknown).place; ++place) {
     std::size_t segments = 0, faces = 0;
+    Kind_words words;
     for (const Recognized_surface& s : part_.surfaces)
-      if (s.kind == kind) {
+      if (words_of(s.kind).place == place) {
+        words = words_of(s.kind);
         ++segments;
         faces += s.number_of_faces;
       }
     if (segments == 0) continue;
-    text += before + number_of(segments, kind) + " of " + number_of(faces, "face", "faces");
+    text += before + number_of(segments, words.one, words.many) + " of " +
+            number_of(faces, "face", "faces");
     before = ", ";
   }
   const auto creases = std::size_t(std::count(part_.creases.begin(), part_.creases.end(), true));
@@ -265,11 +262,11 @@ std::string Surface_table::text() const
   std::size_t rounds = 0;
   for (std::size_t i = 0; i < part_.surfaces.size(); ++i) {
     const Recognized_surface& s = part_.surfaces[i];
-    if (!is_round(s) || rounds++ >= most) continue;
+    if (!is_round(s.kind) || rounds++ >= most) continue;
     if (rounds == 1)
       text += "\n" + columns({"surface", "radius", "faces", "residual", "before", "after"});
     text +=
-      "\n" + columns({name_of(s.kind), radius_of(s), std::to_string(s.number_of_faces),
+      "\n" + columns({words_of(s.kind).one, radius_of(s), std::to_string(s.number_of_faces),
                       digits(s.residual), digits(before_[i].of_faces), digits(after_[i].of_faces)});
   }
   if (rounds > most)
@@ -282,12 +279,14 @@ std::vector<Report::Row> Surface_table::rows() const
   std::vector<Report::Row> rows;
   for (std::size_t i = 0; i < part_.surfaces.size(); ++i) {
     const Recognized_surface& s = part_.surfaces[i];
-    Report::Row row{{"kind", std::string(name_of(s.kind))}, {"faces", s.number_of_faces}};
+    const Kind_words words = words_of(s.kind);
+    const std::string kind = s.kind == Kind::unknown ? "unknown" : words.one;
+    Report::Row row{{"kind", kind}, {"faces", s.number_of_faces}};
     const auto add = [&row](const std::string& name, const auto& x) { row.emplace_back(name, x); };
     const auto triple = [](const Triple& t) { return std::vector<double>(t.begin(), t.end()); };
     if (s.kind != Kind::unknown) add("point", triple(s.point));
-    if (s.kind != Kind::unknown && s.kind != Kind::sphere) add("direction", triple(s.direction));
-    if (is_round(s) && s.kind != Kind::cone) add("radius", s.radius);
+    if (words.has_direction) add("direction", triple(s.direction));
+    if (words.has_radius) add("radius", s.radius);
     if (s.kind == Kind::torus) add("tube_radius", s.tube_radius);
     if (s.kind == Kind::cone) add("half_angle", s.half_angle);
     if (s.widest_step > 0) add("widest_step", s.widest_step);

@@ -8,7 +8,7 @@
 
 #include "surface/cut_vertices.h"
 
-#include <CGAL/PN_recognition_3/internal/Shape.h>
+#include <CGAL/PN_recognition_3/internal/recognition.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
@@ -72,13 +72,22 @@ private:
   double sagitta(std::size_t segment, const Vec3& p) const
   {
     const Recognized_surface& s = surfaces_[segment];
-    if (s.kind == Kind::plane) return 0;
     const auto height = [](double radius, double step) {
       return radius * (1 - std::cos(step / 2));
     };
-    const double radius =
-      s.kind == Kind::cone ? shapes_[segment].local(p).rho : s.radius + s.tube_radius;
-    return height(radius, s.widest_step) + height(s.tube_radius, s.widest_meridian_step);
+    switch (s.kind) {
+    case Kind::unknown:
+    case Kind::plane:
+      break;
+    case Kind::cone:
+      return height(shapes_[segment].local(p).rho, s.widest_step);
+    case Kind::cylinder:
+    case Kind::sphere:
+    case Kind::torus:
+      return height(s.radius + s.tube_radius, s.widest_step) +
+             height(s.tube_radius, s.widest_meridian_step);
+    }
+    return 0;
   }
 
   // well off a round surface, by no more than a chord is

@@ -189,8 +189,7 @@ std::string taken_for_part(const Recognized_part& part)
   std::size_t planes = 0, rounds = 0;
   for (const Recognized_surface& s : part.surfaces) {
     planes += s.kind == Recognized_surface::Kind::plane;
-    rounds +=
-      s.kind != Recognized_surface::Kind::plane && s.kind != Recognized_surface::Kind::unknown;
+    rounds += is_round(s.kind);
   }
   return "taken for a part, with " + plural(planes, "plane", "planes") + " and " +
          plural(rounds, "round surface", "round surfaces") + " on " +

@@ -11,8 +11,7 @@
 #include "Named_parts.h"
 #include "Part_marks.h"
 
-#include <CGAL/PN_recognition_3/internal/file_rounding.h>
-#include <CGAL/PN_recognition_3/internal/linear_algebra.h>
+#include <CGAL/PN_recognition_3/internal/recognition.h>
 
 #include <gtest/gtest.h>
 

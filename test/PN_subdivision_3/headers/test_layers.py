@@ -47,6 +47,12 @@ class Layers(unittest.TestCase):
                          ["PN_subdivision_3/average/PN_average.h includes PN_subdivision_3/subdivide.h: "
                           "average may not include calls"])
 
+    def test_arrow_of_an_included_source(self) -> None:
+        self.put("internal/recognition/Part.cpp", "internal/limit_surface/Jet.h")
+        self.assertEqual(check_layers.check(self.root),
+                         ["PN_recognition_3/internal/Part.cpp includes PN_subdivision_3/internal/limit_surface/"
+                          "Jet.h: recognition may not include limit_surface"])
+
     def test_arrow_to_another_package(self) -> None:
         self.put("PN_curves/internal/Curve_points.h", "PN_limit_surface_3/internal/limit_surface/Jet.h")
         self.assertEqual(len(check_layers.check(self.root)), 1)

@@ -8,16 +8,13 @@
 #ifndef CGAL_PN_RECOGNITION_3_INTERNAL_PART_H
 #define CGAL_PN_RECOGNITION_3_INTERNAL_PART_H
 
-#include <CGAL/PN_recognition_3/internal/file_rounding.h>
 #include <CGAL/PN_recognition_3/internal/linear_algebra.h>
-#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
-#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_recognition_3/internal/recognition_interface.h>
 
+// with what all sources of recognition need
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -26,7 +23,6 @@ namespace PN_subdivision_3 {
 namespace internal {
 namespace recognition {
 
-using Index = Level_connectivity::Index;
 constexpr Index null = Level_connectivity::null;
 
 // lists of numbers, one behind the other
@@ -35,22 +31,23 @@ class Lists
 public:
   Lists() = default;
   // of pairs (list, number)
-  Lists(Index lists, const std::vector<std::pair<Index, Index>>& pairs)
-    : begin_(lists + 1, 0)
-    , items_(pairs.size())
-  {
-    for (const auto& p : pairs) ++begin_[p.first + 1];
-    for (Index i = 0; i < lists; ++i) begin_[i + 1] += begin_[i];
-    std::vector<Index> at(begin_.begin(), begin_.end() - 1);
-    for (const auto& p : pairs) items_[at[p.first]++] = p.second;
-  }
+  Lists(Index lists, const std::vector<std::pair<Index, Index>>& pairs);
+
   struct Range
   {
-    const Index *first, *last;
+    Range(const Index* from, const Index* to)
+      : first(from)
+      , last(to)
+    {}
+    Range(const std::vector<Index>& numbers)
+      : Range(numbers.data(), numbers.data() + numbers.size())
+    {}
     const Index* begin() const { return first; }
     const Index* end() const { return last; }
     std::size_t size() const { return std::size_t(last - first); }
     Index operator[](std::size_t i) const { return first[i]; }
+
+    const Index *first, *last;
   };
   Range operator[](Index i) const
   {
@@ -80,7 +77,6 @@ struct Part
   std::vector<Vec3> area;   // vectors
   std::vector<double> altitude;
   std::vector<bool> on_border;                     // vertices
-  std::vector<Index> face_of_mesh;                 // the number that a face has in the mesh
   std::vector<Index> rank_of_vertex, rank_of_face; // of the mesh: the number here
   double size = 0, tolerance = 0;
   double scale = 1; // of the mesh: scale x + shift
@@ -89,198 +85,253 @@ struct Part
   Index number_of_faces() const { return corners.size(); }
   bool is_sliver(Index f) const { return altitude[f] < 4 * tolerance; }
   // how far a face leaves the plane of another one
-  double height(Index f, Index g) const
-  {
-    double result = 0;
-    for (const Index v : corners[f])
-      result = (std::max)(result, std::abs(dot(normal[g], points[v] - points[corners[g][0]])));
-    return result;
-  }
+  double height(Index f, Index g) const;
   // of the two faces of an inner edge the lower one, if they are no slivers and turn by little
-  bool is_nearly_flat(const Edge& e, double cosine, double greatest_height) const
-  {
-    return e.g != null && !is_sliver(e.f) && !is_sliver(e.g) &&
-           dot(normal[e.f], normal[e.g]) > cosine &&
-           (height(e.f, e.g) <= greatest_height || height(e.g, e.f) <= greatest_height);
-  }
+  bool is_nearly_flat(const Edge& e, double cosine, double greatest_height) const;
   // the face on the other side of an inner edge
   Index across(Index f, Index e) const { return edges[e].f == f ? edges[e].g : edges[e].f; }
   double length(const Edge& e) const { return norm(points[e.v] - points[e.w]); }
 };
 
-class Make_part
+// a tolerance of 0 is chosen
+Part make_part(const Level_connectivity& level, const Points& points, double tolerance);
+
+// All edges that two patches share. It is smooth if the patches may be facets of one surface.
+struct Joint
+{
+  Index p, q; // p < q
+  std::vector<Index> edges;
+  double angle = 0;
+  double length = 0;
+  Index v = 0, w = 0; // the two vertices that are furthest from each other
+  bool is_smooth = false;
+
+  Index other(Index patch) const { return patch == p ? q : p; }
+};
+
+// The facets of a part: faces of one plane are one facet, however they are triangulated. Slivers belong to none.
+struct Patches
+{
+  struct Patch
+  {
+    std::vector<Index> faces, vertices, joints; // joints: numbers
+    double area = 0, width = 0;
+    Vec3 normal, mean; // mean of the vertices
+    bool is_planar = true;
+  };
+
+  std::vector<Patch> patches;
+  std::vector<Joint> joints;
+  std::vector<Index> patch_of_face; // null of slivers
+
+  Index size() const { return Index(patches.size()); }
+  const Patch& operator[](Index p) const { return patches[p]; }
+};
+
+Patches make_patches(const Part& part, double greatest_smooth_angle);
+
+// --- regions ---
+
+// How the facets of a region lie about an angle: that about its axis, or about the tube of a torus.
+struct Turn
+{
+  std::vector<double> positions; // distinct angles of vertices, from where the region begins on
+  std::vector<double> spans;     // of the facets; on a sphere their widths
+  bool is_full = false;
+  double widest = 0, least = 0; // of the spans
+  double start = 0, end = 0;
+
+  // the first or last position: 0, 1; -1: neither
+  int end_at(double angle) const;
+};
+
+// Facets of one shape, and what there is to tell about them.
+struct Region
+{
+  Shape shape;
+  std::vector<Index> patches; // sorted
+  std::vector<Index> vertices;
+  int side = 1; // of the faces' normals beside the shape's
+  double residual = 0;
+  double greatest_rho = 0;
+  Turn turn, meridian;                   // meridian: of a torus
+  double widest_angle = 0;               // of a sphere: between corners of a face
+  double greatest_midpoint_distance = 0; // that a facet may have; by close_borders()
+  std::size_t inner_vertices = 0;
+  bool tangent_ends[2] = {false, false}; // of the turn
+  bool has_tangent_end = false;          // any
+
+  int number_of_tangent_ends() const { return int(tangent_ends[0]) + int(tangent_ends[1]); }
+  // the widest step, n = 2 pi / step
+  double step() const
+  {
+    return facts_of(shape.kind).turns_about_axis ? (std::max)(turn.widest, meridian.widest)
+                                                 : widest_angle;
+  }
+};
+
+// What many functions need to know about the part.
+struct Context
+{
+  const Part& part;
+  const Patches& patches;
+  double greatest_smooth_angle;
+  unsigned min_facets;
+  // vertices, none but in vertices_of(), and patches, none but in measure()
+  mutable std::vector<bool> is_listed, is_inside;
+
+  double tolerance() const { return part.tolerance; }
+  const Vec3& point(Index v) const { return part.points[v]; }
+  Vec3 direction(const Joint& j) const { return part.points[j.w] - part.points[j.v]; }
+  // whether all of some patches have a vertex
+  bool have_vertex(const std::vector<Index>& some_patches, Index v) const;
+  std::vector<Vec3> points_of(const std::vector<Index>& vertices) const;
+  std::vector<Index> vertices_of(const std::vector<Index>& some_patches) const;
+};
+
+// whether a patch outside is tangent to a shape along a joint
+bool is_tangent_along(const Context& c, const Joint& j, Index outside, const Shape& s, int side,
+                      double greatest_angle = radians(0.5));
+// fills in what follows from the shape and the patches
+void measure(const Context& c, Region& r);
+
+// --- fits ---
+
+double greatest_distance(const Shape& s, const std::vector<Vec3>& points);
+// to the distances from a shape that is near, in some steps; whether it has been any good. With a `hopeless` distance it gives up if
+// the first step leaves more than that and more than a quarter.
+bool fit_shape(Shape& s, const std::vector<Vec3>& points, std::size_t steps, double hopeless = 0);
+// the sphere of the least sum of squares of |p - c|^2 - r^2
+bool sphere_through(const std::vector<Vec3>& points, Shape& s);
+// the circle of the least sum of such squares in a plane across an axis
+bool circle_through(const std::vector<Vec3>& points, const Vec3& axis, Vec3& center,
+                    double& radius);
+
+// --- finding ---
+
+// Collects the facets that are on a shape.
+class Grower
 {
 public:
-  // a tolerance of 0 is chosen
-  Part operator()(const Level_connectivity& level, const std::vector<std::array<double, 3>>& points,
-                  double tolerance)
-  {
-    sort_vertices(level, points);
-    scale_points(points);
-    choose_tolerance(points, tolerance);
-    sort_faces(level);
-    make_edges(level);
-    measure_faces();
-    if (has_all_digits_ && widen_tolerance()) measure_faces();
-    part_.rank_of_vertex = std::move(rank_);
-    part_.rank_of_face = std::move(face_rank_);
-    return std::move(part_);
-  }
+  explicit Grower(const Context& context)
+    : c_(context)
+    , cosine_(std::cos(context.greatest_smooth_angle / 2 + radians(1.1)))
+    , stamp_(context.patches.size(), 0)
+  {}
+
+  // all vertices of a facet within t of the shape, its normal near that of the shape at each
+  bool is_on(const Shape& s, Index p, double t, int side) const;
+  // on which side a facet is
+  int side_of(const Shape& s, Index p) const;
+  // Grows and fits by turns until nothing changes; whether there is a region. What was taken on a generous tolerance may
+  // have been too much, so that the fit leaves the seeds: then less of it.
+  bool settle(Region& r, const std::vector<Index>& seeds, double t);
+
+  // what must not be taken, for flats
+  void ban(Index p) { banned_.push_back(p); }
+  void lift_bans() { banned_.clear(); }
 
 private:
-  void sort_vertices(const Level_connectivity& level,
-                     const std::vector<std::array<double, 3>>& points)
-  {
-    for (Index v = 0; v < level.number_of_vertices(); ++v)
-      if (!level.is_isolated(v)) order_.push_back(v);
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](Index v, Index w) { return points[v] < points[w]; });
-    rank_.assign(level.number_of_vertices(), null);
-    for (Index i = 0; i < order_.size(); ++i) rank_[order_[i]] = i;
-  }
+  std::vector<Index> grow(const Shape& s, const std::vector<Index>& seeds, double t, int side);
+  bool settle_from(Region& r, const std::vector<Index>& seeds, double t, std::size_t& first_size);
+  void refit(Region& r) const;
 
-  // by powers of two, in two steps so that nothing overflows
-  void scale_points(const std::vector<std::array<double, 3>>& points)
-  {
-    for (const Index v : order_)
-      for (const double x : points[v]) largest_ = (std::max)(largest_, std::abs(x));
-    int exponent = largest_ > 0 ? std::ilogb(largest_) : 0;
-    Vec3 low{4, 4, 4}, high{-4, -4, -4};
-    for (const Index v : order_) {
-      const auto& x = points[v];
-      const Vec3 p{std::ldexp(x[0], -exponent), std::ldexp(x[1], -exponent),
-                   std::ldexp(x[2], -exponent)};
-      part_.points.push_back(p);
-      low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
-      high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z)};
-    }
-    if (order_.empty()) return;
-    const double diagonal = norm(high - low);
-    const int further = diagonal > 0 ? std::ilogb(diagonal) : 0;
-    const Vec3 middle = low + 0.5 * (high - low);
-    for (Vec3& p : part_.points) p = std::ldexp(1., -further) * (p - middle);
-    part_.size = std::ldexp(diagonal, -further);
-    part_.scale = std::ldexp(1., exponent + further);
-    part_.shift = std::ldexp(1., exponent) * middle;
-  }
+  void begin();
+  void take(Index p, std::vector<Index>& result);
 
-  void choose_tolerance(const std::vector<std::array<double, 3>>& points, double tolerance)
-  {
-    constexpr std::size_t most = 1000;
-    std::vector<double> some;
-    const std::size_t stride = order_.size() / most + 1;
-    for (std::size_t i = 0; i < order_.size(); i += stride)
-      for (const double x : points[order_[i]]) some.push_back(x);
-    some.push_back(largest_);
-    const double rounding = file_rounding(some);
-    has_all_digits_ = !(tolerance > 0) && rounding < std::ldexp(largest_, -40);
-    part_.tolerance =
-      tolerance > 0 ? tolerance / part_.scale : 4 * rounding / part_.scale + 1e-7 * part_.size;
-  }
-
-  // each face from its least vertex on
-  void sort_faces(const Level_connectivity& level)
-  {
-    std::vector<std::vector<Index>> corners(level.number_of_faces());
-    std::vector<Index> order(level.number_of_faces());
-    for (Index f = 0; f < corners.size(); ++f) {
-      order[f] = f;
-      for_each_halfedge_of_face(level, f,
-                                [&](Index h) { corners[f].push_back(rank_[level.target(h)]); });
-      std::rotate(corners[f].begin(), std::min_element(corners[f].begin(), corners[f].end()),
-                  corners[f].end());
-    }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Index f, Index g) { return corners[f] < corners[g]; });
-    std::vector<std::pair<Index, Index>> of_faces, of_vertices;
-    face_rank_.resize(order.size());
-    for (Index i = 0; i < order.size(); ++i) {
-      face_rank_[order[i]] = i;
-      for (const Index v : corners[order[i]]) {
-        of_faces.emplace_back(i, v);
-        of_vertices.emplace_back(v, i);
-      }
-    }
-    part_.corners = Lists(Index(order.size()), of_faces);
-    part_.faces_around = Lists(Index(part_.points.size()), of_vertices);
-    part_.face_of_mesh = std::move(order);
-  }
-
-  void make_edges(const Level_connectivity& level)
-  {
-    part_.on_border.assign(part_.points.size(), false);
-    for (Index e = 0; e < level.number_of_edges(); ++e) {
-      Index h = 2 * e;
-      if (level.is_border(h)) ++h;
-      const Index o = Level_connectivity::opposite(h);
-      Part::Edge edge{rank_[level.source(h)], rank_[level.target(h)], face_rank_[level.face(h)],
-                      level.is_border(o) ? null : face_rank_[level.face(o)]};
-      if (edge.g == null) part_.on_border[edge.v] = part_.on_border[edge.w] = true;
-      if (edge.g < edge.f) {
-        std::swap(edge.f, edge.g);
-        std::swap(edge.v, edge.w);
-      }
-      part_.edges.push_back(edge);
-    }
-    std::sort(part_.edges.begin(), part_.edges.end(), [](const Part::Edge& a, const Part::Edge& b) {
-      return std::tie(a.f, a.g, a.v, a.w) < std::tie(b.f, b.g, b.v, b.w);
-    });
-  }
-
-  // Other programs move and scale files of few digits, and write all digits then; their planes keep the rounding. It is that of
-  // the heights of faces over their neighbors if these are many, little, as different as by accident, and clearly less than
-  // all bends.
-  bool widen_tolerance()
-  {
-    const double least = (std::max)(1e-12 * part_.size, std::ldexp(largest_ / part_.scale, -46));
-    std::vector<double> heights;
-    for (const Part::Edge& e : part_.edges) {
-      if (!part_.is_nearly_flat(e, std::cos(radians(25)), 1e-3 * part_.size)) continue;
-      const double h = (std::min)(part_.height(e.f, e.g), part_.height(e.g, e.f));
-      if (h > least) heights.push_back(h);
-    }
-    std::sort(heights.begin(), heights.end());
-    std::size_t n = 8;
-    while (n < heights.size() && heights[n] < 20 * heights[n - 1]) ++n;
-    if (n > heights.size() || heights[n - 1] > 3e-5 * part_.size) return false;
-    const double most = heights[3 * n / 4];
-    const double rounding_only = 4 * most + 1e-7 * part_.size;
-    if (heights[n / 10] > most / 3 || heights[n / 4] < most / 50 ||
-        rounding_only < 2 * part_.tolerance)
-      return false;
-    part_.tolerance = rounding_only;
-    return true;
-  }
-
-  void measure_faces()
-  {
-    part_.area.clear();
-    part_.altitude.clear();
-    part_.normal.clear();
-    for (Index f = 0; f < part_.number_of_faces(); ++f) {
-      const Lists::Range c = part_.corners[f];
-      const Vec3 origin = part_.points[c[0]];
-      Vec3 area;
-      double longest = 0;
-      for (std::size_t i = 0; i < c.size(); ++i) {
-        const Vec3 p = part_.points[c[i]] - origin;
-        area += 0.5 * cross(p, part_.points[c[(i + 1) % c.size()]] - origin);
-        for (std::size_t j = 0; j < i && (j + 8 > i || c.size() < 16); ++j)
-          longest = (std::max)(longest, norm(part_.points[c[i]] - part_.points[c[j]]));
-        longest = (std::max)(longest, norm(p));
-      }
-      const double size = norm(area);
-      part_.area.push_back(area);
-      part_.altitude.push_back(longest > 0 ? (c.size() == 3 ? 2 : 1) * size / longest : 0);
-      part_.normal.push_back(part_.is_sliver(f) ? Vec3() : unit(area));
-    }
-  }
-
-  Part part_;
-  std::vector<Index> order_, rank_, face_rank_;
-  double largest_ = 0;
-  bool has_all_digits_ = false; // of double
+  const Context& c_;
+  double cosine_;
+  std::vector<unsigned> stamp_;
+  std::vector<Index> banned_;
+  unsigned now_ = 0;
 };
+
+// Whether a region has more vertices on its shape than any facets would have, so that it is no accident. Measures it, and takes
+// flats out of it.
+bool has_evidence(const Context& c, Grower& grower, Region& r);
+// of one that has lost facets
+bool still_has_evidence(const Context& c, Region& r);
+
+// Tries guesses and keeps those that have evidence.
+class Found_regions
+{
+public:
+  using Seeds = std::vector<Index>;
+
+  explicit Found_regions(const Context& context);
+
+  const std::vector<Region>& regions() const { return regions_; }
+  bool has_region(Index p) const { return has_region_[p]; }
+  // in a sphere or torus that is beyond doubt
+  bool is_settled(Index p) const { return is_settled_[p]; }
+  // whether the facets are together in a region of this kind already
+  bool is_known(Kind kind, const Seeds& seeds) const;
+
+  enum class Guess { exact, may_be_fitted };
+  bool try_shape(Shape s, const Seeds& seeds, Guess guess = Guess::exact);
+  // of facets that may be all there are
+  bool try_whole(Shape s, const Seeds& seeds);
+
+private:
+  bool may_be(Shape& s, const Seeds& seeds, Guess guess, double t) const;
+  bool try_region(const Shape& s, const Seeds& seeds, double t);
+  double first_tolerance(const Seeds& seeds) const;
+  double least_width(const Seeds& seeds) const;
+  bool are_on(const Shape& s, const Seeds& seeds, double t) const;
+  bool goes_on(const Shape& s, const Seeds& seeds, double t) const;
+  bool fit_to(const Seeds& seeds, Shape& s) const;
+  void remember(const Region& r, bool holds);
+
+  const Context& c_;
+  Grower grower_;
+  std::vector<Region> regions_;
+  std::vector<std::vector<std::pair<Kind, Index>>> known_; // of a patch: what has been tried
+  std::vector<bool> has_region_, is_settled_;
+  Index number_ = 0;
+};
+
+// Cones by their apexes: the edges at it make one angle with the axis.
+void guess_by_apexes(const Context& c, Found_regions& found);
+// Cylinders by rulings: two facets meet in one.
+void guess_by_rulings(const Context& c, Found_regions& found);
+// Shapes of revolution by three facets in a row, with this one in the middle.
+void guess_by_rows(const Context& c, Found_regions& found, Index middle);
+
+// all of it; regions have no facets in common
+std::vector<Region> find_regions(const Context& c);
+
+// --- from regions to segments ---
+
+// leaves the rounds; of patches of prisms, the steps of these, 0 of others
+std::vector<double> take_prisms_out(const Context& c, std::vector<Region>& regions);
+// lets regions take what growing has left undone at their borders; the region of each patch, null: none
+std::vector<Index> close_borders(const Context& c, std::vector<Region>& regions,
+                                 const std::vector<double>& prism_step);
+// of edges of some faces: their midpoints from a shape
+double midpoint_distance(const Context& c, const Shape& s, Lists::Range faces);
+// whether vertices and normal of some face or patch are as a facet's of the region would be
+bool may_be_facet(const Context& c, const Region& r, Lists::Range vertices, const Vec3& normal,
+                  double width, double t);
+
+// What every face of the part belongs to.
+struct Segments
+{
+  struct Segment
+  {
+    Shape shape;
+    int side = 1;
+    double widest_step = 0, widest_meridian_step = 0, residual = 0;
+    std::vector<Index> faces;
+  };
+  std::vector<Segment> segments;
+  std::vector<Index> segment_of_face;
+};
+
+Segments make_segments(const Context& c, const std::vector<Region>& regions,
+                       const std::vector<Index>& owners, const std::vector<double>& prism_step);
+// Gives slivers, which have no normal, to the segments beside them.
+void give_slivers_away(const Context& c, const Lists& edges_of_face, std::vector<Index>& label,
+                       std::vector<Segments::Segment>& labels);
 
 } // namespace recognition
 } // namespace internal

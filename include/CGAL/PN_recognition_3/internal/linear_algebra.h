@@ -81,6 +81,14 @@ inline double radians(double degrees)
   return degrees * std::acos(-1.) / 180;
 }
 
+// of a plane, by an angle of this cosine and sine
+inline void turn(double& x, double& y, double c, double s)
+{
+  const double old = x;
+  x = c * old - s * y;
+  y = s * old + c * y;
+}
+
 // two unit vectors that are orthogonal to a unit vector and to each other
 struct Cross_section
 {
@@ -136,13 +144,6 @@ private:
     for (int k = 0; k < 3; ++k) turn(a[p][k], a[q][k], c, s);
     for (int k = 0; k < 3; ++k) turn(v[k][p], v[k][q], c, s);
   }
-  static void turn(double& x, double& y, double c, double s)
-  {
-    const double old = x;
-    x = c * old - s * y;
-    y = s * old + c * y;
-  }
-
   Matrix m_{};
 };
 
@@ -165,8 +166,8 @@ public:
       const double a = r_[i][i], b = row[i], h = std::sqrt(a * a + b * b);
       const double c = a / h, s = b / h;
       r_[i][i] = h;
-      for (int j = i + 1; j < n_; ++j) turn(r_[i][j], row[j], c, s);
-      turn(right_[i], right, c, s);
+      for (int j = i + 1; j < n_; ++j) turn(r_[i][j], row[j], c, -s);
+      turn(right_[i], right, c, -s);
     }
   }
 
@@ -183,13 +184,6 @@ public:
   }
 
 private:
-  static void turn(double& x, double& y, double c, double s)
-  {
-    const double old = x;
-    x = c * old + s * y;
-    y = c * y - s * old;
-  }
-
   int n_;
   std::array<Row, most> r_{};
   Row right_{};

@@ -5,24 +5,14 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-#ifndef CGAL_PN_RECOGNITION_3_INTERNAL_GUESS_SHAPES_H
-#define CGAL_PN_RECOGNITION_3_INTERNAL_GUESS_SHAPES_H
 
-#include <CGAL/PN_recognition_3/internal/Found_regions.h>
-#include <CGAL/PN_recognition_3/internal/Region.h>
-#include <CGAL/PN_recognition_3/internal/Shape.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
+#include <CGAL/PN_recognition_3/internal/Part.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 namespace recognition {
 
-// Cones by their apexes: the edges at it make one angle with the axis.
 inline void guess_by_apexes(const Context& c, Found_regions& found)
 {
   for (Index v = 0; v < c.part.points.size(); ++v) {
@@ -71,7 +61,6 @@ inline Index furthest_from_line(const Context& c, Index patch, const Vec3& p, co
                            [&](Index v, Index w) { return distance(v) < distance(w); });
 }
 
-// Cylinders by rulings: two facets meet in one.
 inline void guess_by_rulings(const Context& c, Found_regions& found)
 {
   for (const Joint& j : c.patches.joints) {
@@ -95,12 +84,8 @@ public:
     , found_(found)
   {}
 
-  void operator()()
-  {
-    for (Index k = 0; k < c_.patches.size(); ++k) guess_at(k);
-  }
   // with this one in the middle
-  void guess_at(Index k)
+  void operator()(Index k)
   {
     if (found_.is_settled(k)) return;
     std::vector<Index> smooth;
@@ -265,9 +250,13 @@ private:
   Found_regions& found_;
 };
 
+inline void guess_by_rows(const Context& c, Found_regions& found, Index middle)
+{
+  Guess_by_rows guess(c, found);
+  guess(middle);
+}
+
 } // namespace recognition
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
-
-#endif // CGAL_PN_RECOGNITION_3_INTERNAL_GUESS_SHAPES_H

@@ -5,18 +5,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-#ifndef CGAL_PN_RECOGNITION_3_INTERNAL_SEGMENTS_H
-#define CGAL_PN_RECOGNITION_3_INTERNAL_SEGMENTS_H
 
-#include <CGAL/PN_recognition_3/internal/Region.h>
-#include <CGAL/PN_recognition_3/internal/Region_borders.h>
-#include <CGAL/PN_recognition_3/internal/Shape.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
+#include <CGAL/PN_recognition_3/internal/Part.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -28,10 +18,11 @@ class Make_segments
 {
 public:
   Make_segments(const Context& context, const std::vector<Region>& regions,
-                const Region_borders& borders)
+                const std::vector<Index>& owners, const std::vector<double>& prism_step)
     : c_(context)
     , regions_(regions)
-    , borders_(borders)
+    , owners_(owners)
+    , prism_step_(prism_step)
     , label_(context.part.number_of_faces(), null)
   {
     std::vector<std::pair<Index, Index>> pairs;
@@ -46,25 +37,20 @@ public:
 
   Segments operator()()
   {
-    Measure_region measure(c_);
     for (const Region& r : regions_) {
       Region measured = r;
-      if (!r.patches.empty()) measure(measured);
-      labels_.push_back(
-        {r.shape,
-         r.side,
-         r.shape.kind == Kind::sphere ? measured.widest_angle : measured.turn.widest,
-         measured.meridian.widest,
-         0,
-         {}});
+      if (!r.patches.empty()) measure(c_, measured);
+      const double step =
+        facts_of(r.shape.kind).turns_about_axis ? measured.turn.widest : measured.widest_angle;
+      labels_.push_back({r.shape, r.side, step, measured.meridian.widest, 0, {}});
     }
     for (Index p = 0; p < c_.patches.size(); ++p)
-      if (borders_.owners()[p] != null) set_label(p, borders_.owners()[p]);
+      if (owners_[p] != null) set_label(p, owners_[p]);
     relabel();
     split();
     find_planes();
     join_unknown();
-    Give_slivers_away(c_, edges_of_face_, label_, labels_)();
+    give_slivers_away(c_, edges_of_face_, label_, labels_);
     join_equal();
     return collect();
   }
@@ -85,7 +71,7 @@ private:
   void relabel()
   {
     for (Index p = 0; p < c_.patches.size(); ++p) {
-      const Index own = borders_.owners()[p];
+      const Index own = owners_[p];
       if (own == null || distance(own, c_.patches[p].vertices) <= c_.tolerance() / 2) continue;
       std::vector<Index> others = owners_beside(p);
       others.erase(std::remove(others.begin(), others.end(), own), others.end());
@@ -96,8 +82,7 @@ private:
       }
     }
   }
-  template <class Vertices>
-  double distance(Index region, const Vertices& vertices) const
+  double distance(Index region, Lists::Range vertices) const
   {
     double result = 0;
     for (const Index v : vertices)
@@ -108,7 +93,7 @@ private:
   {
     std::vector<Index> owners;
     for (const Index number : c_.patches[p].joints) {
-      const Index owner = borders_.owners()[c_.patches.joints[number].other(p)];
+      const Index owner = owners_[c_.patches.joints[number].other(p)];
       if (owner != null) owners.push_back(owner);
     }
     std::sort(owners.begin(), owners.end());
@@ -136,11 +121,12 @@ private:
     Index best = null;
     double least = 0;
     for (const Index region : owners) {
-      if (!borders_.may_be_facet(region, c_.part.corners[f], c_.part.normal[f], c_.part.altitude[f],
-                                 2 * c_.tolerance()))
+      const Region& r = regions_[region];
+      if (!may_be_facet(c_, r, c_.part.corners[f], c_.part.normal[f], c_.part.altitude[f],
+                        2 * c_.tolerance()))
         continue;
-      const double d = borders_.midpoint_distance(regions_[region].shape, std::vector<Index>{f});
-      if (d > borders_.greatest_midpoint_distance(region) || (best != null && d >= least)) continue;
+      const double d = midpoint_distance(c_, r.shape, std::vector<Index>{f});
+      if (d > r.greatest_midpoint_distance || (best != null && d >= least)) continue;
       best = region;
       least = d;
     }
@@ -152,7 +138,7 @@ private:
     join_coplanar();
     std::vector<Index> planes;
     for (Index p = 0; p < c_.patches.size(); ++p)
-      if (is_free(p) && c_.patches[p].is_planar && (borders_.is_prism(p) || stands_out(p)))
+      if (is_free(p) && c_.patches[p].is_planar && (prism_step_[p] > 0 || stands_out(p)))
         planes.push_back(p);
     for (const Index p : planes) make_plane({p});
   }
@@ -185,7 +171,7 @@ private:
     for (const std::vector<Index>& component : free_components(radians(3))) {
       if (component.size() < 2) continue;
       const Shape plane = plane_of(component);
-      if (Shape_fit::residual(plane, c_.points_of(c_.vertices_of(component))) <= 2 * c_.tolerance())
+      if (greatest_distance(plane, c_.points_of(c_.vertices_of(component))) <= 2 * c_.tolerance())
         make_plane(component);
     }
   }
@@ -214,13 +200,13 @@ private:
     Shape fitted = s;
     fitted.axis = covariance.least_direction();
     if (dot(fitted.axis, s.axis) < 0) fitted.axis = -fitted.axis;
-    return Shape_fit::residual(fitted, points) < Shape_fit::residual(s, points) ? fitted : s;
+    return greatest_distance(fitted, points) < greatest_distance(s, points) ? fitted : s;
   }
   void make_plane(const std::vector<Index>& patches)
   {
     const Index label = new_label(plane_of(patches));
     for (const Index p : patches) set_label(p, label);
-    labels_[label].widest_step = borders_.prism_step(patches[0]);
+    labels_[label].widest_step = prism_step_[patches[0]];
   }
 
   // over joints of at most 30 degrees
@@ -321,15 +307,21 @@ private:
 
   const Context& c_;
   const std::vector<Region>& regions_;
-  const Region_borders& borders_;
+  const std::vector<Index>& owners_;
+  const std::vector<double>& prism_step_;
   Lists edges_of_face_;
   std::vector<Index> label_;
   std::vector<Segments::Segment> labels_;
 };
 
+inline Segments make_segments(const Context& c, const std::vector<Region>& regions,
+                              const std::vector<Index>& owners,
+                              const std::vector<double>& prism_step)
+{
+  return Make_segments(c, regions, owners, prism_step)();
+}
+
 } // namespace recognition
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
-
-#endif // CGAL_PN_RECOGNITION_3_INTERNAL_SEGMENTS_H

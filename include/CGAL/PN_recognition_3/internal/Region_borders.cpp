@@ -5,87 +5,61 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-#ifndef CGAL_PN_RECOGNITION_3_INTERNAL_REGION_BORDERS_H
-#define CGAL_PN_RECOGNITION_3_INTERNAL_REGION_BORDERS_H
 
 #include <CGAL/PN_recognition_3/internal/Part.h>
-#include <CGAL/PN_recognition_3/internal/Region.h>
-#include <CGAL/PN_recognition_3/internal/Shape.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 namespace recognition {
 
-// The rounds, and to which of them each patch belongs; what growing leaves undone at their borders.
+inline double midpoint_distance(const Context& c, const Shape& s, Lists::Range faces)
+{
+  double result = 0;
+  for (const Index f : faces) {
+    const Lists::Range v = c.part.corners[f];
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      const Vec3 m = 0.5 * (c.point(v[i]) + c.point(v[(i + 1) % v.size()]));
+      result = (std::max)(result, std::abs(s.distance(m)));
+    }
+  }
+  return result;
+}
+
+inline bool may_be_facet(const Context& c, const Region& r, Lists::Range vertices,
+                         const Vec3& normal, double width, double t)
+{
+  if (facts_of(r.shape.kind).is_doubly_curved && vertices.size() > 4) return false;
+  const double angle = 0.55 * r.step() + std::atan(6 * c.tolerance() / width);
+  for (const Index v : vertices) {
+    if (!(std::abs(r.shape.distance(c.point(v))) <= t)) return false;
+    const Vec3 n = r.shape.normal(c.point(v));
+    if (dot(n, n) > 0 && !(angle_between(r.side * n, normal) <= angle)) return false;
+  }
+  return true;
+}
+
+// what growing leaves undone
 class Region_borders
 {
 public:
   Region_borders(const Context& context, std::vector<Region>& regions,
-                 const std::vector<std::pair<Index, double>>& prisms)
+                 const std::vector<double>& prism_step)
     : c_(context)
     , regions_(regions)
+    , prism_step_(prism_step)
     , owner_(context.patches.size(), null)
-    , prism_step_(context.patches.size(), 0)
+  {}
+
+  std::vector<Index> operator()()
   {
     join_cut_rows();
     for (Index i = 0; i < regions_.size(); ++i)
       for (const Index p : regions_[i].patches) owner_[p] = i;
-    for (const auto& p : prisms) prism_step_[p.first] = owner_[p.first] == null ? p.second : 0;
-  }
-
-  void operator()()
-  {
-    for (Index i = 0; i < regions_.size(); ++i) own_midpoints_.push_back(midpoint_distance_of(i));
+    for (Region& r : regions_) r.greatest_midpoint_distance = greatest_midpoint_distance(r);
     absorb();
     set_patches();
-  }
-
-  const std::vector<Index>& owners() const { return owner_; }
-  // of the prism whose side a patch is; 0: of none
-  double prism_step(Index p) const { return prism_step_[p]; }
-  bool is_prism(Index p) const { return prism_step_[p] > 0; }
-
-  // of some faces: edges' midpoints from a region's shape
-  template <class Faces>
-  double midpoint_distance(const Shape& s, const Faces& faces) const
-  {
-    double result = 0;
-    for (const Index f : faces) {
-      const Lists::Range v = c_.part.corners[f];
-      for (std::size_t i = 0; i < v.size(); ++i) {
-        const Vec3 m = 0.5 * (c_.point(v[i]) + c_.point(v[(i + 1) % v.size()]));
-        result = (std::max)(result, std::abs(s.distance(m)));
-      }
-    }
-    return result;
-  }
-  double greatest_midpoint_distance(Index region) const
-  {
-    return 1.5 * own_midpoints_[region] + c_.tolerance();
-  }
-
-  // whether vertices and normal of some face or patch are as a facet's of the region would be
-  template <class Vertices>
-  bool may_be_facet(Index region, const Vertices& vertices, const Vec3& normal, double width,
-                    double t) const
-  {
-    const Region& r = regions_[region];
-    const bool is_doubly_curved = r.shape.kind == Kind::sphere || r.shape.kind == Kind::torus;
-    if (is_doubly_curved && vertices.size() > 4) return false;
-    const double angle = 0.55 * r.step() + std::atan(6 * c_.tolerance() / width);
-    for (const Index v : vertices) {
-      if (!(std::abs(r.shape.distance(c_.point(v))) <= t)) return false;
-      const Vec3 n = r.shape.normal(c_.point(v));
-      if (dot(n, n) > 0 && !(angle_between(r.side * n, normal) <= angle)) return false;
-    }
-    return true;
+    return owner_;
   }
 
 private:
@@ -109,12 +83,12 @@ private:
     }
   }
 
-  double midpoint_distance_of(Index i) const
+  double greatest_midpoint_distance(const Region& r) const
   {
-    double result = 0;
-    for (const Index p : regions_[i].patches)
-      result = (std::max)(result, midpoint_distance(regions_[i].shape, c_.patches[p].faces));
-    return result;
+    double own = 0;
+    for (const Index p : r.patches)
+      own = (std::max)(own, midpoint_distance(c_, r.shape, c_.patches[p].faces));
+    return 1.5 * own + c_.tolerance();
   }
 
   void absorb()
@@ -122,7 +96,7 @@ private:
     for (int round = 0; round < 20; ++round) {
       std::vector<std::pair<Index, Index>> taken;
       for (Index p = 0; p < c_.patches.size(); ++p) {
-        if (owner_[p] != null || is_prism(p)) continue;
+        if (owner_[p] != null || prism_step_[p] > 0) continue;
         const Index region = absorbing_neighbor(p);
         if (region != null) taken.emplace_back(p, region);
       }
@@ -138,17 +112,16 @@ private:
     for (const Index number : c_.patches[p].joints) {
       const Joint& j = c_.patches.joints[number];
       const Index region = owner_[j.other(p)];
-      if (region != null && j.is_smooth && is_absorbed(p, region)) return region;
+      if (region != null && j.is_smooth && is_absorbed(c_.patches[p], regions_[region]))
+        return region;
     }
     return null;
   }
-  bool is_absorbed(Index p, Index region) const
+  bool is_absorbed(const Patches::Patch& patch, const Region& r) const
   {
-    const Patches::Patch& patch = c_.patches[p];
-    if (is_cut_facet(patch, regions_[region])) return true;
-    return may_be_facet(region, patch.vertices, patch.normal, patch.width, 3 * c_.tolerance()) &&
-           midpoint_distance(regions_[region].shape, patch.faces) <=
-             greatest_midpoint_distance(region);
+    return is_cut_facet(patch, r) ||
+           (may_be_facet(c_, r, patch.vertices, patch.normal, patch.width, 3 * c_.tolerance()) &&
+            midpoint_distance(c_, r.shape, patch.faces) <= r.greatest_midpoint_distance);
   }
   // polyhedral Booleans leave vertices on chords
   bool is_cut_facet(const Patches::Patch& patch, const Region& r) const
@@ -176,26 +149,16 @@ private:
 
   const Context& c_;
   std::vector<Region>& regions_;
+  const std::vector<double>& prism_step_;
   std::vector<Index> owner_;
-  std::vector<double> prism_step_;
-  std::vector<double> own_midpoints_;
 };
 
-// What every face of the part belongs to.
-struct Segments
+inline std::vector<Index> close_borders(const Context& c, std::vector<Region>& regions,
+                                        const std::vector<double>& prism_step)
 {
-  struct Segment
-  {
-    Shape shape;
-    int side = 1;
-    double widest_step = 0, widest_meridian_step = 0, residual = 0;
-    std::vector<Index> faces;
-  };
-  std::vector<Segment> segments;
-  std::vector<Index> segment_of_face;
-};
+  return Region_borders(c, regions, prism_step)();
+}
 
-// Gives slivers, which have no normal, to the segments beside them.
 class Give_slivers_away
 {
 public:
@@ -272,9 +235,13 @@ private:
   std::vector<Segments::Segment>& labels_;
 };
 
+inline void give_slivers_away(const Context& c, const Lists& edges_of_face,
+                              std::vector<Index>& label, std::vector<Segments::Segment>& labels)
+{
+  Give_slivers_away(c, edges_of_face, label, labels)();
+}
+
 } // namespace recognition
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
-
-#endif // CGAL_PN_RECOGNITION_3_INTERNAL_REGION_BORDERS_H

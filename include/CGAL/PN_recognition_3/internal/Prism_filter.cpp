@@ -5,16 +5,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-#ifndef CGAL_PN_RECOGNITION_3_INTERNAL_ROUNDS_H
-#define CGAL_PN_RECOGNITION_3_INTERNAL_ROUNDS_H
 
-#include <CGAL/PN_recognition_3/internal/Region.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
+#include <CGAL/PN_recognition_3/internal/Part.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -23,16 +15,15 @@ namespace recognition {
 
 // Which of the regions are meant to be round, and which are prisms and pyramids, whose facets are planes; and those that
 // are cut out of something unknown, which are none.
-class Rounds
+class Prism_filter
 {
 public:
-  Rounds(const Context& context, std::vector<Region>& regions)
+  Prism_filter(const Context& context, std::vector<Region>& regions)
     : c_(context)
     , regions_(regions)
   {}
 
-  // Leaves the rounds; returns the patches of the prisms, with their steps.
-  std::vector<std::pair<Index, double>> operator()()
+  std::vector<double> operator()()
   {
     drop_cuts();
     const std::size_t n = regions_.size();
@@ -43,17 +34,17 @@ public:
     for (std::size_t i = 0; i < n; ++i)
       if (!is_contradicted_[i] && is_tangent_enough(regions_[i])) is_sure_[i] = true;
     spread();
-    std::vector<std::pair<Index, double>> prisms;
+    std::vector<double> step_of_prism(c_.patches.size(), 0);
     std::vector<Region> rounds;
     for (std::size_t i = 0; i < n; ++i) {
       Region& r = regions_[i];
       if (is_sure_[i] || is_round_by_default(i))
         rounds.push_back(std::move(r));
       else
-        for (const Index p : r.patches) prisms.emplace_back(p, r.step());
+        for (const Index p : r.patches) step_of_prism[p] = r.step();
     }
     regions_ = std::move(rounds);
-    return prisms;
+    return step_of_prism;
   }
 
 private:
@@ -135,7 +126,7 @@ private:
     if (r.shape.kind == Kind::sphere && r.patches.size() >= 24) return true;
     const double n = per_turn(r.step());
     if (n >= 12) return true;
-    return r.shape.kind == Kind::torus && n >= c_.min_facets && r.inner_vertices >= 4 &&
+    return facts_of(r.shape.kind).has_meridian() && n >= c_.min_facets && r.inner_vertices >= 4 &&
            r.meridian.positions.size() >= 4;
   }
 
@@ -145,15 +136,16 @@ private:
     const double radius = largest_radius(regions_[i]), step = regions_[i].step();
     for (std::size_t k = 0; k < regions_.size(); ++k) {
       const Region& r = regions_[k];
-      if (k != i && is_sure_[k] && r.shape.kind != Kind::sphere && per_turn(r.step()) >= 12 &&
-          r.greatest_rho <= 1.05 * radius && r.turn.widest < 2 * step / 3)
+      if (k != i && is_sure_[k] && facts_of(r.shape.kind).turns_about_axis &&
+          per_turn(r.step()) >= 12 && r.greatest_rho <= 1.05 * radius &&
+          r.turn.widest < 2 * step / 3)
         return true;
     }
     return false;
   }
   static double largest_radius(const Region& r)
   {
-    return r.shape.kind == Kind::sphere ? r.shape.radius : r.greatest_rho;
+    return facts_of(r.shape.kind).turns_about_axis ? r.greatest_rho : r.shape.radius;
   }
 
   static bool is_tangent_enough(const Region& r)
@@ -186,7 +178,8 @@ private:
   }
   bool is_coaxial(const Region& a, const Region& b) const
   {
-    if (a.shape.kind == Kind::sphere || b.shape.kind == Kind::sphere) return false;
+    if (!facts_of(a.shape.kind).turns_about_axis || !facts_of(b.shape.kind).turns_about_axis)
+      return false;
     const double margin = 1e-6 + 20 * c_.tolerance() / (std::min)(a.greatest_rho, b.greatest_rho);
     return norm(cross(a.shape.axis, b.shape.axis)) <= margin &&
            norm(cross(b.shape.center - a.shape.center, a.shape.axis)) <= 1e-4 * c_.part.size;
@@ -213,7 +206,8 @@ private:
   {
     const Region& r = regions_[i];
     if (is_contradicted_[i] || per_turn(r.step()) < c_.min_facets) return false;
-    return r.turn.is_full || r.turn.positions.size() >= 5 || r.shape.kind == Kind::sphere;
+    return r.turn.is_full || r.turn.positions.size() >= 5 ||
+           !facts_of(r.shape.kind).turns_about_axis;
   }
 
   const Context& c_;
@@ -222,9 +216,12 @@ private:
   std::vector<Index> owner_;
 };
 
+inline std::vector<double> take_prisms_out(const Context& c, std::vector<Region>& regions)
+{
+  return Prism_filter(c, regions)();
+}
+
 } // namespace recognition
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
-
-#endif // CGAL_PN_RECOGNITION_3_INTERNAL_ROUNDS_H

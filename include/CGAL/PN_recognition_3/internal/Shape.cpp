@@ -5,30 +5,14 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-#ifndef CGAL_PN_RECOGNITION_3_INTERNAL_SHAPE_H
-#define CGAL_PN_RECOGNITION_3_INTERNAL_SHAPE_H
 
-#include <CGAL/PN_recognition_3/internal/linear_algebra.h>
-#include <CGAL/PN_recognition_3/surfaces/Recognized_surface.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
+#include <CGAL/PN_recognition_3/internal/Part.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 namespace recognition {
 
-using Kind = Recognized_surface::Kind;
-
-// where a point is about an axis
-struct Cylindrical
-{
-  double rho, z;
-  Vec3 outward; // unit, zero on the axis
-};
 inline Cylindrical cylindrical(const Vec3& p, const Vec3& center, const Vec3& axis)
 {
   const Vec3 q = p - center;
@@ -38,98 +22,100 @@ inline Cylindrical cylindrical(const Vec3& p, const Vec3& center, const Vec3& ax
   return {rho, z, rho > 0 ? (1 / rho) * w : Vec3()};
 }
 
-// A surface in the frame of the part. The cone is (rho - radius) cos(angle) = z sin(angle), with its center on the axis
-// among the vertices and not in its apex, which may be far away.
-struct Shape
+inline void Shape::set_angle(double x)
 {
-  Kind kind = Kind::unknown;
-  Vec3 center, axis;
-  double radius = 0, tube = 0;
-  double angle = 0, cosine = 1, sine = 0; // of a cone, by set_angle()
+  angle = x;
+  cosine = std::cos(x);
+  sine = std::sin(x);
+}
 
-  void set_angle(double x)
-  {
-    angle = x;
-    cosine = std::cos(x);
-    sine = std::sin(x);
+inline double Shape::distance(const Vec3& p, Cylindrical& q) const
+{
+  if (facts_of(kind).turns_about_axis) q = local(p);
+  switch (kind) {
+  case Kind::unknown:
+    break;
+  case Kind::plane:
+    return dot(p - center, axis);
+  case Kind::cylinder:
+    return q.rho - radius;
+  case Kind::cone:
+    return (q.rho - radius) * cosine - q.z * sine;
+  case Kind::sphere:
+    return norm(p - center) - radius;
+  case Kind::torus:
+    return std::hypot(q.rho - radius, q.z) - tube;
   }
-  bool has_axis() const { return kind != Kind::sphere && kind != Kind::unknown; }
-  Cylindrical local(const Vec3& p) const { return cylindrical(p, center, axis); }
-  Vec3 apex() const { return center - (radius / std::tan(angle)) * axis; }
+  return 0;
+}
 
-  double distance(const Vec3& p) const
-  {
-    if (kind == Kind::plane) return dot(p - center, axis);
-    if (kind == Kind::sphere) return norm(p - center) - radius;
-    return distance(local(p));
-  }
-  // the gradient of the distance; zero where there is none
-  Vec3 normal(const Vec3& p) const
-  {
-    if (kind == Kind::plane) return axis;
-    if (kind == Kind::sphere) return unit(p - center);
-    return normal(local(p));
-  }
-  // what these are of points about the axis of a cylinder, cone or torus
-  double distance(const Cylindrical& q) const
-  {
-    if (kind == Kind::cone) return (q.rho - radius) * cosine - q.z * sine;
-    return kind == Kind::torus ? std::hypot(q.rho - radius, q.z) - tube : q.rho - radius;
-  }
-  Vec3 normal(const Cylindrical& q) const
-  {
-    if (kind == Kind::cylinder) return q.outward;
-    if (kind == Kind::torus) return unit((q.rho - radius) * q.outward + q.z * axis);
+inline Vec3 Shape::normal(const Vec3& p, const Cylindrical& q) const
+{
+  switch (kind) {
+  case Kind::unknown:
+    break;
+  case Kind::plane:
+    return axis;
+  case Kind::cylinder:
+    return q.outward;
+  case Kind::cone:
     return q.rho == 0 ? Vec3() : cosine * q.outward - sine * axis;
+  case Kind::sphere:
+    return unit(p - center);
+  case Kind::torus:
+    return unit((q.rho - radius) * q.outward + q.z * axis);
   }
-  // the normal of a point within a distance, which the others have not
-  bool normal_within(double t, const Vec3& p, Vec3& n) const
-  {
-    if (kind == Kind::plane || kind == Kind::sphere) {
-      n = normal(p);
-      return std::abs(distance(p)) <= t;
-    }
-    const Cylindrical q = local(p);
-    if (!(std::abs(distance(q)) <= t)) return false;
-    n = normal(q);
-    return true;
-  }
-  // of the torus, where the point is on the circle of the tube
-  double meridian_angle(const Vec3& p) const
-  {
-    const Cylindrical q = local(p);
-    return std::atan2(q.z, q.rho - radius);
-  }
-};
+  return {};
+}
 
-// the same in another frame, x -> scale x + shift, in terms that have a meaning for users
+inline double Shape::meridian_angle(const Vec3& p) const
+{
+  const Cylindrical q = local(p);
+  return std::atan2(q.z, q.rho - radius);
+}
+
 inline Recognized_surface as_surface(const Shape& s, double scale, const Vec3& shift)
 {
   Recognized_surface result;
   result.kind = s.kind;
-  if (s.kind == Kind::unknown) return result;
-  const Vec3 point = s.kind == Kind::cone ? s.apex() : s.center;
-  result.point = as_array(scale * point + shift);
-  if (s.kind != Kind::sphere) result.direction = as_array(s.axis);
-  if (s.kind == Kind::cone)
+  switch (s.kind) {
+  case Kind::unknown:
+    return result;
+  case Kind::plane:
+    break;
+  case Kind::cone:
     result.half_angle = s.angle;
-  else if (s.kind != Kind::plane)
+    break;
+  case Kind::torus:
+    result.tube_radius = scale * s.tube;
+    [[fallthrough]];
+  case Kind::cylinder:
+  case Kind::sphere:
     result.radius = scale * s.radius;
-  if (s.kind == Kind::torus) result.tube_radius = scale * s.tube;
+    break;
+  }
+  result.point = as_array(scale * (s.kind == Kind::cone ? s.apex() : s.center) + shift);
+  if (s.kind != Kind::sphere) result.direction = as_array(s.axis);
   return result;
 }
 
-// and back
 inline Shape as_shape(const Recognized_surface& surface, double scale, const Vec3& shift)
 {
   Shape s;
   s.kind = surface.kind;
   s.center = (1 / scale) * (as_vec3(surface.point) - shift);
   s.axis = as_vec3(surface.direction);
-  s.radius = surface.kind == Kind::cone ? 0 : surface.radius / scale;
+  s.radius = s.kind == Kind::cone ? 0 : surface.radius / scale; // the center is the apex
   s.tube = surface.tube_radius / scale;
   s.set_angle(surface.half_angle);
   return s;
+}
+
+inline double greatest_distance(const Shape& s, const std::vector<Vec3>& points)
+{
+  double largest = 0;
+  for (const Vec3& p : points) largest = (std::max)(largest, std::abs(s.distance(p)));
+  return largest;
 }
 
 // Least squares by the method of Gauss and Newton for the distances of points from a shape. The unknowns are a shift of
@@ -142,24 +128,16 @@ public:
     , steps_(steps)
   {}
 
-  // the largest distance
-  static double residual(const Shape& s, const std::vector<Vec3>& points)
-  {
-    double largest = 0;
-    for (const Vec3& p : points) largest = (std::max)(largest, std::abs(s.distance(p)));
-    return largest;
-  }
-
   // Stops as soon as the distances do not get less; whether it has been any good. With a `hopeless` distance it gives up
   // if the first step leaves more than that and more than a quarter.
   bool operator()(Shape& s, double hopeless = 0) const
   {
-    double before = residual(s, points_);
+    double before = greatest_distance(s, points_);
     bool is_better = false;
     for (std::size_t k = 0; k < steps_ && before > 1e-15; ++k) {
       Shape next = s;
       if (!step(next)) break;
-      const double after = residual(next, points_);
+      const double after = greatest_distance(next, points_);
       if (!(after < before)) break;
       const bool settles = after > 0.9 * before && k > 0;
       s = next;
@@ -175,7 +153,7 @@ private:
   // the center among the points, so that turns are about what is there
   void recenter(Shape& s) const
   {
-    if (s.kind != Kind::cylinder && s.kind != Kind::cone) return;
+    if (!facts_of(s.kind).is_ruled) return;
     double z = 0;
     for (const Vec3& p : points_) z += dot(p - s.center, s.axis);
     z /= double(points_.size());
@@ -186,12 +164,12 @@ private:
   bool step(Shape& s) const
   {
     recenter(s);
-    return s.kind == Kind::sphere ? step_of_sphere(s) : step_of_revolution(s);
+    return facts_of(s.kind).turns_about_axis ? step_of_revolution(s) : step_of_sphere(s);
   }
 
   bool step_of_sphere(Shape& s) const
   {
-    Least_squares system(4);
+    Least_squares system(facts_of(s.kind).unknowns);
     for (const Vec3& p : points_) {
       const Vec3 n = s.normal(p);
       system.add({-n.x, -n.y, -n.z, -1}, -s.distance(p));
@@ -206,7 +184,7 @@ private:
   bool step_of_revolution(Shape& s) const
   {
     const Cross_section across(s.axis);
-    Least_squares system(s.kind == Kind::torus ? 7 : s.kind == Kind::cone ? 6 : 5);
+    Least_squares system(facts_of(s.kind).unknowns);
     double largest_rho = 0;
     for (const Vec3& p : points_) largest_rho = (std::max)(largest_rho, s.local(p).rho);
     for (const Vec3& p : points_) {
@@ -217,20 +195,30 @@ private:
         add_apex(s, across, p, system);
     }
     const Least_squares::Row x = system.solve();
+    const Vec3 axis = s.axis;
     s.center += x[0] * across.u + x[1] * across.v;
     s.radius += x[4];
-    if (s.kind == Kind::torus) {
-      s.tube += x[5];
-      s.center += x[6] * s.axis;
-    }
-    s.axis = unit(s.axis + x[2] * across.u + x[3] * across.v);
-    if (s.kind == Kind::cone) {
+    s.axis = unit(axis + x[2] * across.u + x[3] * across.v);
+    switch (s.kind) {
+    case Kind::unknown:
+    case Kind::plane:
+    case Kind::cylinder:
+    case Kind::sphere:
+      break;
+    case Kind::cone: {
       const double angle = s.angle + x[5];
       if (angle < 0) s.axis = -s.axis;
       s.set_angle(std::abs(angle));
       if (!(s.angle < radians(89.9) && s.angle > 1e-6)) return false;
+      break;
     }
-    return s.radius > 0 && (s.kind != Kind::torus || s.tube > 0);
+    case Kind::torus:
+      s.tube += x[5];
+      s.center += x[6] * axis;
+      if (!(s.tube > 0)) return false;
+      break;
+    }
+    return s.radius > 0;
   }
 
   static void add_row(const Shape& s, const Cross_section& across, const Cylindrical& q,
@@ -239,23 +227,31 @@ private:
     const double eu = dot(q.outward, across.u), ev = dot(q.outward, across.v);
     double along_rho = 1, along_z = 0, f = q.rho - s.radius;
     Least_squares::Row row{};
-    row[4] = -1;
-    if (s.kind == Kind::cone) {
+    switch (s.kind) {
+    case Kind::unknown:
+    case Kind::plane:
+    case Kind::sphere:
+      return; // turn about no axis
+    case Kind::cylinder:
+      break;
+    case Kind::cone:
       along_rho = s.cosine;
       along_z = -s.sine;
-      row[4] = -s.cosine;
       row[5] = -f * s.sine - q.z * s.cosine;
       f = f * s.cosine - q.z * s.sine;
-    } else if (s.kind == Kind::torus) {
+      break;
+    case Kind::torus: {
       const double d = std::hypot(f, q.z);
       if (d == 0) return;
       along_rho = f / d;
       along_z = q.z / d;
-      row[4] = -along_rho;
       row[5] = -1;
       row[6] = -along_z;
       f = d - s.tube;
+      break;
     }
+    }
+    row[4] = -along_rho;
     const double turn = along_z * q.rho - along_rho * q.z;
     row[0] = -along_rho * eu;
     row[1] = -along_rho * ev;
@@ -279,7 +275,11 @@ private:
   std::size_t steps_;
 };
 
-// the sphere of the least sum of squares of |p - c|^2 - r^2
+inline bool fit_shape(Shape& s, const std::vector<Vec3>& points, std::size_t steps, double hopeless)
+{
+  return Shape_fit(points, steps)(s, hopeless);
+}
+
 inline bool sphere_through(const std::vector<Vec3>& points, Shape& s)
 {
   Vec3 mean;
@@ -300,7 +300,6 @@ inline bool sphere_through(const std::vector<Vec3>& points, Shape& s)
   return true;
 }
 
-// the circle of the least sum of such squares in a plane across an axis
 inline bool circle_through(const std::vector<Vec3>& points, const Vec3& axis, Vec3& center,
                            double& radius)
 {
@@ -324,5 +323,3 @@ inline bool circle_through(const std::vector<Vec3>& points, const Vec3& axis, Ve
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
-
-#endif // CGAL_PN_RECOGNITION_3_INTERNAL_SHAPE_H

@@ -5,55 +5,15 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-#ifndef CGAL_PN_RECOGNITION_3_INTERNAL_PATCHES_H
-#define CGAL_PN_RECOGNITION_3_INTERNAL_PATCHES_H
 
 #include <CGAL/PN_recognition_3/internal/Part.h>
-#include <CGAL/PN_recognition_3/internal/linear_algebra.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 namespace recognition {
-
-// All edges that two patches share. It is smooth if the patches may be facets of one surface.
-struct Joint
-{
-  Index p, q; // p < q
-  std::vector<Index> edges;
-  double angle = 0;
-  double length = 0;
-  Index v = 0, w = 0; // the two vertices that are furthest from each other
-  bool is_smooth = false;
-
-  Index other(Index patch) const { return patch == p ? q : p; }
-};
-
-// The facets of a part: faces of one plane are one facet, however they are triangulated. Slivers belong to none.
-struct Patches
-{
-  struct Patch
-  {
-    std::vector<Index> faces, vertices, joints; // joints: numbers
-    double area = 0, width = 0;
-    Vec3 normal, mean; // mean of the vertices
-    bool is_planar = true;
-  };
-
-  std::vector<Patch> patches;
-  std::vector<Joint> joints;
-  std::vector<Index> patch_of_face; // null of slivers
-
-  Index size() const { return Index(patches.size()); }
-  const Patch& operator[](Index p) const { return patches[p]; }
-};
 
 class Make_patches
 {
@@ -283,9 +243,12 @@ private:
   Patches result_;
 };
 
+inline Patches make_patches(const Part& part, double greatest_smooth_angle)
+{
+  return Make_patches(part, greatest_smooth_angle)();
+}
+
 } // namespace recognition
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
-
-#endif // CGAL_PN_RECOGNITION_3_INTERNAL_PATCHES_H

@@ -5,10 +5,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-#ifndef CGAL_PN_RECOGNITION_3_INTERNAL_ARC_GROWTH_H
-#define CGAL_PN_RECOGNITION_3_INTERNAL_ARC_GROWTH_H
 
-#include <CGAL/PN_recognition_3/internal/linear_algebra.h>
+#include <CGAL/PN_recognition_3/internal/recognition_interface.h>
 
 #include <algorithm>
 #include <array>
@@ -20,49 +18,42 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+namespace recognition {
 
-// Edges first, ..., last - 1 of a polygon, in a numbering that goes on behind the end of a closed one.
-struct Arc_run
-{
-  enum class Kind { unknown, line, circle };
-  Kind kind = Kind::unknown;
-  std::ptrdiff_t first = 0, last = 0;
-  std::array<double, 2> center{};    // of a line a point of it
-  std::array<double, 2> direction{}; // of a line
-  double radius = 0, residual = 0, widest = 0;
-
-  std::ptrdiff_t edges() const { return last - first; }
-  double distance(const std::array<double, 2>& p) const
-  {
-    const double x = p[0] - center[0], y = p[1] - center[1];
-    return kind == Kind::line ? std::abs(direction[0] * y - direction[1] * x)
-                              : std::abs(std::hypot(x, y) - radius);
-  }
-};
-
-// Fits lines and circles to runs of points of a polygon, lets the runs grow and says when they are believed in.
-class Arc_growth
+// Cuts a polygon into the lines and arcs that it has been made of. As of surfaces, points are on them up to the rounding of
+// the file: a run of three points is extended as long as they are on its line or circle up to the tolerance, and
+// believed in if more points are on it than would be on any, and the next ones are clearly not.
+class Arc_finder
 {
 public:
   using Point = std::array<double, 2>;
-  using Index = std::ptrdiff_t;
-  using Kind = Arc_run::Kind;
 
-protected:
-  // points without repeated neighbors
-  Arc_growth(std::vector<Point> points, bool closed, double tolerance, unsigned min_facets)
+  Arc_finder(std::vector<Point> points, bool closed, double tolerance, unsigned min_facets)
     : points_(std::move(points))
     , closed_(closed)
     , tolerance_(tolerance)
     , min_facets_(min_facets)
     , n_(Index(points_.size()))
     , edges_(closed ? n_ : n_ - 1)
+    , is_flat_(points_.size(), false)
+    , owner_(points_.size(), -1)
+  {}
+
+  std::vector<Arc_run> operator()()
   {
-    is_flat_.assign(points_.size(), false);
+    if (n_ < 3) return n_ < 2 ? std::vector<Arc_run>() : std::vector<Arc_run>{unknown(0, edges_)};
+    find(Kind::line);
+    find(Kind::circle);
+    choose();
+    drop_accidents();
+    return pieces();
   }
 
+private:
+  using Index = std::ptrdiff_t;
+  using Kind = Arc_run::Kind;
+
   static constexpr double pi = 3.14159265358979323846;
-  static double radians(double degrees) { return degrees * pi / 180; }
   static double greatest_step() { return radians(61); }
 
   const Point& at(Index i) const { return points_[std::size_t((i % n_ + n_) % n_)]; }
@@ -86,6 +77,12 @@ protected:
 
   // --- fits ---
 
+  static double distance(const Arc_run& run, const Point& p)
+  {
+    const double x = p[0] - run.center[0], y = p[1] - run.center[1];
+    return run.kind == Kind::line ? std::abs(run.direction[0] * y - run.direction[1] * x)
+                                  : std::abs(std::hypot(x, y) - run.radius);
+  }
   bool fit(Arc_run& run) const { return run.kind == Kind::line ? fit_line(run) : fit_circle(run); }
 
   bool fit_line(Arc_run& run) const
@@ -95,7 +92,7 @@ protected:
     const double h = std::hypot(b[0] - a[0], b[1] - a[1]);
     if (!(h > 0)) return false;
     const Point u{(b[0] - a[0]) / h, (b[1] - a[1]) / h};
-    recognition::Least_squares system(2);
+    Least_squares system(2);
     for (Index i = run.first; i <= run.last; ++i) {
       const double x = at(i)[0] - a[0], y = at(i)[1] - a[1];
       system.add({1, u[0] * x + u[1] * y}, u[0] * y - u[1] * x);
@@ -111,7 +108,7 @@ protected:
   bool fit_circle(Arc_run& run) const
   {
     const Point& o = at(run.first);
-    recognition::Least_squares powers(3);
+    Least_squares powers(3);
     for_each_point(run, [&](const Point& p) {
       const double x = p[0] - o[0], y = p[1] - o[1];
       powers.add({2 * x, 2 * y, 1}, x * x + y * y);
@@ -155,9 +152,9 @@ protected:
     const Index middle = (seed.first + seed.last) / 2;
     run.first = run.last = middle;
     const auto has = [&](Index e, Index end) {
-      return is_edge(e) && may_have(run, e, side) && run.distance(at(end)) <= t;
+      return is_edge(e) && may_have(run, e, side) && distance(run, at(end)) <= t;
     };
-    if (!(run.distance(at(middle)) <= t)) return run;
+    if (!(distance(run, at(middle)) <= t)) return run;
     while (run.edges() < n_ && has(run.last, run.last + 1)) ++run.last;
     while (run.edges() < n_ && has(run.first - 1, run.first - 1)) --run.first;
     return run;
@@ -179,7 +176,7 @@ protected:
     }
     run.residual = 0;
     for_each_point(
-      run, [&](const Point& p) { run.residual = (std::max)(run.residual, run.distance(p)); });
+      run, [&](const Point& p) { run.residual = (std::max)(run.residual, distance(run, p)); });
     return run.residual <= tolerance_;
   }
 
@@ -215,7 +212,7 @@ protected:
     if (run.kind == Kind::circle && length(e) > longest_chord(run)) return true;
     const double mean = mean_length(run), ratio = length(e) / mean;
     return ratio > 4 ||
-           run.distance(at(beyond)) > 60 * (std::max)(1., ratio * ratio) * run.residual;
+           distance(run, at(beyond)) > 60 * (std::max)(1., ratio * ratio) * run.residual;
   }
   double mean_length(const Arc_run& run) const
   {
@@ -253,16 +250,166 @@ protected:
     return result;
   }
 
+  // --- finding ---
+
+  void find(Kind kind)
+  {
+    std::vector<bool> is_known(points_.size(), false);
+    for (Index i = closed_ ? 0 : 1; i < edges_; ++i) {
+      if (is_known[edge_number(i - 1)] && is_known[edge_number(i)]) continue;
+      Arc_run run = unknown(i - 1, i + 1);
+      run.kind = kind;
+      if (std::abs(turn(i)) > greatest_step() || !settle(run)) continue;
+      new_flats_.clear();
+      if (!take_flats_out(run) || !is_over_determined(run)) {
+        for (const Index e : new_flats_) is_flat_[edge_number(e)] = false;
+        i += run.edges() / 8; // its neighbors lead to the same
+        continue;
+      }
+      for (Index e = run.first; e < run.last; ++e) is_known[edge_number(e)] = true;
+      found_.push_back(run);
+    }
+  }
+
+  // Few chords that are much longer than all others are lines: tessellators halve steps, they do not double them.
+  bool take_flats_out(Arc_run& run)
+  {
+    if (run.kind == Kind::line) return true;
+    double widest = 0, next = 0;
+    for (Index e = run.first; e < run.last; ++e) widest = (std::max)(widest, step(run, e));
+    std::vector<Index> flats;
+    for (Index e = run.first; e < run.last; ++e)
+      if (step(run, e) >= 0.9 * widest)
+        flats.push_back(e);
+      else
+        next = (std::max)(next, step(run, e));
+    const Index number = Index(flats.size());
+    run.widest = widest;
+    if (number == run.edges() || !(number <= 2 || 10 * number <= run.edges()) ||
+        !(widest > 1.75 * next))
+      return true;
+    for (const Index e : flats) is_flat_[edge_number(e)] = true;
+    new_flats_.insert(new_flats_.end(), flats.begin(), flats.end());
+    return take_rest(run, flats);
+  }
+  bool take_rest(Arc_run& run, std::vector<Index> flats)
+  {
+    const bool is_full = run.edges() == n_;
+    flats.push_back(is_full ? flats.front() + n_ : run.last);
+    Index from = is_full ? flats.front() + 1 : run.first;
+    Arc_run best = run;
+    best.first = best.last = from;
+    for (const Index e : flats) {
+      if (e - from > best.edges()) {
+        best.first = from;
+        best.last = e;
+      }
+      from = e + 1;
+    }
+    run = best;
+    return run.edges() >= 2 && settle(run) && take_flats_out(run);
+  }
+
+  // --- choice ---
+
+  void choose()
+  {
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const Arc_run& a, const Arc_run& b) { return a.edges() > b.edges(); });
+    for (Arc_run& run : found_) {
+      give_way(run);
+      if (run.edges() < 2) continue;
+      for (Index e = run.first; e < run.last; ++e) owner_[edge_number(e)] = Index(chosen_.size());
+      chosen_.push_back(run);
+    }
+  }
+  // Three points are on a line by accident now and then, five on a circle.
+  void drop_accidents()
+  {
+    const auto goes_on = [&](Index i, Index e) {
+      return is_edge(e) && owner_[edge_number(e)] < 0 && std::abs(turn(i)) <= greatest_step();
+    };
+    for (const Arc_run& run : chosen_) {
+      const bool is_short = run.kind == Kind::line
+                              ? run.edges() == 2
+                              : run.edges() <= 5 && !is_tangent(run, run.first - 1, run.first) &&
+                                  !is_tangent(run, run.last, run.last);
+      if (!is_short || !goes_on(run.first, run.first - 1) || !goes_on(run.last, run.last)) continue;
+      for (Index e = run.first; e < run.last; ++e) owner_[edge_number(e)] = -1;
+    }
+  }
+  // At their ends two runs may share edges, whose points are on both: they meet where the sum of the distances is least.
+  void give_way(Arc_run& run)
+  {
+    while (run.edges() > 0 && owner_[edge_number(run.first)] >= 0) ++run.first;
+    while (run.edges() > 0 && owner_[edge_number(run.last - 1)] >= 0) --run.last;
+    for (Index e = run.first; e < run.last; ++e)
+      if (owner_[edge_number(e)] >= 0) run.last = e;
+  }
+
+  // --- the rest ---
+
+  bool is_corner(Index i) const
+  {
+    if (!closed_ && (i == 0 || i == n_ - 1)) return true;
+    return owner_[edge_number(i - 1)] != owner_[edge_number(i)] ||
+           (owner_[edge_number(i)] < 0 && std::abs(turn(i)) > greatest_step());
+  }
+
+  std::vector<Arc_run> pieces()
+  {
+    std::vector<Index> corners;
+    for (Index i = 0; i < n_; ++i)
+      if (is_corner(i)) corners.push_back(i);
+    if (corners.empty()) corners.push_back(0);
+    if (closed_) corners.push_back(corners.front() + n_);
+    std::vector<Arc_run> result;
+    const bool has_owner =
+      std::any_of(owner_.begin(), owner_.end(), [](Index owner) { return owner >= 0; });
+    bool is_known = has_owner;
+    for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
+      result.push_back(piece(corners[k], corners[k + 1]));
+      is_known = is_known || result.back().edges() > 1;
+    }
+    if (!is_known) return lines(0, edges_); // corners everywhere
+    if (!has_owner) return {unknown(0, edges_)};
+    std::vector<Arc_run> all;
+    for (const Arc_run& run : result)
+      if ((run.kind == Kind::circle && !is_round(run)) ||
+          (run.kind == Kind::unknown && run.edges() <= 2)) {
+        const std::vector<Arc_run> more = lines(run.first, run.last);
+        all.insert(all.end(), more.begin(), more.end());
+      } else
+        all.push_back(run);
+    return all;
+  }
+  Arc_run piece(Index first, Index last) const
+  {
+    const Index owner = owner_[edge_number(first)];
+    Arc_run run = owner < 0 ? Arc_run() : chosen_[std::size_t(owner)];
+    run.first = first;
+    run.last = last;
+    return run;
+  }
+
   std::vector<Point> points_;
   bool closed_;
   double tolerance_;
   unsigned min_facets_;
   Index n_, edges_;
   std::vector<bool> is_flat_; // edges that are on no circle
+  std::vector<Index> owner_, new_flats_;
+  std::vector<Arc_run> found_, chosen_;
 };
 
+inline std::vector<Arc_run> find_arcs(std::vector<std::array<double, 2>> points, bool closed,
+                                      double tolerance, unsigned min_facets)
+{
+  Arc_finder find(std::move(points), closed, tolerance, min_facets);
+  return find();
+}
+
+} // namespace recognition
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
-
-#endif // CGAL_PN_RECOGNITION_3_INTERNAL_ARC_GROWTH_H
