@@ -9,7 +9,7 @@
 """Checks the sources: that each file says whose it is, that package_info/.../dependencies lists the
 CGAL packages whose headers the package's headers include, directly or not, that version.h,
 CMakeLists.txt, vcpkg.json, conanfile.py, CHANGES.md and CITATION.cff agree on the version, that links of pages in Markdown
-lead to files and headings that are there, and that the README is short.
+lead to files and headings that are there, that README and manual are short, and that sentences of the manual are (sentences.py).
 
 With --fix the headers of files and the dependencies are written anew; else the exit code is 1 if
 something is wrong. Needs Python 3.11 and, for the dependencies, a C++ compiler and CGAL.
@@ -23,6 +23,8 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
+
+import sentences
 
 ROOT = Path(__file__).resolve().parent.parent
 NAME = "PN_subdivision_3"
@@ -185,7 +187,7 @@ def check_lengths() -> list[str]:
     if manual.stat().st_size > BYTES_OF_MANUAL:
         wrong.append(f"{manual.relative_to(ROOT)} has {manual.stat().st_size} bytes, more than {BYTES_OF_MANUAL}: "
                      "details go to the pages beside it")
-    return wrong
+    return wrong + sentences.misses([s for page in sentences.pages() for s in sentences.sentences(page)])
 
 
 def main() -> int:
