@@ -11,7 +11,7 @@
   sentences.py [PAGE...]            a line for each page, and its worst twenty sentences
   sentences.py --check [PAGE...]    only the shares of all pages; exit code 1 if they are above the goals
 
-Without PAGE all pages of doc/PN_subdivision_3 are read. Code, tables, formulas and headings are no sentences; an item of a
+PAGE may be a header; without PAGE all pages of doc/PN_subdivision_3 are read. Code, tables, formulas and headings are no sentences; an item of a
 list begins one. A formula, a name in backquotes and a link count as a word.
 """
 
@@ -36,7 +36,7 @@ def pages() -> list[Path]:
 def prose(path: Path) -> str:
     """The text of a page; an empty line stands where a sentence cannot go on."""
     text = path.read_text()
-    if path.suffix == ".txt":
+    if path.suffix != ".md":
         text = "\n\n".join(re.findall(r"(?s)/\*!(.*?)\*/", text))
         text = re.sub(r"(?ms)^\\(?:code|verbatim).*?^\\end(?:code|verbatim)$", "\n", text)
     else:
