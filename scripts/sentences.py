@@ -50,10 +50,10 @@ def prose(path: Path) -> str:
     lines = []
     for line in text.splitlines():
         if re.match(r"\s*(\||#|\\cgalFigure|\\cgalCRP|\\(sub)*section|\\page|\\anchor|\\authors|\\cgal\w+$|\\example|"
-                    r"\\image|\\cgalExample|\\mainpage|\\(defgroup|ingroup|addtogroup)|\\cgalPkg)", line):
+                    r"\\image|\\cgalExample|\\cgalHas|\\mainpage|\\(defgroup|ingroup|addtogroup)|\\cgalPkg)", line):
             lines.append("")
             continue
-        if re.match(r"\s*(- |-# |\* |\d+\. |<d[td]>|<li>)", line):
+        if re.match(r"\s*(- |-# |\* |\d+\. |<d[td]>|<li>|\\(?:throws|t?param|returns?|pre|post|sa|cgalParam\w+)\b)", line):
             lines.append("")
         lines.append(re.sub(r"\\em\b|\\(?=cgal\b)|<[^>]*>|^\s*(?:- |-# |\* |/// ?)", "", line))
     return "\n".join(lines)
