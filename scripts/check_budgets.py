@@ -63,7 +63,7 @@ def public_names() -> int:
     sections = re.split(r"\\cgalCRPSection\{", DESCRIPTION.read_text())[1:]
     promised = [section for section in sections if not section.startswith(("Analysis", "Concepts"))]
     names = [name for section in promised for name in re.findall(r"^- `([\w:]+)", section, re.MULTILINE)]
-    return sum("::parameters::" not in name for name in names)
+    return sum("parameters::" not in name for name in names)
 
 
 def headers_behind(umbrella: str) -> set[Path]:

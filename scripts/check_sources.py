@@ -9,7 +9,7 @@
 """Checks the sources: that each file says whose it is, that package_info/.../dependencies lists the
 CGAL packages whose headers the package's headers include, directly or not, that version.h,
 CMakeLists.txt, vcpkg.json, conanfile.py, CHANGES.md and CITATION.cff agree on the version, that links of pages in Markdown
-lead to files and headings that are there, and that the README is short.
+lead to files and headings that are there, that README and manual are short, and that sentences of the manual are (sentences.py).
 
 With --fix the headers of files and the dependencies are written anew; else the exit code is 1 if
 something is wrong. Needs Python 3.11 and, for the dependencies, a C++ compiler and CGAL.
@@ -25,6 +25,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import moves
+import sentences
 
 ROOT = Path(__file__).resolve().parent.parent
 NAME = "PN_subdivision_3"
@@ -188,14 +189,23 @@ def check_links() -> list[str]:
     return wrong
 
 
+MANUAL = ROOT / "doc" / "PN_subdivision_3" / "PN_subdivision_3.txt"
+
+
+def check_names() -> list[str]:
+    """Headers and examples that the first page of the manual names."""
+    there = {path.name for folder in ("include", "examples") for path in (ROOT / folder).rglob("*.*")}
+    named = re.findall(r"`(?:[\w/]+/)?(\w+\.(?:h|cpp))`", MANUAL.read_text())
+    return [f"{MANUAL.relative_to(ROOT)} names {name}, which is not there" for name in named if name not in there]
+
+
 def check_lengths() -> list[str]:
     words = len((ROOT / "README.md").read_text().split())
-    manual = ROOT / "doc" / "PN_subdivision_3" / "PN_subdivision_3.txt"
     wrong = [f"README.md has {words} words, more than {WORDS_OF_README}"] if words > WORDS_OF_README else []
-    if manual.stat().st_size > BYTES_OF_MANUAL:
-        wrong.append(f"{manual.relative_to(ROOT)} has {manual.stat().st_size} bytes, more than {BYTES_OF_MANUAL}: "
+    if MANUAL.stat().st_size > BYTES_OF_MANUAL:
+        wrong.append(f"{MANUAL.relative_to(ROOT)} has {MANUAL.stat().st_size} bytes, more than {BYTES_OF_MANUAL}: "
                      "details go to the pages beside it")
-    return wrong
+    return wrong + sentences.misses([s for page in sentences.pages() for s in sentences.sentences(page)])
 
 
 def check_moves(fix: bool) -> list[str]:
@@ -212,7 +222,7 @@ def main() -> int:
                         help="the compiler with the options that it needs to find CGAL and Eigen")
     parser.add_argument("--fix", action="store_true", help="write what can be derived")
     arguments = parser.parse_args()
-    wrong = check_notices(arguments.fix) + check_version() + check_links() + check_lengths()
+    wrong = check_notices(arguments.fix) + check_version() + check_links() + check_names() + check_lengths()
     wrong += check_moves(arguments.fix) + check_dependencies(arguments.compiler, arguments.fix)
     for line in wrong:
         print(line, file=sys.stderr)

@@ -62,8 +62,8 @@ namespace CGAL {{
 
 \\cgalAutoToc
 
-{len(rows) - 1} inputs that are wrong or unusual, one round of Catmull-Clark (or Loop, where it says so), in Release builds
-with `NDEBUG`, each in a process of its own: {versions}, this package, and its command with an OFF file.
+{len(rows) - 1} inputs that are wrong or unusual, one round of Catmull-Clark (or Loop), each in a process of its own. Release builds with `NDEBUG`
+of {versions}, this package, and its command with an OFF file:
 
 - *right*: the result of the scheme, finite, with the right numbers of vertices and faces;
 - *accepts*: no oriented 2-manifold, but a complete and finite result by the library's own rule;
@@ -71,10 +71,9 @@ with `NDEBUG`, each in a process of its own: {versions}, this package, and its c
 - <b>garbage</b>: coordinates that are not finite, missing elements, or a mesh where there is none, without an error;
 - <b>crash</b>: ended by a signal; <b>hangs</b>: not done within 30 seconds of a processor.
 
-A program can live with the first three. CGAL and this package (its functions) read a `Surface_mesh` that
-`add_face()` has built, so both refuse what it refuses; an index beyond the vertices is an error of the program that
-builds the mesh, in every library that does not check it. The other libraries document preconditions, and most bold entries violate
-one; the table shows the consequences.
+A program can live with the first three. CGAL and the functions of this package read a `Surface_mesh` of `add_face()`, and refuse
+what it refuses. An index beyond the vertices is an error of the program that builds the mesh. Most bold entries violate a documented
+precondition.
 
 {newline.join(lines)}
 
@@ -82,7 +81,7 @@ In sum:
 
 {newline.join(summary)}
 
-The table is written by `scripts/compare_bad_input.py`, the inputs are in `test/PN_subdivision_3/peers/Bad_inputs.h`.
+`scripts/compare_bad_input.py` writes this page; the inputs are in `test/PN_subdivision_3/peers/Bad_inputs.h`.
 */
 }} /* namespace CGAL */
 """

@@ -25,7 +25,12 @@ DOC = Path(__file__).resolve().parent.parent / "doc" / "PN_subdivision_3"
 
 def tables(printed: str) -> dict[str, str]:
     parts = re.split(r"(?m)^#table (\w+)\n", printed)
-    return dict(zip(parts[1::2], parts[2::2]))
+    return dict(zip(parts[1::2], map(short, parts[2::2])))
+
+
+def short(rows: str) -> str:
+    """Without the end tags that HTML does not need; after a letter, which may end the name of a file, with a space."""
+    return re.sub(r"</t[dr]>", "", re.sub(r"(?<=[a-z])</td>(?=<)(?!</tr>)", " ", rows))
 
 
 def filled(page: str, found: dict[str, str]) -> str:

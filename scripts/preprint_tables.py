@@ -42,7 +42,7 @@ def tables() -> dict[str, str]:
     found = {}
     for page in PAGES:
         for name, rows in re.findall(r"(?s)<!-- table (\w+) -->\n(.*?)<!-- end of \1 -->", (DOC / page).read_text()):
-            cells = (re.findall(r"<td>(.*?)</td>", row) for row in rows.splitlines())
+            cells = ([text.strip() for text in row.split("<td>")[1:]] for row in rows.splitlines())
             found[name] = "".join(" & ".join(map(cell, row)) + r" \\" + "\n" for row in cells)
     return found
 

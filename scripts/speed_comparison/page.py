@@ -36,6 +36,7 @@ NAMES = {
     "pn-linear/refiner": "`Surface_refiner`, linear",
     "opensubdiv/stencils": "OpenSubdiv, table of stencils, `float`",
 }
+DETAILED = ("catmull-clark", "loop")  # the ratios and the chart have all
 AGAIN = ("pn/refiner", "pn-linear/refiner", "opensubdiv/stencils")
 # CGAL has no interpolatory scheme for quads: Kobbelt's is beside its Catmull-Clark
 BESIDE = {"kobbelt": "catmull-clark"}
@@ -58,6 +59,7 @@ class Page:
     def __init__(self, medians: Medians):
         self.medians = medians
         self.schemes = [s for s in TITLES if any(r.scheme == s for r in medians)]
+        self.detailed = [s for s in self.schemes if s in DETAILED]
         self.sizes = sorted({r.size for r in medians if (r.kind, r.process) == ("regular", "warm")})
 
     def find(self, scheme: str, job: str, size: int, threads: int = 1, kind: str = "regular",
@@ -76,15 +78,13 @@ class Page:
                 if not any(found):
                     continue
                 name = NAMES[job] + (", 2 threads" if threads == 2 else "")
-                if scheme in BESIDE and job.startswith("cgal/"):
-                    name += ", Catmull-Clark"
                 rows.append([name] + [number(m.ns_per_face()) if m else "" for m in found])
         return rows
 
     def tables_of_sizes(self) -> list[str]:
         header = [""] + [size_name(s) for s in self.sizes]
         lines = []
-        for scheme in self.schemes:
+        for scheme in self.detailed:
             lines += [f"### {TITLES[scheme]}", ""]
             lines += table(header, self.rows_of_sizes(scheme, [j for j in NAMES if j not in AGAIN]))
         return lines
@@ -102,11 +102,10 @@ class Page:
         columns = (("regular", "warm"), ("irregular", "warm"), ("real", "warm"),
                    ("regular", "fresh"), ("regular", "huge"))
         rows = []
-        for scheme in self.schemes:
+        for scheme in self.detailed:
             for job in (j for j in NAMES if not j.endswith("/polyhedron")):
                 found = [self.find(scheme, job, size, 1, *c) for c in columns]
-                is_of_other_scheme = scheme in BESIDE and job.startswith("cgal/")
-                if all(found) and not is_of_other_scheme and not job.startswith("floor"):
+                if all(found) and not job.startswith("floor"):
                     rows.append([f"{TITLES[scheme]}: {NAMES[job]}"] +
                                 [number(m.ns_per_face()) for m in found if m])
         header = [f"about {size_name(size)} faces", "regular", "irregular", "real",
