@@ -40,7 +40,7 @@ PN_subdivision_3
               | base average hosts schemes rounds normals creases refinement meshes attributes
   refiner     Surface_refiner.h | average hosts rows schemes rounds normals creases refinement meshes attributes calls
   pieces      Surface_piece.h refine_in_pieces.h
-              | base average hosts schemes rounds creases refinement meshes attributes calls !limit:9
+              | base average hosts schemes rounds creases refinement meshes attributes calls !limit:6
 PN_cgal_masks_3
   cgal_masks  PN_mask_3.h Subdivision_method_3.h | PN_subdivision_3
 PN_limit_surface_3
