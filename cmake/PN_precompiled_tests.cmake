@@ -46,7 +46,7 @@ function(pn_use_precompiled_in_command name)
   set_target_properties(pn_subdivide_io PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   pn_join(pn_subdivide_io data io/Attributes io/Error io/Held_attributes io/Limit_choice io/Obj_attributes io/Output_file
           io/formats io/mesh_io io/write_text)
-  pn_join(pn_subdivide_io reading io/Ply_header io/Ply_origin io/Ply_values io/normals_of_file io/read_obj io/read_off
+  pn_join(pn_subdivide_io reading io/Ply_header io/Ply_values io/normals_of_file io/read_obj io/read_off
           io/read_ply)
   pn_join(pn_subdivide_io reports io/Report io/Text_reader io/read_stl surface/diverging_colors surface/replayed_rounds)
   pn_join(pn_subdivide_io soups io/border_edges io/corner_normals io/merge_points io/near_points io/orient_outwards io/orient_soup

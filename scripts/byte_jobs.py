@@ -111,8 +111,8 @@ def measured_and_interpolated():
 
 
 def in_pieces():
-    lines = by_scheme(SCHEMES, ["@mixed_borders.off", "@torus_quads.ply"], ["@valences_3_to_12.ply"],
-                      ["--levels 2 --drop-attributes"],
+    lines = by_scheme([*OF_QUADS, *OF_TRIANGLES], ["@mixed_borders.off", "@torus_quads.ply"],
+                      ["@valences_3_to_12.ply"], ["--levels 2 --drop-attributes"],
                       ["--pieces 1", "--pieces 3", "--pieces 7 --linear", "--pieces 2 --output-normals control",
                        "--memory 200M --threads 2"])
     lines += product(["@vase.obj out.pvtp --drop-attributes --levels 2"], ["--pieces 3"],
@@ -167,6 +167,7 @@ def read_and_refused():
                      ["--scheme none", "--levels -1", "--levels 99", "--scheme loop", "--tension x", "--border none",
                       "--sharp angle:x", "--limit-tolerance 1e-3 --limit", "--cap 2", "--unknown",
                       "--interpolate points --sharp angle:40", "--scheme kobbelt --interpolate slide",
+                      "--chord 1% --pieces 2", "--scheme doo-sabin --pieces 2",
                       "--quiet --limit"])
     return lines + ["@wrong.off out.ply", "@not_finite.off out.ply", "@none.off out.ply", "@cube.off out.xyz",
                     "@cube.off", "- - --format off < @cube.off", "- - --format obj --levels 2 < @charts.obj"]

@@ -50,7 +50,7 @@ PN_limit_surface_3
   limit       limit_points.h subdivide_to_limit.h | PN_subdivision_3 curvature
   pieces      Surface_piece.h refine_in_pieces.h | PN_subdivision_3 limit
   limit_surface  Face_patch.h Limit_surface.h Limit_surface_queries.h | PN_subdivision_3 limit
-  tessellation   tessellate.h | PN_subdivision_3 limit limit_surface pieces
+  tessellation   tessellate.h | PN_subdivision_3 limit limit_surface
 PN_curves
   curves      . internal masks | PN_subdivision_3 limit
 PN_recognition_3

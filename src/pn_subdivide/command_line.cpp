@@ -261,7 +261,7 @@ void add_pieces_options(CLI::App& command, Pieces_options& options)
 {
   command.add_option("--memory", options.memory,
                      "Refine and write piece by piece, so that a process takes no more than this, "
-                     "500M or 2G (.ply, .pvtp); under mpirun the ranks share the pieces");
+                     "500M or 2G (.ply, .pvtp; no --chord); under mpirun ranks share the pieces");
   command
     .add_option("--pieces", options.pieces, "The same with so many pieces, instead of --memory")
     ->transform(whole_number());

@@ -250,12 +250,9 @@ private:
   template <class Scheme, class NamedParameters>
   void read(const FaceGraph& mesh, const Scheme& scheme, const NamedParameters& np)
   {
-    if constexpr (!std::is_same_v<typename Scheme::Host, PQQ_host> &&
-                  !std::is_same_v<typename Scheme::Host, PTQ_host>)
-      throw std::invalid_argument("PN_subdivision_3: " + internal::name_in_message(scheme) +
-                                  " does not split edges in halves, so that its limit surface has "
-                                  "no parameters here: take Catmull-Clark or Loop, or another "
-                                  "scheme that splits faces as they do");
+    if constexpr (!internal::halves_edges_v<Scheme>)
+      throw std::invalid_argument(
+        internal::no_halves(scheme, "so that its limit surface has no parameters here"));
     else if constexpr (internal::check_pieces_arguments<FaceGraph, Scheme, NamedParameters>()) {
       using Parameters = internal::Parameters_in_double<FaceGraph, NamedParameters>;
       if constexpr (Parameters::has_number_of_iterations)

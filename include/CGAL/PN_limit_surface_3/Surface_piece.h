@@ -29,9 +29,6 @@ namespace PN_subdivision_3 {
 
 template <class Scheme, class GeomTraits, class Concurrency_tag>
 class Surface_pieces;
-namespace internal {
-struct Piece_of_tessellation;
-}
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -155,7 +152,6 @@ public:
 private:
   template <class Scheme, class Traits, class Concurrency_tag>
   friend class Surface_pieces;
-  friend struct internal::Piece_of_tessellation;
 
   const Corner* corner_at(Index h) const
   {

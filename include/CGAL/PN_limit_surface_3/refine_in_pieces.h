@@ -14,7 +14,6 @@
 #include <CGAL/PN_limit_surface_3/internal/pieces/Kept_level.h>
 #include <CGAL/PN_limit_surface_3/internal/pieces/Piece_limits.h>
 #include <CGAL/PN_limit_surface_3/internal/pieces/Piece_refiner.h>
-#include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Kept_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
@@ -33,6 +32,7 @@
 #include <mutex>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -61,7 +61,8 @@ for (std::size_t i = 0; i < pieces.number_of_pieces(); ++i) {
 The control mesh is refined until there are at least 16 faces for each piece. These are divided, by planes,
 into pieces with about equally many corners. A piece is refined together with `Scheme::ghost_rings` rings of
 faces around it: as many as the scheme needs to get as many right in the next level, and one more if there are creases.
-They are cut off in the last level.
+They are cut off in the last level. Numbers of children follow from those of their parents only where edges are split in halves:
+other schemes (Doo-Sabin, \f$ \sqrt{3} \f$) are refused, and `subdivide()` refines the mesh as a whole.
 
 <b>Creases.</b> Sharp edges and vertices, `border`, `crease_tangent_map` and normals of half-edges are
 those of `subdivide()`. `Surface_piece::normals()` has the mean normal of the wedges of a vertex, as a vertex
@@ -76,8 +77,7 @@ seven rings of faces around them instead of the ghost rings; after the rounds, s
 
 <b>Memory.</b> The level that is divided, about 190 bytes a face, as long as the object lives. A call of
 `piece()` needs 210 bytes for each quad of the piece in `double` (half as many for a triangle), 100 of which
-are the result, its rings included. With \f$ \sqrt{3} \f$ and Doo-Sabin subdivision, whose numbers depend on the border, 8 to 24
-bytes for each border edge of all levels.
+are the result, its rings included.
 
 <b>Exceptions.</b> All members have the strong guarantee.
 
@@ -86,8 +86,8 @@ see `Surface_piece::attributes()` and `Surface_piece::build_mesh()`. With them t
 where a map of corners has seams there is a ring more. The object keeps no reference to
 the mesh. Its members may be called by several threads at the same time.
 
-\tparam Scheme a model of `PNSubdivisionScheme_3` that has a static constant `ghost_rings`, or its `linear()`
-  twin. All schemes of this package are.
+\tparam Scheme a model of `PNSubdivisionScheme_3` that splits edges and faces as Catmull-Clark or Loop do and has a static
+  constant `ghost_rings`, or its `linear()` twin. All schemes of this package are but Doo-Sabin's and \f$ \sqrt{3} \f$.
 \tparam GeomTraits a model of `Kernel`; its `FT` is the number type of all computations
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
   `Parallel_if_available_tag`: how many threads work at a piece. The result is the same, bit for bit.
@@ -126,8 +126,8 @@ public:
     by default 1; if there are fewer faces, some are empty. The maps are read only.
     With `to_limit`, `points`, `surface_normals`, `tolerance`, `normal_tolerance` and `max_depth`, see above; `to_limit` is `false` by default
 
-  \throws std::invalid_argument if there are to be no pieces; as `subdivide_to_limit()` does if limits are asked for, which
-    dual schemes have not at their vertices
+  \throws std::invalid_argument if there are to be no pieces, if the scheme does not split edges in halves, and as
+    `subdivide_to_limit()` does if limits are asked for
   \throws std::invalid_argument, std::length_error, std::domain_error as `subdivide()` does; the limit of the
     size is \f$ 2^{60} \f$
   */
@@ -188,9 +188,9 @@ public:
   /// the degree of the face with the most corners. <br><b>Cost:</b> linear in the level that is divided
   Index largest_degree() const
   {
-    if (refiner_->refined_degree() != 0 && rounds_ > 0) return refiner_->refined_degree();
+    if (rounds_ > 0) return refiner_->refined_degree();
     const Level_connectivity& base = refiner_->base();
-    Index degree = rounds_ > refiner_->base_round() ? 4 : 0;
+    Index degree = 0;
     for (Index f = 0; f < base.number_of_faces(); ++f)
       degree = (std::max)(degree, base.degree(base.halfedge_of_face(f)));
     return degree;
@@ -334,7 +334,7 @@ private:
     };
     const auto put_attributes = [&](auto& carried) { piece.attributes_ = attributes_of_(carried); };
     piece.limit_report_ =
-      refiner_->refine_to_limit(i, rings, demand, {begin, put, put_corner, put_attributes});
+      at_limit_->refine_to_limit(i, rings, demand, {begin, put, put_corner, put_attributes});
     return piece;
   }
 
@@ -363,8 +363,12 @@ private:
   template <class PolygonMesh, class Hosted_scheme, class NamedParameters>
   void read_mesh(const PolygonMesh& mesh, const Hosted_scheme& scheme, const NamedParameters& np)
   {
-    if constexpr (internal::check_pieces_arguments<PolygonMesh, Hosted_scheme, NamedParameters>() &&
-                  internal::check_attributes<PolygonMesh, NamedParameters, false>()) {
+    if constexpr (!internal::halves_edges_v<Hosted_scheme>)
+      throw std::invalid_argument(internal::no_halves(scheme, "by which pieces get their numbers",
+                                                      "subdivide() for the mesh as a whole, or "));
+    else if constexpr (internal::check_pieces_arguments<PolygonMesh, Hosted_scheme,
+                                                        NamedParameters>() &&
+                       internal::check_attributes<PolygonMesh, NamedParameters, false>()) {
       using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
       ghost_rings_ = internal::ghost_rings(scheme);
       if (ghost_rings_ == 0)
@@ -444,21 +448,18 @@ private:
       }
     const auto make = [&](auto* refiner) {
       using Made = std::remove_pointer_t<decltype(refiner)>;
-      refiner_ = std::make_unique<Made>(
+      auto made = std::make_unique<Made>(
         internal::rules_of(scheme), std::move(level), std::move(creases),
         typename Refiner::Values(values.begin(), values.end()), std::move(carried), rounds_,
         number_of_pieces_, ghost_rings_, internal::For_chunks::with(Concurrency_tag()));
+      if constexpr (std::is_base_of_v<internal::Pieces_at_limit<Average>, Made>)
+        at_limit_ = made.get();
+      refiner_ = std::move(made);
     };
-    if constexpr (may_be_limits) {
-      if (limits_ && !Host::keeps_vertices)
-        throw std::invalid_argument("PN_subdivision_3: the limit points of " +
-                                    internal::name_in_message(scheme) +
-                                    " belong to the faces, not to the vertices");
-      if constexpr (Host::keeps_vertices)
-        if (limits_)
-          return make(
-            static_cast<internal::Piece_limits<Rules, Average, Level_creases, carries>*>(nullptr));
-    }
+    if constexpr (may_be_limits)
+      if (limits_)
+        return make(
+          static_cast<internal::Piece_limits<Rules, Average, Level_creases, carries>*>(nullptr));
     make(static_cast<Refiner*>(nullptr));
   }
 
@@ -479,6 +480,7 @@ private:
   bool is_near_overflow_ = false;
   std::unique_ptr<Limits> limits_; // if they are asked for
   std::unique_ptr<internal::Kept_pieces<Average>> refiner_;
+  const internal::Pieces_at_limit<Average>* at_limit_ = nullptr; // the same, if they are asked for
   std::function<internal::Kept_attributes(internal::Carried_attributes<FT>&)> attributes_of_;
 };
 

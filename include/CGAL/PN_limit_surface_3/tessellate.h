@@ -49,14 +49,6 @@ Attribute_table* attribute_table(const NamedParameters& np)
   }
 }
 
-template <class Scheme>
-std::string no_halves(const Scheme& scheme)
-{
-  return "PN_subdivision_3: " + name_in_message(scheme) +
-         " does not split edges in halves, by which a tessellation is refined: take Catmull-Clark "
-         "or Loop, or another scheme that splits faces as they do";
-}
-
 } // namespace internal
 
 /*!
@@ -155,9 +147,8 @@ Tessellation_result tessellate(const FaceGraph& control, const Scheme& scheme, d
       scheme, [&](const auto& s) {
         return tessellate<Concurrency_tag>(control, s, chord_error, out, np, np_out);
       });
-  else if constexpr (!std::is_same_v<typename Scheme::Host, PQQ_host> &&
-                     !std::is_same_v<typename Scheme::Host, PTQ_host>)
-    throw std::invalid_argument(internal::no_halves(scheme));
+  else if constexpr (!internal::halves_edges_v<Scheme>)
+    throw std::invalid_argument(internal::no_halves(scheme, "by which a tessellation is refined"));
   else {
     Tessellation_result result;
     if (!(chord_error > 0) || !std::isfinite(chord_error))
@@ -169,8 +160,7 @@ Tessellation_result tessellate(const FaceGraph& control, const Scheme& scheme, d
         internal::with_mesh_access(out, [&](auto& out_access) {
           const internal::Tessellation<Concurrency_tag, FaceGraph, NamedParameters> tessellation(
             chord_error, np, internal::attribute_table(np));
-          result = tessellation.template operator()<Tessellation_result, OutputMesh>(
-            control, access, scheme, out, out_access, np_out);
+          result = tessellation(control, access, scheme, out, out_access, np_out);
         });
       });
     }

@@ -71,25 +71,6 @@ struct Crease_tags
   bool any() const { return !edges.empty() || !vertices.empty(); }
 };
 
-// Of which faces, by which rounds, a mesh has been made. A further call needs it to number edges, and to begin at
-// vertices, as one call would do: new vertices are numbered, and sums ordered, by these.
-struct Mesh_origin
-{
-  struct Rounds
-  {
-    std::string scheme;
-    unsigned number;
-  };
-
-  std::vector<Rounds>
-    rounds;                 // of one call after the other; empty: the mesh has been made of nothing
-  std::size_t vertices = 0; // before these
-  std::vector<std::uint32_t> corners; // of the faces before these, one face after the other
-  std::vector<std::size_t> face_end;  // where each ends
-
-  bool any() const { return !rounds.empty(); }
-};
-
 using Triple = std::array<double, 3>; // a point or a vector; a kernel's would cost compile time
 using Color = std::array<std::uint8_t, 3>; // red, green, blue
 
@@ -174,7 +155,6 @@ public:
   std::vector<Triple> control_normals, corner_control_normals;
   Attributes attributes;
   Crease_tags tags;
-  Mesh_origin origin;
 
   // What the file says and this does not hold, for people: "materials".
   std::vector<std::string> dropped;

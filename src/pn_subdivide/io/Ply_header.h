@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,25 @@ struct Ply_header
 
 // Leaves `in` on the last line of the header. Throws Error.
 Ply_header read_ply_header(Text_reader& in);
+
+// What a header to be written depends on besides attributes.
+struct Ply_shape
+{
+  std::uint64_t vertices = 0, faces = 0;
+  bool has_normals = false, has_control_normals = false;
+  Normal_kind normal_kind = Normal_kind::control;
+  bool has_short_lists = true; // of at most 255 values
+  bool has_roundness = false, has_texture = false;
+
+  bool fits_int() const { return vertices <= 0x7fffffffu; }
+  std::string list() const
+  {
+    return has_short_lists ? "property list uchar " : "property list uint ";
+  }
+};
+
+// Of a binary file, with the columns of attributes, whose values do not matter.
+std::string ply_header(const Ply_shape& shape, const Attributes& attributes);
 
 // The element 'edge' of a PLY file, if it has the sharpness of edges; then the property 'sharpness' of vertices
 // is theirs, too.

@@ -8,7 +8,6 @@
 
 #include "io/Error.h"
 #include "io/Ply_header.h"
-#include "io/Ply_origin.h"
 #include "io/Ply_values.h"
 #include "io/corner_normals.h"
 #include "io/formats.h"
@@ -88,7 +87,7 @@ bool has_strips(const Ply_header& header)
 void note_what_is_dropped(const Ply_header& header, const Ply_tags& tags, Mesh_data& mesh)
 {
   for (const Ply_element& element : header.elements) {
-    if (element.size == 0 || tags.is_edge(element) || element.name == origin_element) continue;
+    if (element.size == 0 || tags.is_edge(element)) continue;
     if (element.name == strips_element && has_strips(header)) continue;
     const bool is_face = element.name == "face";
     if (!is_face && element.name != "vertex") {
@@ -133,8 +132,6 @@ public:
         read_strips(element);
       } else if (tags_.is_edge(element)) {
         read_edges(element);
-      } else if (element.name == origin_element) {
-        read_origin(element);
       } else {
         skip(element);
       }
@@ -297,23 +294,6 @@ private:
         throw Error(name_of(element, i) + ": " + e.what());
       }
     }
-  }
-
-  // It is compared with the faces before it is made use of.
-  void read_origin(const Ply_element& element)
-  {
-    Lists lists;
-    lists.indices = element.find("vertex_indices");
-    scalars_.assign(element.properties.size(), 0);
-    columns_ = Ply_columns();
-    Mesh_origin& origin = mesh_.origin;
-    for (std::size_t i = 0; i < element.size; ++i) {
-      read_item(element, i, lists);
-      for (const double v : indices_)
-        origin.corners.push_back(v >= 0 && v < 4294967295. ? static_cast<std::uint32_t>(v) : 0);
-      origin.face_end.push_back(origin.corners.size());
-    }
-    read_origin_comments(header_.comments, origin);
   }
 
   static void require_finite_texture(double x, const Ply_element& element, std::size_t i)

@@ -8,7 +8,6 @@
 
 #include "io/Held_attributes.h"
 #include "io/Ply_header.h"
-#include "io/Ply_origin.h"
 #include "io/formats.h"
 #include "io/write_text.h"
 
@@ -205,11 +204,9 @@ void write_header(Output_file& out, const Ply_content& content, Encoding encodin
   for (const Corner_list& list : content.lists)
     of_faces += shape.list() + traits(list.type).ply + " " + list.name + "\n";
   const std::string own = content.has_tags() ? "property double sharpness\n" : "";
-  const Mesh_origin& origin = content.mesh.origin;
-  out.text(
-    header(shape, encoding,
-           {origin_comments(origin) + comments(attributes), own + properties(content.of_vertices),
-            of_faces, edge_header(content) + origin_header(origin)}));
+  out.text(header(
+    shape, encoding,
+    {comments(attributes), own + properties(content.of_vertices), of_faces, edge_header(content)}));
 }
 
 void write_triple_in_binary(Output_file& out, const Triple& t)
@@ -256,19 +253,6 @@ void write_edges_in_text(Output_file& out, const Crease_tags& tags)
   }
 }
 
-void write_origin_in_text(Output_file& out, const Mesh_origin& origin)
-{
-  std::size_t begin = 0;
-  for (const std::size_t end : origin.face_end) {
-    write_count(out, end - begin);
-    for (; begin < end; ++begin) {
-      out.text(" ");
-      write_count(out, origin.corners[begin]);
-    }
-    out.text("\n");
-  }
-}
-
 void write_in_binary(Output_file& out, const Ply_content& content)
 {
   const Mesh_data& mesh = content.mesh;
@@ -293,7 +277,6 @@ void write_in_binary(Output_file& out, const Ply_content& content)
     }
   }
   write_edges_in_binary(out, mesh.tags);
-  if (mesh.origin.any()) out.text(origin_bytes(mesh.origin));
 }
 
 void write_in_text(Output_file& out, const Ply_content& content)
@@ -329,7 +312,6 @@ void write_in_text(Output_file& out, const Ply_content& content)
       }
     });
   write_edges_in_text(out, content.mesh.tags);
-  if (content.mesh.origin.any()) write_origin_in_text(out, content.mesh.origin);
 }
 
 } // namespace
@@ -339,15 +321,13 @@ std::vector<std::string> not_held_by_ply(const Mesh_data& mesh, Encoding)
   return Ply_content(mesh).lost_texture();
 }
 
-std::string ply_header(const Ply_shape& shape, const Mesh_origin& origin,
-                       const Attributes& attributes)
+std::string ply_header(const Ply_shape& shape, const Attributes& attributes)
 {
   std::string of_faces = properties(all_of(attributes.of_faces));
   if (shape.has_texture)
     of_faces += shape.list() + traits(attributes.texture_type).ply + " " + texture_list + "\n";
   return header(shape, Encoding::binary,
-                {origin_comments(origin) + comments(attributes),
-                 properties(all_of(attributes.of_vertices)), of_faces, origin_header(origin)});
+                {comments(attributes), properties(all_of(attributes.of_vertices)), of_faces, ""});
 }
 
 void write_ply(Output_file& out, const Mesh_data& mesh, Encoding encoding)

@@ -10,7 +10,6 @@
 #define PN_SUBDIVIDE_ANY_PIECES_H
 
 #include "io/Limit_choice.h"
-#include "pieces/Pieces_options.h"
 #include "surface/Surface.h"
 #include "surface/creases.h"
 #include "surface/surface_schemes.h"
@@ -25,10 +24,7 @@
 
 namespace pn_subdivide {
 
-struct Tessellation;
-
-// The pieces of a surface refined by any scheme: Surface_pieces without its type; or those of a tessellation, which are made
-// one after the other, each once.
+// The pieces of a surface refined by any scheme: Surface_pieces without its type.
 class Any_pieces
 {
 public:
@@ -38,16 +34,13 @@ public:
   virtual ~Any_pieces() = default;
   virtual std::size_t number() const = 0;
   virtual bool is_empty(std::size_t i) const = 0;
-  // where there is a tessellation, that of the pieces so far and of the control vertices
   virtual const Size& size() const = 0;
   virtual std::uint64_t first_corner(std::uint64_t face) const = 0;
   virtual std::size_t largest_degree() const = 0;
-  virtual Piece piece(std::size_t i, unsigned rings) = 0;
+  virtual Piece piece(std::size_t i, unsigned rings) const = 0;
   // The tolerance of limits is a part of the size of the box of all pieces, which has to be set.
   virtual CGAL::Bbox_3 box_of_piece(std::size_t i) const = 0;
   virtual void set_box(const CGAL::Bbox_3& box) = 0;
-  // what the pieces so far have reached, if they are those of one
-  virtual const Tessellation* tessellation() const { return nullptr; }
 };
 
 // The surface is not needed afterwards. Its normals are refined if it has some; with creases those of corners are
@@ -57,20 +50,6 @@ std::unique_ptr<Any_pieces> make_pieces(Surface& surface, const Scheme_choice& c
                                         const std::optional<Crease_maps>& creases,
                                         const Limit_choice& limit,
                                         const CGAL::PN_subdivision_3::Attribute_table& attributes);
-
-struct Tessellation_in_pieces
-{
-  double chord = 0;
-  bool is_proven = false;
-  unsigned threads = 1;
-};
-
-// The same of a tessellation, as many as are asked for or as fit into the memory, with so many bytes for each vertex besides
-// those of points and normals.
-std::unique_ptr<Any_pieces> make_tessellation_pieces(
-  Surface& surface, const Scheme_choice& choice, const Tessellation_in_pieces& tessellation,
-  const Pieces_options& options, const std::optional<Crease_maps>& creases,
-  const CGAL::PN_subdivision_3::Attribute_table& attributes, double of_vertex);
 
 // The bytes that so many pieces take in a process, about, with so many for each vertex besides.
 double memory_of_pieces(const Surface& surface, const Scheme_choice& choice, unsigned levels,

@@ -8,14 +8,11 @@
 
 #include "pieces/Finished_pieces.h"
 
-#include "io/Error.h"
-#include "pieces/Checksum.h"
+#include "io/Output_file.h"
 #include "pieces/Shared_file.h"
 
-#include <algorithm>
-#include <charconv>
 #include <fstream>
-#include <system_error>
+#include <iterator>
 #include <utility>
 
 namespace fs = std::filesystem;
@@ -23,90 +20,66 @@ namespace fs = std::filesystem;
 namespace pn_subdivide {
 namespace {
 
-std::string first_line_of(const std::string& job)
+std::string content(const fs::path& file)
 {
-  return "pn_subdivide " + job;
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 } // namespace
 
-Finished_pieces::Finished_pieces(fs::path file, const std::string& job, std::size_t pieces)
-  : file_(std::move(file))
-  , first_line_(first_line_of(job))
-  , is_finished_(pieces, false)
+Finished_pieces::Finished_pieces(fs::path folder, std::string job)
+  : folder_(std::move(folder))
+  , job_("pn_subdivide " + std::move(job))
 {}
 
-bool Finished_pieces::are_of(const fs::path& file, const std::string& job)
+bool Finished_pieces::are_of(const fs::path& folder, const std::string& job)
 {
-  const std::string expected = first_line_of(job) + "\n";
-  std::string line(expected.size(), '\0');
-  std::ifstream in(file, std::ios::binary);
-  in.read(&line[0], static_cast<std::streamsize>(line.size()));
-  return in && line == expected;
+  return content(folder / "job") == "pn_subdivide " + job + "\n";
 }
 
-void Finished_pieces::create()
+void Finished_pieces::create() const
 {
   remove(); // that of the same job whose other file is gone
-  create_file(file_, 0);
-  append_to_file(file_, first_line_ + "\n");
+  fs::create_directory(folder_);
+  write("job", job_ + "\n");
 }
 
 void Finished_pieces::remove() const
 {
   std::error_code ignored;
-  fs::remove(file_, ignored);
+  fs::remove_all(folder_, ignored);
 }
 
-void Finished_pieces::end_last_line() const
+std::size_t Finished_pieces::number() const
 {
-  std::ifstream in(file_, std::ios::binary);
-  if (in.seekg(-1, std::ios::end) && in.get() != '\n') append_to_file(file_, "\n");
+  const auto files = std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+  return files > 0 ? static_cast<std::size_t>(files) - 1 : 0; // without that of the job
 }
 
-std::size_t Finished_pieces::number_of_lines() const
+std::string Finished_pieces::receipt(std::size_t i) const
 {
-  std::vector<bool> has_line(is_finished_.size(), false);
-  for_each_line([&](std::size_t i, const std::string&) { has_line[i] = true; });
-  return static_cast<std::size_t>(std::count(has_line.begin(), has_line.end(), true));
+  const std::string text = content(folder_ / std::to_string(i)), line = first_line(i);
+  return text.compare(0, line.size(), line) == 0 ? text.substr(line.size()) : "";
 }
 
-void Finished_pieces::read(const std::function<bool(std::size_t, const std::string&)>& is_written)
+void Finished_pieces::set_finished(std::size_t i, const std::string& receipt) const
 {
-  for_each_line([&](std::size_t i, const std::string& receipt) {
-    if (!is_finished_[i]) is_finished_[i] = is_written(i, receipt);
-  });
+  write(std::to_string(i), first_line(i) + receipt);
 }
 
-void Finished_pieces::set_finished(std::size_t i, const std::string& receipt)
+void Finished_pieces::write(const std::string& name, const std::string& text) const
 {
-  const std::string line = std::to_string(i) + " " + receipt;
-  append_to_file(file_, line + " " + checksum(line) + "\n");
-  is_finished_[i] = true;
+  Output_file out((folder_ / name).string());
+  out.text(text);
+  out.commit();
+  sync_file(folder_ / name);
+  sync_file(folder_); // its name
 }
 
-// f(piece, receipt) for what is whole
-template <class Function>
-void Finished_pieces::for_each_line(const Function& f) const
+std::string Finished_pieces::first_line(std::size_t i) const
 {
-  std::ifstream in(file_, std::ios::binary);
-  std::string line;
-  std::getline(in, line);
-  while (std::getline(in, line)) {
-    const std::size_t space = line.find(' '), last = line.rfind(' ');
-    if (space == last || line.substr(last + 1) != checksum(line.substr(0, last))) continue;
-    std::size_t i = is_finished_.size();
-    const char* const end = line.data() + space;
-    if (std::from_chars(line.data(), end, i).ptr == end && i < is_finished_.size())
-      f(i, line.substr(space + 1, last - space - 1));
-  }
-}
-
-std::string Finished_pieces::checksum(const std::string& line) const
-{
-  Checksum sum;
-  for (const std::string* s : {&first_line_, &line}) sum.process_bytes(s->data(), s->size());
-  return text_of(sum);
+  return job_ + " " + std::to_string(i) + "\n";
 }
 
 } // namespace pn_subdivide

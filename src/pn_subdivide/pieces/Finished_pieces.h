@@ -11,44 +11,35 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <string>
-#include <vector>
 
 namespace pn_subdivide {
 
-// The file that tells which pieces are on the disk: a line that names the job, and a line for each piece, with a
-// receipt by which what was written is known again. Lines are added at the end, so that ranks need not know of
-// each other, and have a checksum: a damaged one says nothing.
+// The folder that tells which pieces are on the disk: a file that names the job, and one for each piece, with a receipt by
+// which what was written is known again. They are renamed into place, so that ranks need not know of each other.
 class Finished_pieces
 {
 public:
-  Finished_pieces(std::filesystem::path file, const std::string& job, std::size_t pieces);
+  Finished_pieces(std::filesystem::path folder, std::string job);
 
-  static bool are_of(const std::filesystem::path& file, const std::string& job);
+  static bool are_of(const std::filesystem::path& folder, const std::string& job);
 
   // of no piece
-  void create();
+  void create() const;
   void remove() const;
-  // Before lines are added to a file that may be cut off.
-  void end_last_line() const;
-  // for how many pieces there are lines
-  std::size_t number_of_lines() const;
-  // is_written(piece, receipt) decides which pieces are finished.
-  void read(const std::function<bool(std::size_t, const std::string&)>& is_written);
+  std::size_t number() const;
 
-  bool is_finished(std::size_t i) const { return is_finished_[i]; }
-  // and the line is on the disk then
-  void set_finished(std::size_t i, const std::string& receipt);
+  // empty if there is none
+  std::string receipt(std::size_t i) const;
+  // once the piece is on the disk
+  void set_finished(std::size_t i, const std::string& receipt) const;
 
 private:
-  template <class Function>
-  void for_each_line(const Function& f) const;
-  std::string checksum(const std::string& line) const;
+  void write(const std::string& name, const std::string& text) const;
+  std::string first_line(std::size_t i) const;
 
-  std::filesystem::path file_;
-  std::string first_line_;
-  std::vector<bool> is_finished_;
+  std::filesystem::path folder_;
+  std::string job_;
 };
 
 } // namespace pn_subdivide

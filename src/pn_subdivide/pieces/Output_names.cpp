@@ -22,7 +22,6 @@ Output_names::Output_names(const Mesh_file& output)
   : target(Output_file::regular_target(output.name))
   , part(target.string() + ".part")
   , done(part.string() + ".done")
-  , lock(part.string() + ".lock")
 {
   if (output.format == "ply") return;
   folder = target.parent_path() / (target.stem().string() + "_pieces");
@@ -43,8 +42,8 @@ void Output_names::require_continuation(bool resumes, const std::string& job) co
 {
   const std::string name = part.string();
   if (!resumes)
-    throw Error(name + " is there: a run was interrupted, or it is something else; delete or "
-                       "rename it, or continue with --resume if that run had it");
+    throw Error(name + " is there: another run writes it, one was interrupted, or it is something "
+                       "else; delete or rename it, or continue with --resume if that run had it");
   if (!fs::exists(done))
     throw Error(name + " is there without " + done.filename().string() +
                 ", and cannot be continued: delete or rename it");

@@ -27,8 +27,7 @@ struct Output_names
 
   std::filesystem::path target;
   std::filesystem::path part;   // what is written, until it is complete: a file or a folder
-  std::filesystem::path done;   // which pieces are written; of runs that can be continued
-  std::filesystem::path lock;   // of the run
+  std::filesystem::path done;   // a folder: which pieces are written, of runs that can be continued
   std::filesystem::path folder; // of the pieces that a PVTP file names; otherwise empty
   std::filesystem::path old;    // the folder that is replaced, until the new one is there
 

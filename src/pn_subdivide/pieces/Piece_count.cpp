@@ -53,31 +53,22 @@ double parse_memory(const std::string& text)
   return bytes;
 }
 
-std::size_t fitting_piece_count(const Pieces_options& options,
-                                const std::function<double(std::size_t)>& bytes, std::size_t least,
-                                std::size_t most)
-{
-  const double memory = options.memory ? parse_memory(*options.memory) : default_memory;
-  double least_bytes = 0;
-  for (std::size_t n = least; n <= most; n += n / 4 + 1) {
-    const double here = of_the_program + bytes(n);
-    if (here <= memory) return n;
-    if (least_bytes == 0 || here < least_bytes) least_bytes = here;
-  }
-  throw Error("--memory: " + in_megabytes(memory) + " are not enough, it takes at least " +
-              in_megabytes(least_bytes));
-}
-
 std::size_t piece_count(const Surface& surface, const Scheme_choice& scheme, unsigned levels,
                         const Pieces_options& options, unsigned ranks, bool with_limits,
                         double of_vertex)
 {
   if (options.pieces) return *options.pieces;
-  const auto bytes = [&](std::size_t n) {
-    return (with_limits ? of_limits : 1) * memory_of_pieces(surface, scheme, levels, n, of_vertex);
-  };
+  const double memory = options.memory ? parse_memory(*options.memory) : default_memory;
+  double least_bytes = 0;
   // a few pieces for each rank, so that none waits long for the last one
-  return fitting_piece_count(options, bytes, ranks == 1 ? 1 : 4 * std::size_t(ranks), most_pieces);
+  for (std::size_t n = ranks == 1 ? 1 : 4 * std::size_t(ranks); n <= most_pieces; n += n / 4 + 1) {
+    const double here = of_the_program + (with_limits ? of_limits : 1) *
+                                           memory_of_pieces(surface, scheme, levels, n, of_vertex);
+    if (here <= memory) return n;
+    if (least_bytes == 0 || here < least_bytes) least_bytes = here;
+  }
+  throw Error("--memory: " + in_megabytes(memory) + " are not enough, it takes at least " +
+              in_megabytes(least_bytes));
 }
 
 } // namespace pn_subdivide

@@ -14,19 +14,12 @@
 #include "surface/surface_schemes.h"
 
 #include <cstddef>
-#include <functional>
 #include <string>
 
 namespace pn_subdivide {
 
 // "500M": bytes. Throws Usage_error.
 double parse_memory(const std::string& text);
-
-// How many pieces, of which so many take bytes(number), fit into the memory, beside the program itself; at least and at
-// most so many. Throws Error if none does.
-std::size_t fitting_piece_count(const Pieces_options& options,
-                                const std::function<double(std::size_t)>& bytes, std::size_t least,
-                                std::size_t most);
 
 // How many pieces are made: as asked for, or so many that one of them fits into the memory. Throws Error if none
 // does.

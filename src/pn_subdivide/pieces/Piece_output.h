@@ -51,8 +51,7 @@ public:
 std::unique_ptr<Piece_output> make_ply_output(const Any_pieces& pieces,
                                               const Piece_normals& normals,
                                               const Piece_attributes& attributes,
-                                              const Mesh_origin& origin, const Output_names& names,
-                                              bool keeps_receipts);
+                                              const Output_names& names, bool keeps_receipts);
 std::unique_ptr<Piece_output> make_pvtp_output(const Any_pieces& pieces,
                                                const Piece_normals& normals,
                                                const Piece_attributes& attributes,

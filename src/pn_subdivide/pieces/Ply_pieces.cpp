@@ -9,7 +9,7 @@
 // One binary PLY file: every vertex and every face has its place, which follows from its number.
 
 #include "io/Error.h"
-#include "io/Ply_origin.h"
+#include "io/Ply_header.h"
 #include "pieces/Piece_output.h"
 #include "pieces/Ranks.h"
 #include "pieces/Row_writer.h"
@@ -28,19 +28,19 @@ class Ply_pieces : public Piece_output
 {
 public:
   Ply_pieces(const Any_pieces& pieces, const Piece_normals& normals,
-             const Piece_attributes& attributes, const Mesh_origin& origin,
-             const Output_names& names, bool keeps_receipts)
+             const Piece_attributes& attributes, const Output_names& names, bool keeps_receipts)
     : pieces_(pieces)
     , normals_(normals)
     , attributes_(attributes)
-    , is_growing_(pieces.tessellation() != nullptr)
     , has_short_lists_((attributes.has_texture() ? 2 : 1) * pieces.largest_degree() <= 255)
     , keeps_receipts_(keeps_receipts)
     , names_(names)
   {
     const Any_pieces::Size& size = pieces.size();
-    require_numbers();
-    Ply_shape& shape = shape_;
+    if (size.vertices > std::numeric_limits<std::uint32_t>::max())
+      throw Error("PLY files number vertices with 32 bits, and there would be " +
+                  std::to_string(size.vertices) + ": write .pvtp, or ask for fewer levels");
+    Ply_shape shape;
     shape.vertices = size.vertices;
     shape.faces = size.faces;
     shape.has_normals = normals.are_written;
@@ -50,8 +50,7 @@ public:
     shape.has_short_lists = has_short_lists_;
     shape.has_texture = attributes.has_texture();
     const Attributes like = attributes.like();
-    header_ = ply_header(shape, origin, like);
-    if (is_growing_) header_.append(room_in_header, ' ');
+    header_ = ply_header(shape, like);
     bytes_of_vertex_ = 8 * normals_.numbers() + bytes_of(like.of_vertices);
     const std::uint64_t list = has_short_lists_ ? 1 : 4;
     bytes_of_face_ = list + bytes_of(like.of_faces);
@@ -60,11 +59,10 @@ public:
       bytes_of_face_ += list;
       bytes_of_corner_ += 2 * traits(like.texture_type).bytes;
     }
-    behind_faces_ = origin.any() ? origin_bytes(origin) : "";
-    faces_begin_ = is_growing_ ? 0 : header_.size() + size.vertices * bytes_of_vertex_;
+    faces_begin_ = header_.size() + size.vertices * bytes_of_vertex_;
   }
 
-  std::uint64_t size() const override { return faces_end() + behind_faces_.size(); }
+  std::uint64_t size() const override { return place_of_face(pieces_.size().faces); }
 
   void create() override { create_file(names_.part, size()); }
   // Another size, or another header, is that of a damaged file.
@@ -75,30 +73,19 @@ public:
     if (error) throw Error(names_.part.string() + " cannot be continued: " + error.message());
     const std::unique_ptr<Shared_file> file = open_file(names_.part);
     file->write(0, header_.data(), header_.size());
-    file->write(faces_end(), behind_faces_.data(), behind_faces_.size());
     file->close();
   }
   bool is_written(std::size_t /*i*/, const std::string& receipt) const override
   {
     return has_rows(names_.part, receipt);
   }
-  void open() override
-  {
-    file_ = ranks().open(names_.part);
-    if (is_growing_) faces_ = open_nameless_file(names_.part);
-  }
+  void open() override { file_ = ranks().open(names_.part); }
   void write(std::size_t /*i*/, const Any_pieces::Piece& piece) override
   {
-    require_numbers();
     Row_writer rows(*file_, keeps_receipts_);
     const Attributes attributes = attributes_.of(piece);
     write_vertices(piece, attributes.of_vertices, rows);
-    if (is_growing_) {
-      Row_writer faces(*faces_, false);
-      write_faces(piece, attributes, faces);
-      faces.flush();
-    } else
-      write_faces(piece, attributes, rows);
+    write_faces(piece, attributes, rows);
     rows.flush();
     if (keeps_receipts_) receipt_ = rows.receipt();
   }
@@ -107,15 +94,7 @@ public:
     file_->sync();
     return receipt_;
   }
-  void close() override
-  {
-    if (is_growing_) {
-      append_faces();
-      const std::string header = grown_header();
-      file_->write(0, header.data(), header.size());
-    }
-    file_->close();
-  }
+  void close() override { file_->close(); }
   void finish() override
   {
     std::error_code error;
@@ -131,53 +110,12 @@ public:
 private:
   using Index = Any_pieces::Piece::Index;
 
-  // for the digits of larger numbers, and for a comment
-  static constexpr std::size_t room_in_header = 64;
-
-  void require_numbers() const
-  {
-    const Any_pieces::Size& size = pieces_.size();
-    if (size.vertices > std::numeric_limits<std::uint32_t>::max())
-      throw Error("PLY files number vertices with 32 bits, and there would be " +
-                  std::to_string(size.vertices) +
-                  (is_growing_ ? " and more: write .pvtp, or ask for a larger --chord"
-                               : ": write .pvtp, or ask for fewer levels"));
-  }
-
-  // Where the number of vertices was not known the faces have waited in a file of their own.
-  void append_faces()
-  {
-    const std::uint64_t bytes = place_of_face(pieces_.size().faces);
-    const std::uint64_t begin = header_.size() + pieces_.size().vertices * bytes_of_vertex_;
-    std::vector<char> buffer(1 << 20);
-    for (std::uint64_t place = 0; place < bytes;) {
-      const auto n = std::size_t(std::min<std::uint64_t>(bytes - place, buffer.size()));
-      faces_->read(place, buffer.data(), n);
-      file_->write(begin + place, buffer.data(), n);
-      place += n;
-    }
-    faces_.reset();
-  }
-  // A comment makes it as long as was expected.
-  std::string grown_header() const
-  {
-    Ply_shape shape = shape_;
-    shape.vertices = pieces_.size().vertices;
-    shape.faces = pieces_.size().faces;
-    std::string header = ply_header(shape, Mesh_origin(), attributes_.like());
-    const std::string comment = "comment ", end = "end_header\n";
-    std::string line = comment;
-    line.resize(header_.size() - header.size() - 1, ' ');
-    return header.insert(header.size() - end.size(), line + "\n");
-  }
-
   static std::uint64_t bytes_of(const Columns& columns)
   {
     std::uint64_t bytes = 0;
     for (const Column& column : columns) bytes += traits(column.type).bytes;
     return bytes;
   }
-  std::uint64_t faces_end() const { return place_of_face(pieces_.size().faces); }
   std::uint64_t place_of_face(std::uint64_t f) const
   {
     return faces_begin_ + bytes_of_face_ * f + bytes_of_corner_ * pieces_.first_corner(f);
@@ -243,14 +181,11 @@ private:
   const Any_pieces& pieces_;
   const Piece_normals normals_;
   const Piece_attributes& attributes_;
-  const bool is_growing_; // how many there are is known when all are there
   bool has_short_lists_, keeps_receipts_;
   const Output_names names_;
-  Ply_shape shape_;
-  std::string header_, behind_faces_;
+  std::string header_;
   std::uint64_t faces_begin_, bytes_of_vertex_, bytes_of_face_, bytes_of_corner_;
   std::unique_ptr<Shared_file> file_;
-  std::unique_ptr<Nameless_file> faces_;
   std::string receipt_; // of the piece that was written last
 };
 
@@ -259,10 +194,9 @@ private:
 std::unique_ptr<Piece_output> make_ply_output(const Any_pieces& pieces,
                                               const Piece_normals& normals,
                                               const Piece_attributes& attributes,
-                                              const Mesh_origin& origin, const Output_names& names,
-                                              bool keeps_receipts)
+                                              const Output_names& names, bool keeps_receipts)
 {
-  return std::make_unique<Ply_pieces>(pieces, normals, attributes, origin, names, keeps_receipts);
+  return std::make_unique<Ply_pieces>(pieces, normals, attributes, names, keeps_receipts);
 }
 
 } // namespace pn_subdivide

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace pn_subdivide {
 
@@ -46,14 +47,17 @@ public:
   }
   void flush();
 
-  // After flush(): the checksum of all rows, and where they are: (distance to the one before, bytes), ...
-  std::string receipt();
+  // After flush(): the checksum of all rows, and where they are.
+  std::string receipt() const;
 
 private:
   static constexpr std::size_t most = 1 << 20;
 
-  void add_to_receipt();
-  void end_run();
+  // from a place in the file to another one
+  struct Run
+  {
+    std::uint64_t begin, end;
+  };
 
   Shared_file& file_;
   std::string buffer_;
@@ -61,8 +65,7 @@ private:
 
   bool keeps_receipt_;
   Checksum checksum_;
-  std::uint64_t run_begin_ = 0, run_end_ = 0, last_end_ = 0;
-  std::string runs_;
+  std::vector<Run> runs_;
 };
 
 // Are the rows of a receipt in a file?

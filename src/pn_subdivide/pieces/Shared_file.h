@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <string>
 
 namespace pn_subdivide {
 
@@ -33,26 +32,11 @@ public:
 // Throws Error if there is such a file already.
 void create_file(const std::filesystem::path& file, std::uint64_t bytes);
 
-// Adds text at the end of a file, in one go, and waits until it is on the disk.
-void append_to_file(const std::filesystem::path& file, const std::string& text);
-
 // Until what any process of this machine wrote into a file, or the names in a folder, are on the disk.
 void sync_file(const std::filesystem::path& file);
 
 // An existing file.
 std::unique_ptr<Shared_file> open_file(const std::filesystem::path& file);
-
-// What is written and read again by this process alone; it is gone with the object, whatever ends the program.
-class Nameless_file : public Shared_file
-{
-public:
-  virtual void read(std::uint64_t place, void* data, std::size_t bytes) = 0;
-  void sync() override {}
-  void close() override {}
-};
-
-// On the disk of another file, after which it is called for a moment.
-std::unique_ptr<Nameless_file> open_nameless_file(const std::filesystem::path& beside);
 
 } // namespace pn_subdivide
 

@@ -28,8 +28,7 @@ std::string in_megabytes(double bytes)
 std::unique_ptr<Piece_output> make_output(const Pieces_job& job)
 {
   return job.names.folder.empty()
-           ? make_ply_output(*job.pieces, job.normals, *job.attributes, job.origin, job.names,
-                             job.is_resumable)
+           ? make_ply_output(*job.pieces, job.normals, *job.attributes, job.names, job.is_resumable)
            : make_pvtp_output(*job.pieces, job.normals, *job.attributes, job.names);
 }
 
@@ -37,7 +36,7 @@ std::unique_ptr<Piece_output> make_output(const Pieces_job& job)
 
 Unfinished_output::Unfinished_output(const Pieces_job& job)
   : job_(job)
-  , finished_(job.names.done, job.name, job.pieces->number())
+  , finished_(job.names.done, job.name)
   , output_(make_output(job))
 {}
 
@@ -52,11 +51,8 @@ Unfinished_output::~Unfinished_output()
 void Unfinished_output::create()
 {
   const bool is_new = !fs::exists(job_.names.part);
-  require_space(is_new || !job_.is_resumable ? 0 : finished_.number_of_lines());
-  if (is_new)
-    begin();
-  else
-    finished_.end_last_line();
+  require_space(is_new || !job_.is_resumable ? 0 : finished_.number());
+  if (is_new) begin();
   output_->mend();
 }
 
@@ -79,17 +75,14 @@ void Unfinished_output::open()
 {
   if (!is_ours_) remove_on_signal();
   is_ours_ = is_open_ = true;
-  const std::size_t rank = ranks().rank(), number = ranks().number();
-  if (job_.is_resumable)
-    finished_.read([&](std::size_t i, const std::string& receipt) {
-      return i % number == rank && output_->is_written(i, receipt);
-    });
   output_->open();
 }
 
 bool Unfinished_output::is_finished(std::size_t piece) const
 {
-  return job_.is_resumable && finished_.is_finished(piece);
+  if (!job_.is_resumable) return false;
+  const std::string receipt = finished_.receipt(piece);
+  return !receipt.empty() && output_->is_written(piece, receipt);
 }
 
 void Unfinished_output::write(std::size_t i)

@@ -35,6 +35,7 @@ public:
   // by all
   void open();
 
+  // Is it on the disk as it was written?
   bool is_finished(std::size_t piece) const;
   void write(std::size_t i);
   // what the limits of the pieces that were written have reached
@@ -51,7 +52,7 @@ private:
   void remove_on_signal();
 
   const Pieces_job& job_;
-  Finished_pieces finished_;
+  const Finished_pieces finished_;
   std::unique_ptr<Piece_output> output_;
   Limit_summary summary_;
   bool is_ours_ = false, is_open_ = false;

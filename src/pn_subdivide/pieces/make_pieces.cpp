@@ -37,7 +37,7 @@ public:
     return pieces_.first_corner(face);
   }
   std::size_t largest_degree() const override { return pieces_.largest_degree(); }
-  Piece piece(std::size_t i, unsigned rings) override { return pieces_.piece(i, rings); }
+  Piece piece(std::size_t i, unsigned rings) const override { return pieces_.piece(i, rings); }
   CGAL::Bbox_3 box_of_piece(std::size_t i) const override { return pieces_.box_of_piece(i); }
   void set_box(const CGAL::Bbox_3& box) override { pieces_.set_box(box); }
 

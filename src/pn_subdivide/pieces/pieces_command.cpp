@@ -13,7 +13,6 @@
 #include "pieces/Checksum.h"
 #include "pieces/Piece_count.h"
 #include "pieces/Ranks.h"
-#include "surface/mesh_origin.h"
 
 #include <CGAL/PN_subdivision_3/version.h>
 
@@ -108,7 +107,6 @@ void take_names(Pieces_job& job, const Mesh_file& output)
   try {
     job.names = Output_names(output);
     if (ranks().rank() != 0) return; // one for all
-    job.lock = std::make_unique<Output_lock>(job.names.lock);
     job.names.require_free(job.is_resumable, job.name);
   } catch (const std::bad_alloc&) {
     throw;
@@ -132,6 +130,15 @@ void require_options_for_pieces(const Surface_options& options, const Mesh_file&
   if (options.pieces.pieces == std::size_t(0)) throw Usage_error("--pieces must be at least 1");
   refuse(options.pieces.pieces && options.pieces.memory, "--memory together with --pieces");
   if (options.pieces.memory) parse_memory(*options.pieces.memory);
+  const std::string whole = " in pieces (--memory, --pieces, .pvtp, mpirun)";
+  if (options.chord)
+    throw Usage_error("--chord makes no triangles" + whole +
+                      ": leave those out, since --chord "
+                      "makes few where it is flat, or take --levels N");
+  const std::string& of_points = options.scheme.scheme;
+  if (!of_points.empty() && !keeps_edges(of_points))
+    throw Usage_error("--scheme " + of_points + " is not known for refinement" + whole +
+                      ", which halves edges: leave those out, or take catmull-clark or loop");
   refuse(options.curvature.has_value(), "--curvature");
   refuse(options.check, "--check");
   refuse(options.verify.shape.has_value(), "--verify");
@@ -174,9 +181,7 @@ static void suit_attributes(Mesh_data& mesh, const Mesh_file& output)
 Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surface_options& options,
                            const Scheme_choice& scheme, const Mesh_file& input,
                            const Mesh_file& output, const Output_normals& normals,
-                           const Limit_choice& limit, Texture_rule texture_rule,
-                           const std::optional<Tessellation_in_pieces>& tessellation,
-                           Report& report)
+                           const Limit_choice& limit, Texture_rule texture_rule, Report& report)
 {
   Pieces_job job;
   job.lost_attributes = not_held(output, mesh);
@@ -185,24 +190,19 @@ Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surfa
   std::optional<Crease_maps> maps;
   if (is_creased(creases) && (options.levels > 0 || limit.is_used()))
     maps = add_creases(surface, creases, limit.is_used());
-  const double of_vertex = bytes_of_vertex(mesh.attributes);
-  const std::size_t number = tessellation
-                               ? 0
-                               : piece_count(surface, scheme, options.levels, options.pieces,
-                                             ranks().number(), limit.is_used(), of_vertex);
+  const std::size_t number =
+    piece_count(surface, scheme, options.levels, options.pieces, ranks().number(), limit.is_used(),
+                bytes_of_vertex(mesh.attributes));
   job.name = name_of(mesh, creases, options, scheme, normals, limit, number);
   job.limit = limit;
   job.has_normals = mesh.has_normals();
   job.normals = Piece_normals(normals, job.has_normals, limit);
-  if (tessellation) job.normals.are_written = normals.any();
-  if (!mesh.roundness.empty() && !tessellation) job.normals.add_roundness();
+  if (!mesh.roundness.empty()) job.normals.add_roundness();
   const bool has_several = options.levels == 0 && !limit.is_used()
                              ? mesh.has_corner_normals()
                              : maps && has_inner_creases(surface, creases, options.levels);
-  job.has_lost_normals = job.normals.are_written && has_several && !tessellation;
+  job.has_lost_normals = job.normals.are_written && has_several;
   job.is_resumable = options.pieces.resume;
-  if (normals.with_control() && output.format == "ply")
-    job.origin = origin_after(mesh, scheme.scheme, options.levels);
   move_file_references(mesh.attributes, input, output);
   Carried_attributes carried(surface, std::move(mesh.attributes), texture_rule);
   mesh = Mesh_data();
@@ -211,10 +211,7 @@ Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surfa
   job.attributes = std::make_unique<const Piece_attributes>(std::move(carried), output);
   take_names(job, output);
   job.pieces =
-    tessellation
-      ? make_tessellation_pieces(surface, scheme, *tessellation, options.pieces, maps,
-                                 job.attributes->table(), of_vertex)
-      : make_pieces(surface, scheme, options.levels, number, maps, limit, job.attributes->table());
+    make_pieces(surface, scheme, options.levels, number, maps, limit, job.attributes->table());
   return job;
 }
 

@@ -13,7 +13,6 @@
 #include "io/Report.h"
 #include "io/mesh_io.h"
 #include "pieces/Any_pieces.h"
-#include "pieces/Output_lock.h"
 #include "pieces/Output_names.h"
 #include "pieces/Piece_attributes.h"
 #include "pieces/Piece_normals.h"
@@ -47,21 +46,16 @@ struct Pieces_job
   std::unique_ptr<const Piece_attributes> attributes;
   std::vector<std::string> lost_attributes; // that the format does not hold
   Limit_choice limit;
-  Mesh_origin origin; // if it is written
   bool is_resumable = false;
   std::string name; // of data and options, the same for the same result
   Output_names names;
-  std::unique_ptr<Output_lock> lock; // of one of the ranks
 };
 
-// Takes the names in the file system first. Throws Output_error if they cannot be had. With a tessellation the pieces are
-// those of its triangles.
+// Takes the names in the file system first. Throws Output_error if they cannot be had.
 Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surface_options& options,
                            const Scheme_choice& scheme, const Mesh_file& input,
                            const Mesh_file& output, const Output_normals& normals,
-                           const Limit_choice& limit, Texture_rule texture_rule,
-                           const std::optional<Tessellation_in_pieces>& tessellation,
-                           Report& report);
+                           const Limit_choice& limit, Texture_rule texture_rule, Report& report);
 
 // Refines the pieces that are this rank's, and writes them; the output is there when all ranks have done so.
 // Returns what limits have reached.

@@ -10,7 +10,6 @@
 
 #include "io/Error.h"
 #include "io/corner_normals.h"
-#include "surface/replayed_rounds.h"
 
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -177,11 +176,6 @@ void put_values(Surface& surface, const Mesh_data& mesh)
 Surface make_surface(const Mesh_data& mesh)
 {
   require_room(mesh);
-  if (std::optional<Surface> replayed = replayed_rounds(mesh)) {
-    for (const Vertex v : replayed->vertices()) replayed->point(v) = to_point(mesh.points[v]);
-    put_values(*replayed, mesh);
-    return std::move(*replayed);
-  }
   Surface surface;
   surface.reserve(static_cast<Surface::size_type>(mesh.points.size()),
                   static_cast<Surface::size_type>(mesh.number_of_corners()),

@@ -28,7 +28,6 @@
 #include "surface/control_mesh.h"
 #include "surface/control_normals.h"
 #include "surface/interpolate_surface.h"
-#include "surface/mesh_origin.h"
 #include "surface/output_mesh.h"
 #include "surface/output_tags.h"
 #include "surface/part_borders.h"
@@ -557,13 +556,9 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   const double chord = plan.chord ? plan.chord->of(mesh) : 0;
   const bool has_rims =
     part && (plan.chord || takes_planes_from_rims(options, plan.output_normals));
-  Mesh_origin origin;
-  if (plan.output_normals.with_control())
-    origin = origin_after(mesh, scheme.scheme, options.levels);
   if (options.levels == 0 && !plan.limit.is_used() && !plan.interpolation && !plan.curvature &&
       !must_split && !has_tags && !has_rims) {
     mesh.tags = Crease_tags();
-    mesh.origin = std::move(origin);
     put_control_normals(mesh, plan.output_normals);
     return suit_roundness(mesh);
   }
@@ -624,7 +619,6 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   suit_roundness(mesh);
   mesh.attributes = std::move(attributes);
   mesh.tags = std::move(tags);
-  mesh.origin = std::move(origin);
   if (curvature) add_curvature(mesh, plan, std::move(*curvature), report);
   if (rims) {
     table->forget_folds([&](std::size_t segment) { return rims->replaces(segment); });
@@ -635,20 +629,14 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
 }
 
 // Limits are those of what is smooth or sharp forever.
-void require_limit_of_creases(const Creases& creases, const Plan& plan, unsigned levels,
-                              bool in_pieces)
+void require_limit_of_creases(const Creases& creases, const Plan& plan, unsigned levels)
 {
   const Limit_choice& limit = plan.limit;
-  const bool is_adaptive = plan.chord && in_pieces;
-  if ((!limit.is_used() && !is_adaptive) || creases.number_of_edges == 0) return;
+  if (!limit.is_used() || creases.number_of_edges == 0) return;
   double sharpness = 0; // the largest that is not for ever
   for (const double s : creases.edges)
     if (!std::isinf(s)) sharpness = (std::max)(sharpness, s);
-  if (sharpness <= (is_adaptive ? 0 : levels)) return;
-  if (is_adaptive)
-    throw Usage_error(
-      "--chord and --pieces, --memory: edges must be smooth or sharp forever there; "
-      "take --sharpness inf, or leave out --pieces and --memory");
+  if (sharpness <= levels) return;
   throw Usage_error(std::string(limit.points ? "--limit" : limit.normals_option) +
                     ": limits are known only of edges that are smooth or sharp forever; with this "
                     "--sharpness take --levels " +
@@ -770,15 +758,8 @@ void report_surfaces(const Surface_table& table, bool are_asked_for, const std::
   table.warn(input, report);
 }
 
-std::optional<Tessellation_in_pieces>
-tessellation_in_pieces(const Plan& plan, const Surface_options& options, double chord)
-{
-  if (!plan.chord) return std::nullopt;
-  return Tessellation_in_pieces{chord, options.chord_bound == "proven", plan.threads};
-}
-
-void write_in_pieces(const Pieces_job& job, const Plan& plan, Surface_options& options,
-                     const Scheme_choice& scheme, double chord, const std::string& normals,
+void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_options& options,
+                     const Scheme_choice& scheme, const std::string& normals,
                      const Creases& creases, const std::string& turning, Report& report)
 {
   const unsigned number = ranks().number();
@@ -786,19 +767,12 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, Surface_options& o
     std::to_string(job.pieces->number()) + (job.pieces->number() == 1 ? " piece" : " pieces") +
     (number == 1 ? "" : ", shared by " + std::to_string(number) + " ranks");
   const Any_pieces::Size& size = job.pieces->size();
-  if (size.faces >= faces_worth_a_report) // not known of a tessellation
+  if (size.faces >= faces_worth_a_report)
     report.progress("refining and writing " + plan.output.name + ": " + std::to_string(size.faces) +
                     " faces, " + pieces);
-  if (plan.chord && job.attributes->has_texture()) remark_on_texture(plan, options, report);
   warn_of_lost_normals(job.has_lost_normals, true, plan, report);
   warn_of_lost_attributes(job.lost_attributes, plan, report);
   const Limit_summary limits = write_pieces(job, plan.output.name, plan.threads, report);
-  if (const Tessellation* const tessellation = job.pieces->tessellation()) {
-    options.levels = tessellation->depth;
-    report_tessellation(*tessellation, chord, plan.output.name, report);
-    warn_of_lost_normals(tessellation->has_several_normals && job.normals.are_written, true, plan,
-                         report);
-  }
   if (plan.limit.is_used()) report_limits(limits, plan, report);
   report.note(plan.output.name + ": " + std::to_string(size.vertices) + " vertices, " +
               std::to_string(size.faces) + " faces, " +
@@ -827,7 +801,6 @@ void run_surface_command(const Surface_options& given_options)
   Seen_part seen;
   std::optional<Surface_table> table;
   bool has_normals = false; // to refine with
-  double chord = 0;
   Creases creases;
   Pieces_job pieces;
   const bool in_pieces = is_in_pieces(options, plan.output);
@@ -851,7 +824,7 @@ void run_surface_command(const Surface_options& given_options)
     if (seen.is_taken) part = std::exchange(seen.part, std::nullopt);
     if (seen.is_taken)
       take_part(mesh, *part, plan, options.creases.border.has_value(), creases, report);
-    require_limit_of_creases(creases, plan, options.levels, in_pieces);
+    require_limit_of_creases(creases, plan, options.levels);
     require_interpolation_of_creases(creases, plan);
     const bool keeps_curves = can_be_sharp && plan.interpolation != Interpolation_mode::slide;
     if (keeps_curves) put_common_curves(creases, mesh);
@@ -864,11 +837,9 @@ void run_surface_command(const Surface_options& given_options)
     has_normals = mesh.has_normals();
     plan.output_normals.suit(mesh);
     if (!part) turning = turning_edges(mesh, seen);
-    chord = plan.chord ? plan.chord->of(mesh) : 0;
     if (in_pieces)
       pieces = make_pieces_job(std::move(mesh), creases, options, scheme, plan.input, plan.output,
-                               plan.output_normals, plan.limit, plan.texture_rule,
-                               tessellation_in_pieces(plan, options, chord), report);
+                               plan.output_normals, plan.limit, plan.texture_rule, report);
     else {
       if (part) table.emplace(*part, make_surface(mesh));
       const Recognized_part* const recognized = part ? &*part : seen.part ? &*seen.part : nullptr;
@@ -889,7 +860,7 @@ void run_surface_command(const Surface_options& given_options)
     throw Error(what.rfind(input + ": ", 0) == 0 ? what : input + ": " + what);
   }
   if (in_pieces)
-    return write_in_pieces(pieces, plan, options, scheme, chord, normals, creases, turning, report);
+    return write_in_pieces(pieces, plan, options, scheme, normals, creases, turning, report);
   if (plan.verification) plan.verification->print(options.output == "-" ? stderr : stdout);
   if (check) check->print(options.output == "-" ? stderr : stdout);
   if (mesh.number_of_faces() >= faces_worth_a_report)

@@ -9,11 +9,13 @@
 #include "surface/tessellate_surface.h"
 
 #include "io/Error.h"
-#include "pieces/Ranks.h"
-#include "surface/Tessellation_parameters.h"
+#include "surface/Scheme.h"
+#include "surface/Surface.h"
+#include "surface/creases.h"
 #include "surface/surface_command.h"
 
 #include <CGAL/PN_limit_surface_3/tessellate.h>
+#include <CGAL/PN_subdivision_3.h>
 
 #include <cstdio>
 #include <utility>
@@ -35,6 +37,31 @@ struct Chord
   double error;
   bool is_proven;
 };
+
+// Returns f(scheme, named parameters) of a tessellation of the surface, but for attributes and bounds.
+template <class Function>
+auto with_tessellation_parameters(Surface& surface, const Scheme_choice& choice,
+                                  const std::optional<Crease_maps>& creases, const Function& f)
+{
+  const std::optional<Normal_map> of_vertices = normals_of(surface);
+  const auto linear = [&] { return PN::linear(make_scheme("--scheme", choice.scheme, choice)); };
+  if (!creases) {
+    if (!of_vertices) return f(linear(), CGAL::parameters::default_values());
+    const std::optional<Roundness_map> given = roundness_of(surface);
+    const auto np = PN::parameters::vertex_roundness_map(given ? *given : add_roundness(surface))
+                      .vertex_normal_map(*of_vertices);
+    return with_scheme(choice, [&](const auto& scheme) { return f(scheme, np); });
+  }
+  const auto sharp = PN::parameters::border(creases->border)
+                       .edge_is_constrained_map(creases->edges)
+                       .vertex_is_constrained_map(creases->vertices);
+  if (!of_vertices) return f(linear(), sharp);
+  std::optional<Corner_normal_map> normals = corner_normals_of(surface);
+  if (!normals) normals = add_corner_normals(surface);
+  const auto np = PN::parameters::join(PN::parameters::crease_tangent_map(creases->tangents),
+                                       sharp.vertex_normal_map(*normals));
+  return with_scheme(choice, [&](const auto& scheme) { return f(scheme, np); });
+}
 
 // With maps of the result's normals, of vertices or of corners.
 template <class S, class NamedParameters>
@@ -61,8 +88,6 @@ const char* text_of(Result::Obstacle obstacle)
     return " with 260,000 triangles";
   case Obstacle::digits:
     return ", for which coordinates have too few digits";
-  case Obstacle::pieces:
-    return " in pieces, whose neighbors are split again only once";
   case Obstacle::none:
     break;
   }
@@ -111,9 +136,6 @@ void require_options_for_tessellation(const Surface_options& options)
   for (const char* const choice : {"control", "both"})
     refuse(options.output_normals == choice, std::string("--output-normals ") + choice, why);
   refuse(options.write_tags.has_value(), "--write-tags", why);
-  const std::string in_order = "the pieces of a tessellation are made one after the other";
-  refuse(options.pieces.resume, "--resume", in_order);
-  refuse(ranks().number() > 1, "mpirun", in_order);
   refuse(options.limit.tolerance.has_value(), "--limit-tolerance",
          "its points are limits to 1/1024 of the chord's tolerance and better");
   refuse(options.curvature.has_value(), "--curvature",
@@ -135,8 +157,8 @@ Tessellation tessellate_surface(Surface& surface, const Scheme_choice& scheme,
       return tessellated(surface, s, within, result, creases.has_value(), np, attributes);
     });
   surface = std::move(result);
-  return {r.bound,       r.reached, r.obstacle, r.number_of_triangles, r.depth, r.worst_face,
-          r.worst_place, is_proven, false};
+  return {r.bound, r.reached,    r.obstacle,    r.number_of_triangles,
+          r.depth, r.worst_face, r.worst_place, is_proven};
 }
 
 void report_tessellation(const Tessellation& tessellation, double chord, const std::string& output,

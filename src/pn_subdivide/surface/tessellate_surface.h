@@ -44,7 +44,6 @@ struct Tessellation
   std::size_t worst_face = 0;
   std::array<double, 3> worst_place{};
   bool is_proven = false;
-  bool has_several_normals = false; // a vertex, of which one was made; of pieces
 };
 
 // The surface becomes triangles between points of its limit surface, of which these are no farther than `chord`, as is estimated or

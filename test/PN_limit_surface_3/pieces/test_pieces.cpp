@@ -11,10 +11,14 @@
 #include "Pieces_cases.h"
 
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
+
+#include <boost/mp11.hpp>
 
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 using namespace pieces_cases;
 
@@ -24,7 +28,11 @@ template <class Scheme>
 class Pieces_of_scheme : public testing::Test
 {};
 
-using All = PN::Shipped_schemes::apply<testing::Types>;
+namespace mp = boost::mp11;
+template <class Scheme>
+using Halves_edges = std::bool_constant<PN::splits_edges_v<Scheme>>;
+using All = mp::mp_rename<mp::mp_filter<Halves_edges, PN::Shipped_schemes::apply<mp::mp_list>>,
+                          testing::Types>;
 
 struct Names
 {
@@ -91,8 +99,6 @@ TEST(Pieces, OfLinearSchemes)
       expect_as_subdivide<double>(control, PN::linear(scheme), 3, {2, 7});
   };
   expect(PN::CatmullClark_scheme(), Kind::polygons);
-  expect(PN::DooSabin_scheme(), Kind::polygons);
-  expect(PN::Sqrt3_scheme(), Kind::triangles);
   expect(PN::Loop_scheme::Tuned(), Kind::triangles);
 }
 
@@ -103,7 +109,6 @@ TEST(Pieces, InFloat)
       expect_as_subdivide<float>(control, scheme, 3, {2, 7});
   };
   expect(PN::CatmullClark_scheme(), Kind::polygons);
-  expect(PN::Sqrt3_scheme(), Kind::triangles);
   expect(PN::linear(PN::Butterfly_scheme()), Kind::triangles);
 }
 
@@ -127,4 +132,24 @@ TEST(Pieces, ThatDoNotExistAreRefused)
   EXPECT_THROW(pieces.piece(3), std::out_of_range);
   EXPECT_NO_THROW(pieces.piece(2, 1));
   EXPECT_THROW(pieces.piece(2, 2), std::invalid_argument); // than a round leaves right
+}
+
+// At compile time and at run time; the message says what to use instead.
+TEST(Pieces, OfSchemesThatDoNotHalveEdgesAreRefused)
+{
+  const Control<double> control(random_controls(Kind::triangles, 1).front());
+  const auto expect_refused = [&](const auto& scheme, const std::string& name) {
+    try {
+      const PN::Surface_pieces pieces(control.mesh, scheme, PN::parameters::number_of_pieces(2));
+      FAIL();
+    } catch (const std::invalid_argument& e) {
+      for (const std::string& part : {name, std::string("does not split edges in halves"),
+                                      std::string("subdivide()"), std::string("Catmull-Clark")})
+        EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
+    }
+  };
+  expect_refused(PN::DooSabin_scheme(), "doo-sabin");
+  expect_refused(PN::linear(PN::DooSabin_scheme()), "doo-sabin");
+  expect_refused(PN::Sqrt3_scheme(), "sqrt3");
+  expect_refused(PN::Any_scheme<double>(PN::Sqrt3_scheme()), "sqrt3");
 }

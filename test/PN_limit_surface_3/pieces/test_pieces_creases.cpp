@@ -316,7 +316,7 @@ TEST(Pieces_creases, AreRefusedWithoutRules)
                  PN::parameters::join(PN::parameters::number_of_pieces(2), control.parameters(2)))),
                std::invalid_argument);
   EXPECT_THROW(
-    (Pieces<Any>(control.mesh, Any(PN::Sqrt3_scheme()),
+    (Pieces<Any>(control.mesh, Any(PN::Butterfly_scheme()),
                  PN::parameters::join(PN::parameters::number_of_pieces(2), control.parameters(2)))),
     std::invalid_argument);
   Creased smooth(control);

@@ -305,12 +305,13 @@ TEST_F(Pn_subdivide_chord, WhatDoesNotGoTogether)
   for (const std::string normals : {"control", "both"})
     refused("--chord 0.1 --output-normals " + normals, "--output-normals " + normals);
   refused("--chord 0.1 --write-tags '" + folder.file("t.selection.txt") + "'", "--write-tags");
-  for (const std::string option : {"--resume", "--curvature mean", "--limit --limit-tolerance 1e-6",
-                                   "--texture-rule boundaries"}) {
+  for (const std::string option :
+       {"--curvature mean", "--limit --limit-tolerance 1e-6", "--texture-rule boundaries"}) {
     const std::size_t first = option.rfind("--");
     refused("--chord 0.1 " + option, option.substr(first, option.find(' ', first) - first));
   }
-  refused("--chord 0.1 --pieces 2 --sharp angle:30 --sharpness 2", "--sharpness");
+  for (const char* const in_pieces : {"--pieces 2", "--memory 1G", "--resume"})
+    refused(std::string("--chord 0.1 ") + in_pieces, "--levels N");
   refused("--chord-bound estimated", "--chord-bound");
   refused("--chord 0.1 --chord-bound exact", "--chord-bound 'exact'");
   for (const std::string chord : {"0", "-1", "-1%", "nan", "much"})

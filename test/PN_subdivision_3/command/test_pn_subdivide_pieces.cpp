@@ -33,7 +33,7 @@
 namespace {
 
 const std::vector<std::string> schemes = {
-  "catmull-clark",          "loop",          "doo-sabin", "sqrt3",   "butterfly", "kobbelt",
+  "catmull-clark",          "loop",          "butterfly", "kobbelt",
   "modified-catmull-clark", "modified-loop", "midpoint",  "bilinear"};
 
 } // namespace
@@ -50,7 +50,7 @@ TEST_F(Pieces, OfOtherOptions)
   expect_whole("catmull-clark", "--levels 3 --linear", "--pieces 7");
   expect_whole("loop", "--levels 3 --linear", "--pieces 7");
   expect_whole("loop", "--levels 3 --normal-scheme modified-loop", "--pieces 7");
-  expect_whole("doo-sabin", "--levels 0", "--pieces 3");
+  expect_whole("kobbelt", "--levels 0", "--pieces 3");
   expect_whole("catmull-clark", "--levels 3", "--memory 1G");
   expect_whole("catmull-clark", "--levels 3", "--pieces 5 --threads 2");
   expect_whole("catmull-clark", "--levels 3", "--pieces 5 --resume");
@@ -64,7 +64,7 @@ TEST_F(Pieces, OfEveryKindOfNormals)
       for (const char* const levels : {"--levels 1 ", "--levels 2 ", "--levels 4 "})
         for (const char* const pieces : {"--pieces 1", "--pieces 7", "--pieces 64"})
           expect_whole(scheme, levels + ("--output-normals " + std::string(normals)), pieces);
-  expect_whole("doo-sabin", "--levels 0 --output-normals both", "--pieces 3");
+  expect_whole("kobbelt", "--levels 0 --output-normals both", "--pieces 3");
   expect_whole("loop", "--levels 3 --output-normals both --normal-scheme modified-loop",
                "--pieces 7 --threads 2");
   expect_whole("ct-catmull-clark", "--levels 3 --output-normals both", "--pieces 7 --resume");
@@ -74,7 +74,6 @@ TEST_F(Pieces, OfEveryKindOfNormals)
 TEST_F(Pieces, AtTheLimit)
 {
   for (const std::string& scheme : schemes) {
-    if (scheme == "doo-sabin") continue;
     for (const char* const pieces : {"--pieces 1", "--pieces 7", "--pieces 64"})
       expect_whole(scheme, "--levels 2 --limit", pieces);
     expect_whole(scheme, "--levels 1 --output-normals surface", "--pieces 7");
@@ -169,10 +168,8 @@ TEST_F(Pieces, LongFaces)
     face += " " + std::to_string(i);
   }
   folder.write("quads.off", "OFF\n300 1 0\n" + points + face + "\n");
-  for (const char* const levels : {"--levels 0", "--levels 1", "--levels 2"}) {
-    expect_whole("doo-sabin", levels, "--pieces 2");
+  for (const char* const levels : {"--levels 0", "--levels 1", "--levels 2"})
     expect_whole("catmull-clark", levels, "--pieces 2");
-  }
 }
 
 TEST_F(Pieces, WhatDoesNotGoWithThem)
@@ -192,6 +189,12 @@ TEST_F(Pieces, WhatDoesNotGoWithThem)
        {"--curvature mean", "--verify sphere:0,0,0,1", "--interpolate slide",
         "--limit --output-normals both", "--ascii"})
     expect_refusal("--pieces 2 " + option, 2, option.substr(0, option.find(' ')));
+  for (const char* const in_pieces : {"--pieces 2 ", "--memory 1G ", "--resume "})
+    expect_refusal(in_pieces + std::string("--chord 0.1"), 2, "--levels N");
+  expect_refusal("--chord 0.1", 2, "--levels N", "out.pvtp");
+  for (const std::string scheme : {"sqrt3", "doo-sabin"})
+    expect_one_line(run(in_out(scheme, "out.ply") + "--pieces 2"), 2,
+                    "--scheme " + scheme + " is not known");
   expect_refusal("--pieces 2 --sharp angle:5 --output-normals control", 1, "--sharp none");
   expect_refusal("--pieces 2 --border curve --output-normals both", 1, "--border surface");
 }

@@ -98,8 +98,8 @@ protected:
 TEST_F(Attributes_in_pieces, AreThoseOfTheWholeFile)
 {
   for (const bool has_seams : {false, true})
-    for (const std::string scheme : {"catmull-clark", "loop", "doo-sabin", "sqrt3", "butterfly",
-                                     "kobbelt", "modified-loop", "bilinear"}) {
+    for (const std::string scheme :
+         {"catmull-clark", "loop", "butterfly", "kobbelt", "modified-loop", "bilinear"}) {
       write_ply(takes_triangles(scheme) ? "triangles.off" : "quads.off", has_seams);
       expect_same(scheme, "in.ply", "--levels 1", {"1", "2", "30"});
       if (tests_are_full)

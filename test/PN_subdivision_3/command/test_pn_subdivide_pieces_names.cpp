@@ -6,8 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// What others have in the folder of the output stays: a run in pieces takes no name that is taken, and no two runs
-// write one output.
+// What others have in the folder of the output stays: a run in pieces takes no name that is taken.
 
 #include "Pieces_test.h"
 
@@ -17,11 +16,6 @@
 #include <map>
 #include <string>
 #include <vector>
-
-#ifdef __unix__
-#  include <fcntl.h>
-#  include <unistd.h>
-#endif
 
 namespace fs = std::filesystem;
 
@@ -111,7 +105,7 @@ TEST_F(Pieces_names, ThatAreTaken)
 {
   for (const std::string out : {"out.ply", "out.pvtp"})
     for (const std::string what : {"", "mine", "/", "/file"})
-      for (const std::string name : {".part", ".part.lock", ".part.done"})
+      for (const std::string name : {".part", ".part.done"})
         for (const std::string options : {"", "--resume"}) {
           if (name == ".part.done" && options.empty()) continue;
           put(out + name, what);
@@ -156,68 +150,33 @@ TEST_F(Pieces_names, OfFoldersThatAreTaken)
 
 #ifdef __unix__
 
-namespace {
-
-// of another process, as the command itself takes it
-int lock(const std::string& file)
-{
-  const int descriptor = open(file.c_str(), O_RDWR | O_CREAT, 0666);
-  struct flock whole = {};
-  whole.l_type = F_WRLCK;
-  whole.l_whence = SEEK_SET;
-  EXPECT_EQ(fcntl(descriptor, F_SETLK, &whole), 0);
-  return descriptor;
-}
-
-} // namespace
-
-TEST_F(Pieces_names, ThatAnotherRunHas)
-{
-  for (const std::string out : {"out.ply", "out.pvtp"})
-    for (const std::string options : {"", "--resume"}) {
-      folder.write(out + ".part.lock", "pn_subdivide lock\n");
-      const int descriptor = lock(folder.file(out + ".part.lock"));
-      // Whoever opens and closes the file loses the lock: its content is not looked at here.
-      expect_one_line(run(in_out("catmull-clark", out) + "--pieces 5 " + options), 1,
-                      "another run");
-      EXPECT_EQ(folder.number_of_files(), 3u);
-      close(descriptor); // as that of a process that was killed
-      EXPECT_EQ(run(in_out("catmull-clark", out) + "--pieces 5 " + options).code, 0);
-      EXPECT_FALSE(fs::exists(folder.file(out + ".part.lock")));
-      fs::remove(folder.file(out));
-      fs::remove_all(folder.file("out_pieces"));
-    }
-}
-
 TEST_F(Pieces_names, OfSeveralRunsAtOnce)
 {
   const std::string expected = whole("loop", "--levels 5");
-  for (const std::string out : {"out.ply", "out.pvtp"})
-    for (const std::string options : {"", "--resume"}) {
-      std::string script;
-      for (const std::string i : {"1", "2", "3"})
-        script += "('" PN_SUBDIVIDE_COMMAND "' " + in_out("loop", out) + "--levels 5 --pieces 30 " +
-                  options + " 2>'" + work.file("err" + i) + "'; echo $? >'" +
-                  work.file("code" + i) + "') & ";
-      ASSERT_EQ(std::system((script + "wait").c_str()), 0);
-      int successes = 0;
-      for (const std::string i : {"1", "2", "3"}) {
-        const std::string err = Temporary_folder::content(work.file("err" + i));
-        const bool succeeds = Temporary_folder::content(work.file("code" + i)) == "0\n";
-        successes += succeeds ? 1 : 0;
-        EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), succeeds ? 0 : 1) << err;
-        if (!succeeds) {
-          EXPECT_NE(err.find("another run"), std::string::npos) << err;
-        }
+  for (const std::string out : {"out.ply", "out.pvtp"}) {
+    std::string script;
+    for (const std::string i : {"1", "2", "3"})
+      script += "('" PN_SUBDIVIDE_COMMAND "' " + in_out("loop", out) +
+                "--levels 5 --pieces 30 2>'" + work.file("err" + i) + "'; echo $? >'" +
+                work.file("code" + i) + "') & ";
+    ASSERT_EQ(std::system((script + "wait").c_str()), 0);
+    int successes = 0;
+    for (const std::string i : {"1", "2", "3"}) {
+      const std::string err = Temporary_folder::content(work.file("err" + i));
+      const bool succeeds = Temporary_folder::content(work.file("code" + i)) == "0\n";
+      successes += succeeds ? 1 : 0;
+      EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), succeeds ? 0 : 1) << err;
+      if (!succeeds) {
+        EXPECT_NE(err.find(folder.file("out")), std::string::npos) << err;
       }
-      EXPECT_GE(successes, 1);
-      if (out == "out.ply") {
-        EXPECT_TRUE(content("out.ply") == expected);
-      }
-      const std::size_t files = out == "out.ply" ? 4 : 5;
-      EXPECT_EQ(folder.number_of_files(), files);
-      fs::remove(folder.file(out));
     }
+    EXPECT_GE(successes, 1);
+    if (out == "out.ply") {
+      EXPECT_TRUE(content("out.ply") == expected);
+    }
+    EXPECT_EQ(folder.number_of_files(), out == "out.ply" ? 4u : 5u);
+    fs::remove(folder.file(out));
+  }
 }
 
 #endif

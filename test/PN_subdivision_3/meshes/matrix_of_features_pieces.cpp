@@ -252,6 +252,7 @@ mesh_cases::Soup patch_for(const std::string& scheme_name)
 TEST(Matrix_of_features, PiecesAreWhatSubdivideMakes)
 {
   for_each_cell([](const std::string& scheme, Crease_kind creases, const auto& normals) {
+    if (!PN::any_scheme(scheme).splits_edges()) return;
     for (const std::size_t pieces : {2, 5})
       compare_pieces(scheme, creases, normals, {false, false}, soup_for(scheme), pieces);
     compare_pieces(scheme, creases, normals, {false, false}, patch_for(scheme), 2);
@@ -261,7 +262,7 @@ TEST(Matrix_of_features, PiecesAreWhatSubdivideMakes)
 TEST(Matrix_of_features, PiecesAtTheLimitAreWhatSubdivideToLimitMakes)
 {
   for_each_cell([](const std::string& scheme, Crease_kind creases, const auto& normals) {
-    if (!PN::any_scheme(scheme).keeps_vertices()) return;
+    if (!PN::any_scheme(scheme).splits_edges()) return;
     for (const Limits& limits : {Limits{true, true}, Limits{true, false}, Limits{false, true}}) {
       compare_pieces(scheme, creases, normals, limits, soup_for(scheme), 2);
       if (!tests_are_full && !std::is_same_v<decltype(normals), const Of_vertices&>) return;
@@ -272,7 +273,7 @@ TEST(Matrix_of_features, PiecesAtTheLimitAreWhatSubdivideToLimitMakes)
 // Pieces that do not have the whole surface in their rings.
 TEST(Matrix_of_features, PiecesOfALargerSurfaceAtTheLimit)
 {
-  for (const std::string scheme : {"catmull-clark", "modified-loop", "sqrt3"}) {
+  for (const std::string scheme : {"catmull-clark", "modified-loop"}) {
     SCOPED_TRACE(scheme);
     const auto torus = pieces_cases::torus_with_turned_edges(
       scheme == "catmull-clark" ? random_meshes::Kind::polygons : random_meshes::Kind::triangles,
@@ -280,8 +281,7 @@ TEST(Matrix_of_features, PiecesOfALargerSurfaceAtTheLimit)
     mesh_cases::Soup soup{torus.points, {}};
     for (const auto& f : torus.faces) soup.faces.emplace_back(f.begin(), f.end());
     for (const Limits& limits : {Limits{true, true}, Limits{false, true}})
-      compare_pieces(scheme, scheme == "sqrt3" ? Crease_kind::none : Crease_kind::edges,
-                     Of_vertices(), limits, soup, 20);
+      compare_pieces(scheme, Crease_kind::edges, Of_vertices(), limits, soup, 20);
     compare_pieces(scheme, Crease_kind::none, Linear(), {true, true}, soup, 20);
   }
 }
@@ -290,8 +290,7 @@ TEST(Matrix_of_features, PiecesOfALargerSurfaceAtTheLimit)
 // pieces they would be others.
 TEST(Matrix_of_features, LimitsInPiecesReachAsFarAsTheyAreSought)
 {
-  for (const std::string name :
-       {"catmull-clark", "modified-loop", "kobbelt", "butterfly", "sqrt3"}) {
+  for (const std::string name : {"catmull-clark", "modified-loop", "kobbelt", "butterfly"}) {
     SCOPED_TRACE(name);
     const auto scheme = PN::any_scheme(name);
     const bool is_of_triangles = scheme.needs_triangles();
@@ -305,9 +304,8 @@ TEST(Matrix_of_features, LimitsInPiecesReachAsFarAsTheyAreSought)
     auto normals =
       mesh.add_property_map<CGAL::SM_Vertex_index, Vector>("v:n", Vector(0, 0, 0)).first;
     PN::estimate_control_normals(mesh, normals);
-    const auto all = PN::parameters::surface_normals(true)
-                       .number_of_iterations(name == "sqrt3" ? 1u : 0u)
-                       .vertex_normal_map(normals);
+    const auto all =
+      PN::parameters::surface_normals(true).number_of_iterations(0).vertex_normal_map(normals);
     const PN::Surface_pieces pieces(
       mesh, scheme, PN::parameters::join(PN::parameters::number_of_pieces(20).to_limit(true), all));
     std::size_t different = 0, known = 0;

@@ -305,8 +305,6 @@ TEST(Any_scheme, Pieces)
   };
   expect_same(PN::CatmullClark_scheme(), refine);
   expect_same(PN::Loop_scheme::Transfer(), refine);
-  expect_same(PN::DooSabin_scheme(), refine);
-  expect_same(PN::Sqrt3_scheme(), refine);
 }
 
 // needs as many rings as the scheme of the two that reaches farther

@@ -24,8 +24,7 @@ struct Tessellation_result
     none,      ///< it is reached
     rounds,    ///< there are faces about which as many rounds have been done as are allowed
     triangles, ///< more triangles than there may be would be needed
-    digits,    ///< coordinates have too few digits for it
-    pieces     ///< pieces have no more faces around them that could be split again
+    digits     ///< coordinates have too few digits for it
   };
 
   /// the largest distance between the triangles and the limit surface, in the unit of the coordinates: an estimate, or a

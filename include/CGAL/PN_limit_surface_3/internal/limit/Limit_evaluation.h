@@ -12,6 +12,7 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_classes.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_tower.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_towers.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Rim_closure.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_planes.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
@@ -19,7 +20,6 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/orient_normals.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Divided_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>

@@ -9,9 +9,7 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_KEPT_LEVEL_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_KEPT_LEVEL_H
 
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_tower.h>
 #include <CGAL/PN_limit_surface_3/internal/pieces/Whole_levels.h>
-#include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
@@ -38,7 +36,6 @@ class Kept_pieces
 public:
   using Index = Level_connectivity::Index;
   using Value = typename Average::Value;
-  using Limit = Limit_result<Average>;
   using Attributes = Carried_attributes<typename Average::FT>;
 
   // takes (connectivity, its vertices, its faces), to be moved, once and then (vertex, value), of different
@@ -51,14 +48,6 @@ public:
     Function_ref<void(Index, Index, const Value&)> put_corner;
     Function_ref<void(Attributes&)> put_attributes; // if there are any, before the end
   };
-  // the same of limits, with what the rounds have given
-  struct Limit_output
-  {
-    Function_ref<void(Level_connectivity&, Numbered_elements&, Numbered_elements&)> begin;
-    Function_ref<void(Index, const Limit&, const Value&)> put;
-    Function_ref<void(Index, Index, const Limit&)> put_corner;
-    Function_ref<void(Attributes&)> put_attributes;
-  };
 
   Kept_pieces() = default;
   Kept_pieces(const Kept_pieces&) = delete;
@@ -69,18 +58,11 @@ public:
   virtual const Whole_level& result() const = 0;
   // the level that is divided
   virtual const Level_connectivity& base() const = 0;
-  virtual unsigned base_round() const = 0;
-  // the degree of all faces that a round makes, 0 if they are of different degrees
+  // the degree of all faces that a round makes
   virtual Index refined_degree() const = 0;
   virtual bool is_empty(std::size_t piece) const = 0;
   // the faces that the piece owns, and some rings around them
   virtual void refine(std::size_t piece, unsigned rings, const Output& out) const = 0;
-  // the same with the vertices on the limit surface, if limits are known; of the vertices that are owned
-  virtual Limit_report refine_to_limit(std::size_t /*piece*/, unsigned /*rings*/,
-                                       const Limit_demand&, const Limit_output&) const
-  {
-    return {};
-  }
 };
 
 inline Face_marks owned_with_rings(const Level_connectivity& level, const Piece_elements& elements,

@@ -40,19 +40,43 @@ struct Limits_of_call
   }
 };
 
+// What pieces at the limit are asked for, whatever the scheme.
+template <class Average>
+class Pieces_at_limit
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Limit = Limit_result<Average>;
+
+  // that of Kept_pieces, with what the rounds have given besides
+  struct Limit_output
+  {
+    Function_ref<void(Level_connectivity&, Numbered_elements&, Numbered_elements&)> begin;
+    Function_ref<void(Index, const Limit&, const typename Average::Value&)> put;
+    Function_ref<void(Index, Index, const Limit&)> put_corner;
+    Function_ref<void(Carried_attributes<typename Average::FT>&)> put_attributes;
+  };
+
+  virtual ~Pieces_at_limit() = default;
+  // what is reached at the vertices that are owned
+  virtual Limit_report refine_to_limit(std::size_t piece, unsigned rings, const Limit_demand&,
+                                       const Limit_output&) const = 0;
+};
+
 // Refines pieces, and puts their vertices on the limit surface.
 template <class Scheme, class Average, class Level_creases, bool carries>
-class Piece_limits final : public Piece_refiner<Scheme, Average, Level_creases, carries>
+class Piece_limits final : public Piece_refiner<Scheme, Average, Level_creases, carries>,
+                           public Pieces_at_limit<Average>
 {
   using Base = Piece_refiner<Scheme, Average, Level_creases, carries>;
   using typename Base::Carried;
   using typename Base::FT;
-  using typename Base::Index;
+  using Index = typename Base::Index;
   using typename Base::Kept;
   using typename Base::Part;
   using typename Base::Value;
   using typename Base::Values;
-  using typename Kept_pieces<Average>::Limit_output;
+  using typename Pieces_at_limit<Average>::Limit_output;
   using Result = Limit_result<Average>;
 
 public:

@@ -44,10 +44,8 @@ template <class Host>
 unsigned dividing_round(Level_size size, unsigned rounds, std::size_t number_of_pieces)
 {
   constexpr std::uint64_t faces_of_a_piece = 16; // so that pieces can be about equal
-  // the numbers of Doo-Sabin's children are known where interior vertices have four edges
-  const unsigned least = std::is_same_v<Host, DQQ_host> && rounds > 0 ? 1 : 0;
   unsigned k = 0;
-  while (k < rounds && (k < least || size.faces / number_of_pieces < faces_of_a_piece))
+  while (k < rounds && size.faces / number_of_pieces < faces_of_a_piece)
     size = Host::refined_size(size, ++k);
   return k;
 }
@@ -113,7 +111,6 @@ public:
 
   const Whole_level& result() const override { return wholes_->back(); }
   const Level_connectivity& base() const override { return base_.level(); }
-  unsigned base_round() const override { return base_round_; }
   Index refined_degree() const override { return Host::refined_degree; }
 
   bool is_empty(std::size_t piece) const override
@@ -236,12 +233,11 @@ private:
     return part;
   }
 
-  // Where a round splits edges in two, a ring more before it is two more after it.
+  // A ring more before a round is two more after it.
   unsigned rings_after(unsigned round) const
   {
     unsigned more = more_last_rings_;
-    if constexpr (Splits_edges<Host>::value)
-      for (unsigned k = round; k < rounds_; ++k) more = (more + 1) / 2;
+    for (unsigned k = round; k < rounds_; ++k) more = (more + 1) / 2;
     return rings_ + more;
   }
 
@@ -262,15 +258,6 @@ private:
                    chart_slots);
   }
 
-  void close_rim_before(unsigned round, Part& part) const
-  {
-    if (!refines_border<Host>(round) || !part.level.has_border()) return;
-    const auto neighbors = close_rim(part.level, part.elements, (*wholes_)[round - 1]);
-    for (const Index v : neighbors) part.values.push_back(part.values[v]);
-    if constexpr (carries)
-      if (part.attributes) part.attributes->close_rim(part.level.size(), neighbors);
-  }
-
   Refiner refiner(Part& part, unsigned round) const
   {
     const Level_size size = Host::refined_size(part.level.size(), round);
@@ -285,11 +272,9 @@ private:
 
   Part refined(Part& part, unsigned round, bool has_isolated) const
   {
-    close_rim_before(round, part);
     Refiner level = refiner(part, round);
     const auto children = [&](const Host& host) {
-      return Child_elements<Host>(level.level(), part.elements, host, (*wholes_)[round - 1],
-                                  for_chunks_)
+      return Child_elements<Host>(part.elements, host, (*wholes_)[round - 1], for_chunks_)
         .all(Host::refined_size(level.level().size(), round));
     };
     Piece_elements elements;
@@ -304,7 +289,6 @@ private:
 
   void put_last_round(Part& part, bool has_isolated, unsigned rings, const Output& out) const
   {
-    close_rim_before(rounds_, part);
     Refiner level = refiner(part, rounds_);
     const auto put_connectivity = [&](const Host& host, const Level_creases& creases) {
       return this->put_connectivity(level, host, part.elements, creases, has_isolated, rings, out);
@@ -348,8 +332,7 @@ private:
                         const Level_creases& creases, bool has_isolated, unsigned rings,
                         const Output& out) const
   {
-    const Child_elements<Host> children(level.level(), elements, host, (*wholes_)[rounds_ - 1],
-                                        for_chunks_);
+    const Child_elements<Host> children(elements, host, (*wholes_)[rounds_ - 1], for_chunks_);
     const Level_size size = Host::refined_size(level.level().size(), rounds_);
     const Level_connectivity child = child_level(host, size, size, for_chunks_);
     const Piece_elements all{children.vertices(child.size().vertices), Numbered_elements(),

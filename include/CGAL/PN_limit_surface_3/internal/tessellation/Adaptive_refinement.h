@@ -37,7 +37,6 @@
 #include <deque>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -58,7 +57,6 @@ struct Tessellation_demand
   std::uint64_t most_triangles;
   Limit_demand limits;
   bool is_proven = false;
-  bool is_of_piece = false; // which has the tolerance of the others, whatever that takes
 };
 
 // Refines, level by level, the faces that are not flat enough, with the rings of faces that they need. Every vertex gets
@@ -92,12 +90,10 @@ public:
   // before: the nodes of the same that has been made before, of which some have to be split now
   void operator()(Valued_level<Value>&& control, Level_creases&& creases,
                   const typename Attributes::Data& attributes = {},
-                  const Face_marks* wanted = nullptr, std::deque<Tessellation_node>&& before = {})
+                  std::deque<Tessellation_node>&& before = {})
   {
     before_ = std::move(before);
     Level level = first_level(std::move(control), std::move(creases), attributes);
-    if (wanted != nullptr)
-      for (Index f = 0; f < level.faces.size(); ++f) level.faces[f].is_wanted = (*wanted)[f] != 0;
     for (bool is_done = false; !is_done;) is_done = !refine(level);
     before_.clear();
   }
@@ -334,7 +330,6 @@ private:
       number += face.is_split ? 1 : 0;
     }
     const bool are_too_many = number_of_leaves_ * 2 + number * triangles > demand_.most_triangles;
-    if (are_too_many) require_tolerance();
     const bool is_last = rounds >= demand_.most_rounds || are_too_many;
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const Index f = faces[i];
@@ -360,7 +355,6 @@ private:
       if (e.error > tolerance_ && e.error < infinity)
         expected += triangles * (e.error / tolerance_);
     if (!(expected > double(demand_.most_triangles))) return;
-    require_tolerance();
     tolerance_ *= expected / triangles_out_of_reach;
     meet(Obstacle::triangles);
   }
@@ -369,16 +363,6 @@ private:
   void meet(Obstacle obstacle)
   {
     if (obstacle_ == Obstacle::none) obstacle_ = obstacle;
-  }
-
-  // A piece cannot do with less: it would not fit the others.
-  void require_tolerance() const
-  {
-    if (demand_.is_of_piece)
-      throw std::length_error(
-        "PN_subdivision_3: a piece of the tessellation would have more than " +
-        std::to_string(demand_.most_triangles) +
-        " triangles: ask for more pieces, or for a larger chord error");
   }
 
   // infinite beyond the tolerance

@@ -76,26 +76,21 @@ public:
   std::deque<Tessellation_node> take_nodes() { return std::move(nodes_); }
   unsigned number() const { return number_; }
 
-  // The triangles of the leaves for which is_taken(leaf) is true, once splits that did not have to be are taken back.
-  template <class Refinement, class Is_taken>
-  Leaf_triangles<FT> triangles(Refinement& refinement, std::size_t dimension_of_corners,
-                               const Is_taken& is_taken)
+  // Those of the leaves, once splits that did not have to be are taken back.
+  template <class Refinement>
+  Leaf_triangles<FT> triangles(Refinement& refinement, std::size_t dimension_of_corners)
   {
     const bool is_proven = refinement.demand().is_proven;
     const double tolerance = refinement.tolerance() / tessellation_safety;
     if (!is_proven) Merged_leaves<FT>(refinement.all(), refinement.nodes(), tolerance)();
-    Leaf_triangles<FT> triangles(refinement.all(), tolerance, dimension_of_corners, is_proven),
-      others(refinement.all(), tolerance, 0, is_proven);
+    Leaf_triangles<FT> triangles(refinement.all(), tolerance, dimension_of_corners, is_proven);
     triangles.reserve(2 * std::size_t(refinement.all().number_of_vertices()));
     const auto& corners = refinement.corners_of_nodes();
     are_missed_ = false;
     for (std::size_t i = 0; i < refinement.nodes().size(); ++i) {
       Tessellation_node& node = refinement.nodes()[i];
       if (!node.is_leaf) continue;
-      const double error =
-        is_taken(node.leaf)
-          ? triangles.add(node.leaf, corners.empty() ? nullptr : corners[i].data())
-          : others.add(node.leaf);
+      const double error = triangles.add(node.leaf, corners.empty() ? nullptr : corners[i].data());
       if (error > with_rounding * refinement.tolerance()) miss(node);
     }
     return triangles;
@@ -112,10 +107,10 @@ public:
     return true;
   }
 
-  // What has been reached, in the unit of the coordinates; faces have the numbers of what was refined.
-  template <class Refinement, class Report>
+  // What has been reached, in the unit of the coordinates.
+  template <class Refinement>
   void report(const Refinement& refinement, const Leaf_triangles<FT>& triangles,
-              Report& report) const
+              Tessellation_result& report) const
   {
     const Tessellation_demand& demand = refinement.demand();
     report.bound = std::ldexp(triangles.bound(), demand.exponent);
@@ -127,9 +122,7 @@ public:
     if (report.reached) return;
     report.obstacle = refinement.obstacle();
     if (report.obstacle == Obstacle::none)
-      report.obstacle = !are_missed_         ? Obstacle::rounds
-                        : demand.is_of_piece ? Obstacle::pieces
-                                             : Obstacle::triangles;
+      report.obstacle = are_missed_ ? Obstacle::triangles : Obstacle::rounds;
   }
 
 private:
@@ -168,32 +161,30 @@ class Tessellation
   using Index = Level_connectivity::Index;
 
 public:
-  Tessellation(double chord_error, const NamedParameters& np, Attribute_table* table,
-               bool is_in_pieces = false)
+  Tessellation(double chord_error, const NamedParameters& np, Attribute_table* table)
     : chord_error_(chord_error)
     , np_(np)
     , table_(table)
-    , is_in_pieces_(is_in_pieces)
     , for_chunks_(For_chunks::with(Concurrency_tag()))
   {}
 
-  template <class Report, class OutputMesh, class Access, class Scheme, class Out_access,
-            class Out_parameters>
-  Report operator()(const FaceGraph& control, const Access& access, const Scheme& scheme,
-                    OutputMesh& out, Out_access& out_access, const Out_parameters& np_out) const
+  template <class OutputMesh, class Access, class Scheme, class Out_access, class Out_parameters>
+  Tessellation_result operator()(const FaceGraph& control, const Access& access,
+                                 const Scheme& scheme, OutputMesh& out, Out_access& out_access,
+                                 const Out_parameters& np_out) const
   {
     require_empty(out_access);
-    Report report;
+    Tessellation_result report;
     Tessellation_runs<FT> runs(most_runs);
     const auto run = [&](const auto& s) {
       bool goes_on = false;
       read(access, s, Parameters::const_point_map(control, np_), [&](auto&& data) {
         const auto& rules = rules_of(s);
         auto refinement = data.refinement(rules, for_chunks_);
-        refinement(std::move(data.control), std::move(data.creases), data.attributes, nullptr,
+        refinement(std::move(data.control), std::move(data.creases), data.attributes,
                    runs.take_nodes());
-        const Leaf_triangles<FT> triangles = runs.triangles(
-          refinement, table_.dimension_of_corners(), [](const Tessellation_leaf&) { return true; });
+        const Leaf_triangles<FT> triangles =
+          runs.triangles(refinement, table_.dimension_of_corners());
         goes_on = runs.go_on(refinement, triangles);
         if (goes_on) return;
         std::vector<bool> used = used_vertices(refinement.all(), triangles);
@@ -203,7 +194,7 @@ public:
         using Out = Surface_parameters<OutputMesh, Out_parameters>;
         Attribute_table carried;
         if (table_.any())
-          carried = table_.of_result(refinement, triangles, data.attributes, nullptr,
+          carried = table_.of_result(refinement, triangles, data.attributes,
                                      first_indices(access.size().vertices));
         build(refinement.all(), mesh, out_access, Out::point_map(out, np_out),
               Out::normal_map(np_out));
@@ -221,9 +212,7 @@ public:
     return report;
   }
 
-  const For_chunks& for_chunks() const { return for_chunks_; }
-  const Tessellation_table& table() const { return table_; }
-
+private:
   // calls sink(Tessellation_data)
   template <class Access, class Scheme, class Point_map, class Sink>
   void read(const Access& access, const Scheme& scheme, Point_map points, const Sink& sink) const
@@ -243,8 +232,7 @@ public:
                                  typename Parameters::Vertex_constraint_map>
         of_mesh(scheme, access, control.level, edge_map, vertex_map);
       auto creases = of_mesh.creases(control.level);
-      require_sharp_for_ever<FT>(
-        access, creases, is_in_pieces_ ? 0 : rounds_of_all(control.level.number_of_faces()));
+      require_sharp_for_ever<FT>(access, creases, rounds_of_all(control.level.number_of_faces()));
       of_mesh.read_tangents(creases);
       control.values = of_mesh.values(control.level, points, normals, creases);
       const Tessellation_demand demand = this->demand(box_size(control));
@@ -262,7 +250,6 @@ public:
     }
   }
 
-private:
   static constexpr unsigned most_runs = 64;
 
   // how many rounds may be made of all faces, until nothing is sharp but forever
@@ -357,7 +344,6 @@ private:
   double chord_error_;
   const NamedParameters& np_;
   const Tessellation_table table_;
-  const bool is_in_pieces_;
   For_chunks for_chunks_;
 };
 

@@ -20,7 +20,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -41,19 +40,6 @@ public:
   {}
 
   bool any() const { return table_ != nullptr; }
-  // its arrays without values, but those of labels
-  std::optional<Attribute_table> shape() const
-  {
-    if (table_ == nullptr) return std::nullopt;
-    Attribute_table shape;
-    shape.has_face_parents = table_->has_face_parents;
-    for (const Attribute_array& a : table_->vertices) {
-      shape.vertices.push_back(shape_of(a));
-      if (is_label(a)) shape.vertices.back().values = a.values;
-    }
-    for (const Attribute_array& a : table_->corners) shape.corners.push_back(shape_of(a));
-    return shape;
-  }
   void set(Attribute_table&& result) const
   {
     if (table_ != nullptr) *table_ = std::move(result);
@@ -92,14 +78,12 @@ public:
   }
 
   // The arrays of the result; half-edges have the numbers that the level of the triangles gives them. `data` are those of
-  // read(), `faces` the control faces that the triangles count, null if these are all, and `vertices` the control vertices
-  // that the first ones of the result are.
+  // read(), and `vertices` the control vertices that the first ones of the result are.
   template <class Refinement, class FT, class Data>
   Attribute_table of_result(const Refinement& refinement, const Leaf_triangles<FT>& triangles,
-                            const Data& data, const std::vector<Index>* faces,
-                            std::vector<Index> vertices) const
+                            const Data& data, std::vector<Index> vertices) const
   {
-    if (has_labels()) set_nearest(refinement, triangles, data, faces, vertices);
+    if (has_labels()) set_nearest(refinement, triangles, data, vertices);
     Attribute_table result;
     result.has_face_parents = table_->has_face_parents;
     if (result.has_face_parents)
@@ -189,16 +173,14 @@ private:
   // of each vertex of the result, where there are triangles
   template <class Refinement, class FT, class Data>
   void set_nearest(const Refinement& refinement, const Leaf_triangles<FT>& triangles,
-                   const Data& data, const std::vector<Index>* faces,
-                   std::vector<Index>& vertices) const
+                   const Data& data, std::vector<Index>& vertices) const
   {
     vertices.resize(refinement.all().number_of_vertices(), 0);
     const std::size_t all = dimension_of_corners();
     const double* p = triangles.corner_values().data() + all - dimension_of_places;
     for (const Tessellation_triangle& t : triangles.triangles())
       for (const Index slot : t.slot_ids) {
-        const Index face = faces == nullptr ? t.origin : (*faces)[t.origin];
-        vertices[refinement.all().slot(slot).vertex] = nearest_corner(data, face, p);
+        vertices[refinement.all().slot(slot).vertex] = nearest_corner(data, t.origin, p);
         p += all;
       }
   }

@@ -253,7 +253,6 @@ public:
     return std::make_unique<Array_values>(*this, sources);
   }
   std::any kept_of_part() override { return std::any(std::move(own_)); }
-  void repeat(const std::vector<Index>& sources) override { take(old_, sources); }
 
 private:
   using Values = boost::container::vector<FT>;

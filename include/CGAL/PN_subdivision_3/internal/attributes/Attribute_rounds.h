@@ -228,12 +228,6 @@ public:
       chart_slots.emplace_back(level, smooth.creases());
     return chart_slots;
   }
-  // The rim of the level has been closed; the values of the new vertices do not matter.
-  void close_rim(const Level_size& closed, const Indices& neighbors)
-  {
-    for (const By_rows& by_rows : by_rows_) by_rows.values->repeat(neighbors);
-    if (wanted_.any()) origins_.grow(closed);
-  }
 
 private:
   static constexpr Index null = Level_connectivity::null;

@@ -90,8 +90,6 @@ public:
 
   // Those of a part of the level: value i is value sources[i]; where that is null it does not matter.
   virtual std::unique_ptr<Row_values> part(const std::vector<Index>& sources) const = 0;
-  // adds copies of values to the level
-  virtual void repeat(const std::vector<Index>& sources) = 0;
 };
 
 // Divides a vector by its length; zero stays zero.

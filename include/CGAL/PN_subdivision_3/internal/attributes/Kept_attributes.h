@@ -52,7 +52,6 @@ class Kept_attributes
 
 public:
   Kept_attributes() = default;
-  explicit Kept_attributes(Attribute_table&& table) { lists_.emplace_back(std::move(table)); }
 
   std::size_t memory() const { return memory_; }
 

@@ -320,7 +320,6 @@ public:
     return part_of_map<Access, Row_values<FT>>(*this, sources);
   }
   std::any kept_of_part() override { return std::any(map_.map()); }
-  void repeat(const std::vector<Index>& sources) override { take(old_, sources); }
 
 private:
   using Restored = Restored_map<Access, Map, Keys>;

@@ -128,7 +128,6 @@ public:
     return std::make_unique<Nearest_values>(*this, sources);
   }
   std::any kept_of_part() override { return copied_->kept_of_part(); }
-  void repeat(const std::vector<Index>& sources) override { take(old_, sources); }
 
 private:
   static double weight(const FT& w) { return double(CGAL::to_double(w)); }

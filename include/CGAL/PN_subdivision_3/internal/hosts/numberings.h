@@ -160,14 +160,14 @@ private:
 //
 // vertices: corners. Edges: one a corner, on the smaller face; two for every interior edge, that cross
 // it. Faces: smaller faces, quads of interior edges, polygons of interior vertices.
-template <class Index, class Any_ranks = Ranks<Index>>
+template <class Index>
 class DQQ_numbering
 {
 public:
   using Parent = Basic_element_parent<Index>;
 
   // the ranks are those of the interior edges and vertices, and must stay
-  DQQ_numbering(const Level_size& size, const Any_ranks& edges, const Any_ranks& vertices)
+  DQQ_numbering(const Level_size& size, const Ranks<Index>& edges, const Ranks<Index>& vertices)
     : corners_(static_cast<Index>(size.corners))
     , faces_(static_cast<Index>(size.faces))
     , interior_edges_(static_cast<Index>(size.corners - size.edges))
@@ -199,8 +199,8 @@ public:
 
 private:
   Index corners_, faces_, interior_edges_;
-  const Any_ranks& edges_;
-  const Any_ranks& vertices_;
+  const Ranks<Index>& edges_;
+  const Ranks<Index>& vertices_;
 };
 
 // The numbers of the children in the sqrt(3) refinement, and back. In a round that refines the border some
@@ -210,7 +210,7 @@ private:
 // vertices: old ones, then one a face and two in a face at a refined border. Edges: old ones (flipped, or
 // the first parts of refined border edges), three a face, the last parts of refined border edges. Faces: the
 // triangles of the first half-edges of all faces, then those of the second and third ones.
-template <class Index, class Border_faces = boost::container::vector<Index>>
+template <class Index>
 class Sqrt3_numbering
 {
 public:
@@ -218,7 +218,7 @@ public:
   using Table = boost::container::vector<Index>;
 
   // the tables must stay
-  Sqrt3_numbering(const Level_size& size, const Border_faces& border_faces_before,
+  Sqrt3_numbering(const Level_size& size, const Table& border_faces_before,
                   const Table& face_of_center)
     : vertices_(static_cast<Index>(size.vertices))
     , edges_(static_cast<Index>(size.edges))
@@ -270,7 +270,7 @@ public:
 
 private:
   Index vertices_, edges_, faces_;
-  const Border_faces& border_faces_before_;
+  const Table& border_faces_before_;
   const Table& face_of_center_;
 };
 

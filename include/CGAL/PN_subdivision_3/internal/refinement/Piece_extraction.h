@@ -29,9 +29,6 @@ class Numbered_elements
 public:
   using Number = std::uint64_t;
 
-  // of an element that the whole level does not have
-  static constexpr Number no_number = static_cast<Number>(-1);
-
   Numbered_elements() = default;
   explicit Numbered_elements(std::size_t size)
     : number_(size, boost::container::default_init)
@@ -47,11 +44,6 @@ public:
   {
     number_[i] = number;
     is_owned_[i] = is_owned ? 1 : 0;
-  }
-  void push_back(Number number, bool is_owned)
-  {
-    number_.push_back(number);
-    is_owned_.push_back(is_owned ? 1 : 0);
   }
 
 private:

@@ -9,55 +9,20 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_WHOLE_LEVEL_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_WHOLE_LEVEL_H
 
-#include <CGAL/PN_subdivision_3/hosts/DQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
-#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/levels/Element_parent.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
-#include <boost/container/vector.hpp>
-
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// Some of the elements of a level that may be too large to be held: few, as those at its border are.
-class Some_elements
-{
-public:
-  using Number = std::uint64_t;
-
-  Some_elements() = default;
-  explicit Some_elements(std::vector<Number> numbers)
-    : numbers_(std::move(numbers))
-  {
-    std::sort(numbers_.begin(), numbers_.end());
-    numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
-  }
-
-  bool empty() const { return numbers_.empty(); }
-  bool contains(Number i) const { return std::binary_search(numbers_.begin(), numbers_.end(), i); }
-  // how many are before i
-  Number operator[](Number i) const
-  {
-    return Number(std::lower_bound(numbers_.begin(), numbers_.end(), i) - numbers_.begin());
-  }
-  // the rank of i among all others
-  Number rank(Number i) const { return i - (*this)[i]; }
-
-private:
-  std::vector<Number> numbers_;
-};
-
-// The number of the first corner of each face, if corners are counted face by face. The degrees are those of
-// a level that is held, and 4 beyond its faces.
+// The number of the first corner of each face, if corners are counted face by face.
 class First_corners
 {
 public:
@@ -77,12 +42,7 @@ public:
     first_.push_back(corner);
   }
 
-  Number first(Number f) const
-  {
-    if (degree_ != 0) return degree_ * f;
-    const Number held = first_.size() - 1;
-    return f <= held ? first_[f] : first_[held] + 4 * (f - held);
-  }
+  Number first(Number f) const { return degree_ != 0 ? degree_ * f : first_[f]; }
 
 private:
   Number degree_ = 0; // 0 if they differ
@@ -94,13 +54,11 @@ struct Whole_level
 {
   Level_size size;
   First_corners corners;
-  // found where the numbers depend on them: border faces for sqrt(3), the others for Doo-Sabin
-  Some_elements border_faces, border_edges, border_vertices;
 };
 
 // The numbers that the children of elements have in a level that is not held, from those of their parents.
-// The formulas are the hosts' own, in 64 bits. A corner is the face with the ordinal of the corner; of the
-// children of a face with a refined border edge see Sqrt3_numbering.
+// The formulas are the hosts' own, in 64 bits. Only hosts that split edges have one: the numbers of others depend on
+// the border of the whole level, too.
 template <class Host>
 class Whole_numbering;
 
@@ -166,63 +124,6 @@ public:
 
 private:
   PTQ_numbering<Number> numbering_;
-};
-
-template <>
-class Whole_numbering<Sqrt3_host>
-{
-public:
-  using Number = std::uint64_t;
-
-  explicit Whole_numbering(const Whole_level& level)
-    : numbering_(level.size, level.border_faces, faces_of_centers_)
-  {}
-
-  Number vertex(const Whole_parent& p) const
-  {
-    if (p.kind == Whole_parent::Kind::vertex) return p.index;
-    return numbering_.vertex_of_face(p.index) + p.ordinal;
-  }
-  Number edge(const Whole_parent& p) const
-  {
-    if (p.kind == Whole_parent::Kind::edge) return p.index;
-    return p.ordinal < 3 ? numbering_.inner_edge(p.index, p.ordinal)
-                         : numbering_.last_part(p.index);
-  }
-  Number face(const Whole_parent& p) const { return numbering_.triangle(p.index, p.ordinal); }
-
-private:
-  const boost::container::vector<Number> faces_of_centers_; // for the way back, which is not gone
-  Sqrt3_numbering<Number, Some_elements> numbering_;
-};
-
-template <>
-class Whole_numbering<DQQ_host>
-{
-public:
-  using Number = std::uint64_t;
-
-  explicit Whole_numbering(const Whole_level& level)
-    : corners_(level.corners)
-    , numbering_(level.size, level.border_edges, level.border_vertices)
-  {}
-
-  Number vertex(const Whole_parent& p) const { return corners_.first(p.index) + p.ordinal; }
-  Number edge(const Whole_parent& p) const
-  {
-    if (p.kind == Whole_parent::Kind::edge) return numbering_.crossing_edge(p.index, p.ordinal);
-    return numbering_.edge_of_corner(corners_.first(p.index) + p.ordinal);
-  }
-  Number face(const Whole_parent& p) const
-  {
-    if (p.kind == Whole_parent::Kind::face) return numbering_.face_of_face(p.index);
-    if (p.kind == Whole_parent::Kind::edge) return numbering_.face_of_edge(p.index);
-    return numbering_.face_of_vertex(p.index);
-  }
-
-private:
-  const First_corners& corners_;
-  DQQ_numbering<Number, Some_elements> numbering_;
 };
 
 } // namespace internal

@@ -92,17 +92,6 @@ public:
     return result;
   }
 
-  // adds elements whose origins do not matter
-  void grow(const Level_size& size)
-  {
-    const auto add = [](Origins& origins, std::uint64_t number) {
-      if (!origins.empty()) origins.resize(number, Origin{Kind::face, 0});
-    };
-    add(vertices_, size.vertices);
-    add(edges_, size.edges);
-    add(faces_, size.faces);
-  }
-
 private:
   using Origins = boost::container::vector<Origin>;
 

@@ -166,13 +166,28 @@ Result on_primal_host(const Scheme& scheme, const Function& f)
   });
 }
 
+// whether it splits edges in halves, and faces at them
+template <class Scheme>
+inline constexpr bool halves_edges_v = std::is_same_v<typename Scheme::Host, PQQ_host> ||
+                                       std::is_same_v<typename Scheme::Host, PTQ_host>;
+
+// what is said of a scheme that does not
+template <class Scheme>
+std::string no_halves(const Scheme& scheme, const std::string& consequence,
+                      const std::string& instead = "")
+{
+  return "PN_subdivision_3: " + name_in_message(scheme) + " does not split edges in halves, " +
+         consequence + ": take " + instead +
+         "Catmull-Clark or Loop, or another scheme that splits "
+         "faces as they do";
+}
+
 // the same for schemes that split edges and faces at them
 template <class Result, class Call, class Scheme, class Function>
 Result on_spline_host(const Scheme& scheme, const Function& f)
 {
   return on_host<Result, Call>(scheme, [&](const auto& s) -> Result {
-    using Host = typename std::decay_t<decltype(s)>::Host;
-    if constexpr (std::is_same_v<Host, PQQ_host> || std::is_same_v<Host, PTQ_host>)
+    if constexpr (halves_edges_v<std::decay_t<decltype(s)>>)
       return f(s);
     else
       throw std::invalid_argument("PN_subdivision_3: this is not known for " + name_in_message(s) +
@@ -185,8 +200,7 @@ template <class Result, class Call, class Scheme, class Function>
 Result on_interpolated_host(const Scheme& scheme, const Function& f)
 {
   return on_host<Result, Call>(scheme, [&](const auto& s) -> Result {
-    using Host = typename std::decay_t<decltype(s)>::Host;
-    if constexpr (std::is_same_v<Host, PQQ_host> || std::is_same_v<Host, PTQ_host>)
+    if constexpr (halves_edges_v<std::decay_t<decltype(s)>>)
       if (!transfers_curvature(s)) return f(s);
     throw std::invalid_argument("PN_subdivision_3: interpolation is not known for " +
                                 name_in_message(s) +
