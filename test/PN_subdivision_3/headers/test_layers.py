@@ -48,7 +48,7 @@ class Layers(unittest.TestCase):
                           "average may not include calls"])
 
     def test_arrow_of_an_included_source(self) -> None:
-        self.put("internal/recognition/Part.cpp", "internal/limit_surface/Jet.h")
+        self.put("PN_recognition_3/internal/Part.cpp", "PN_limit_surface_3/internal/limit_surface/Jet.h")
         self.assertEqual(check_layers.check(self.root),
                          ["PN_recognition_3/internal/Part.cpp includes PN_subdivision_3/internal/limit_surface/"
                           "Jet.h: recognition may not include limit_surface"])
