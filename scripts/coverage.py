@@ -32,7 +32,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "asan-ubsan"
 PROFILES = "profiles"
 # compiled, never run: what a parameter has to offer, for messages of static assertions
-COMPILED_ONLY = {"concept_checks.h", "property_map_checks.h"}
+COMPILED_ONLY = {"concept_checks.h"}
 
 
 def profile_pattern(build):
