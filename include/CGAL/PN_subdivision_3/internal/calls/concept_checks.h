@@ -10,7 +10,6 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CALLS_CONCEPT_CHECKS_H
 
 #include <CGAL/Algebraic_structure_traits.h>
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
@@ -83,44 +82,12 @@ using Key_itself = Key;
 template <class T, class>
 constexpr bool is_anything_v = true;
 
-// A type of points or vectors may be the user's own; one of CGAL's has to be the right one.
-template <class T, class = void>
-struct Kernel_of_type
-{
-  static constexpr bool exists = false;
-};
-template <class T>
-struct Kernel_of_type<T, std::void_t<typename Kernel_traits<T>::Kernel::Point_3>>
-{
-  static constexpr bool exists = true;
-  using type = typename Kernel_traits<T>::Kernel;
-};
-
 template <class T, class Parameters>
-constexpr bool is_point_v = [] {
-  if constexpr (Kernel_of_type<T>::exists)
-    return std::is_same_v<T, typename Kernel_of_type<T>::type::Point_3>;
-  else
-    return Has_coordinates_3<T, typename Parameters::FT>::value;
-}();
-
-// with the number type of the points or of the computation
+constexpr bool is_point_v = may_be_point_3<T, typename Parameters::FT>();
 template <class T, class Parameters>
-constexpr bool is_vector_v = [] {
-  using Point = typename Facts_of_map<typename Parameters::Point_map>::Value;
-  if constexpr (!Kernel_of_type<T>::exists)
-    return Has_coordinates_3<T, typename Parameters::FT>::value;
-  else if constexpr (!Kernel_of_type<Point>::exists)
-    return true;
-  else {
-    using Kernel = typename Kernel_of_type<T>::type;
-    using FT = typename Kernel::FT;
-    return std::is_same_v<T, typename Kernel::Vector_3> &&
-           (std::is_same_v<FT, typename Kernel_of_type<Point>::type::FT> ||
-            std::is_same_v<FT, typename Parameters::FT>);
-  }
-}();
-
+constexpr bool
+  is_vector_v = may_be_vector_3<T, typename Facts_of_map<typename Parameters::Point_map>::Value,
+                                typename Parameters::FT>();
 template <class T, class>
 constexpr bool is_built_in_v = std::is_arithmetic_v<T>;
 template <class T, class>
