@@ -33,7 +33,7 @@ BUILD = ROOT / "build" / "asan-ubsan"
 PROFILES = "profiles"
 FOLDERS = (ROOT / "include", ROOT / "test_support")
 # compiled, never run: what a parameter has to offer, for messages of static assertions
-COMPILED_ONLY = {"concept_checks.h", "property_map_checks.h"}
+COMPILED_ONLY = {"concept_checks.h"}
 
 
 def profile_pattern(build):

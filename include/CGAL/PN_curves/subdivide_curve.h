@@ -53,8 +53,7 @@ struct Curve_parameters : Curve_maps<Range, NamedParameters>
                                                  typename CGAL::Kernel_traits<Point>::Kernel>::type;
   using FT = typename Geom_traits::FT;
 
-  using Roundness = std::decay_t<
-    typename internal_np::Lookup_named_param_def<roundness_t, NamedParameters, No_roundness>::type>;
+  using Roundness = Parameter_type<roundness_t, NamedParameters, No_roundness>;
 
   static constexpr int dimension = CGAL::Ambient_dimension<Point>::value;
   static constexpr bool has_roundness = is_given_roundness_v<Roundness>;
@@ -70,8 +69,7 @@ struct Curve_parameters : Curve_maps<Range, NamedParameters>
 
   static unsigned number_of_iterations(const NamedParameters& np)
   {
-    return static_cast<unsigned>(parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::number_of_iterations), 1u));
+    return static_cast<unsigned>(parameter_or<internal_np::number_of_iterations_t>(np, 1u));
   }
 };
 

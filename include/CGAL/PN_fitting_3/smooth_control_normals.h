@@ -59,18 +59,15 @@ constexpr bool check_smoothing_arguments()
   using Edge_map = typename Parameters::Edge_constraint_map;
   constexpr bool has_wedges =
     !is_constraint_map_v<Edge_map> ||
-    Is_property_map_of<Normal_map, typename boost::graph_traits<Mesh>::halfedge_descriptor>::value;
+    is_property_map_of_v<Normal_map, typename boost::graph_traits<Mesh>::halfedge_descriptor>;
   static_assert(has_wedges,
                 "PN_subdivision_3: a mesh with creases has several normals at a vertex: "
                 "give a map of the corners, whose keys are half-edges");
-  if constexpr (!has_wedges || !check_is_point_map<Mesh, NamedParameters>())
-    return false;
-  else if constexpr (check_point_map<typename Parameters::Point_map,
-                                     boost::readable_property_map_tag, typename Parameters::FT>())
-    return check_normal_map<Mesh, Normal_map, typename Parameters::Point_map,
-                            typename Parameters::Geom_traits, boost::read_write_property_map_tag,
-                            true>() &&
-           check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor, Edge_map>();
+  if constexpr (has_wedges)
+    return check_estimation_arguments<Mesh, Normal_map, NamedParameters,
+                                      boost::read_write_property_map_tag>() &&
+           Check_map<internal_np::edge_is_constrained_t>::check<Edge_map, Mesh, Parameters,
+                                                                Readable>();
   else
     return false;
 }

@@ -37,7 +37,7 @@ Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, Li
   using FT = typename Parameters::FT;
   using Face = typename boost::graph_traits<PolygonMesh>::face_descriptor;
   Limit_report report;
-  if constexpr (check_limit_map<LimitMap, Face>() &&
+  if constexpr (Check_map<Map_of_limits>::check<LimitMap, Face, Parameters, Writable>() &&
                 check_is_point_map<PolygonMesh, NamedParameters>()) {
     using Limit = typename boost::property_traits<LimitMap>::value_type;
     with_mesh_access(mesh, [&](const auto& access) {
@@ -72,7 +72,7 @@ Limit_report vertex_limit_points(const PolygonMesh& mesh, const Scheme& scheme, 
   using FT = typename Parameters::FT;
   using Vertex = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
   Limit_report report;
-  if constexpr (check_limit_map<LimitMap, Vertex>() &&
+  if constexpr (Check_map<Map_of_limits>::check<LimitMap, Vertex, Parameters, Writable>() &&
                 check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
     using Limit = typename boost::property_traits<LimitMap>::value_type;
     const auto points = Parameters::const_point_map(mesh, np);

@@ -130,7 +130,9 @@ std::size_t detect_creases(const PolygonMesh& mesh, double degrees, EdgeMap edge
                            const NamedParameters& np = parameters::default_values())
 {
   internal::check_are_read<NamedParameters>();
-  if constexpr (!internal::check_detection_arguments<PolygonMesh, EdgeMap, NamedParameters>())
+  if constexpr (!internal::check_is_point_map<PolygonMesh, NamedParameters>() ||
+                !internal::Check_map<internal::Map_of_creases>::check<
+                  EdgeMap, PolygonMesh, NamedParameters, internal::Writable>())
     return 0;
   else {
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;

@@ -248,7 +248,8 @@ void estimate_control_normals(const PolygonMesh& mesh, VertexNormalMap normals,
   using Given = internal::Parameter_type<internal::vertex_roundness_map_t, NamedParameters,
                                          internal::No_roundness>;
   const auto written = internal::normals_of<false, true>(normals);
-  if constexpr (internal::check_written_roundness<PolygonMesh, Given>()) {
+  if constexpr (internal::Check_map<internal::vertex_roundness_map_t>::check<
+                  Given, PolygonMesh, NamedParameters, internal::Writable>()) {
     if constexpr (internal::is_given_roundness_v<Given>)
       internal::estimate_into(
         mesh, written, parameters::get_parameter(np, internal::vertex_roundness_map_t()), np);

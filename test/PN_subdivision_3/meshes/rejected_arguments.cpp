@@ -99,7 +99,7 @@ void reject(Mesh& mesh)
   auto creases = mesh.add_property_map<Edge, bool>("creases").first;
 
   PN::CatmullClark_subdivision(mesh, params::edge_is_constrained_map(mesh.points()));
-  // expected: edge_is_constrained_map or vertex_is_constrained_map is no
+  // expected: edge_is_constrained_map is not a property map of the mesh's edges
 
   PN::subdivide(mesh, PN::Loop_scheme(), PN::parameters::crease_tangent_map(creases));
   // expected: crease_tangent_map is not a property map of the mesh's half-edges
@@ -235,7 +235,7 @@ void reject(Mesh& mesh)
 
   PN::subdivide_to_limit(mesh, PN::Loop_scheme(),
                          params::vertex_is_constrained_map(creases).number_of_iterations(0));
-  // expected: is not a property map of the mesh's edges or vertices
+  // expected: vertex_is_constrained_map is not a property map of the mesh's vertices
 
   PN::Surface_refiner(mesh, PN::Loop_scheme(), PN::parameters::attributes(3));
   // expected: the map of an attribute is not a property map of the

@@ -16,16 +16,15 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/property_map_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <type_traits>
@@ -187,11 +186,9 @@ struct Limit_maps
   {
     if constexpr (is_given_v<Tag, NamedParameters>) {
       const auto map = parameters::get_parameter(np, Tag());
-      constexpr bool is_map = Is_property_map_of<std::decay_t<decltype(map)>, Key>::value;
-      static_assert(is_map, "PN_subdivision_3: limit_point_map, limit_normal_map or "
-                            "limit_error_map is not a property map of the mesh's vertices (of a "
-                            "dual scheme: of its faces)");
-      if constexpr (is_map) put(map, key, value);
+      if constexpr (Check_map<Tag>::template check<std::decay_t<decltype(map)>, Key,
+                                                   NamedParameters, Writable>())
+        put(map, key, value);
     }
   }
 
@@ -211,10 +208,8 @@ class Limit_maps_writer
 
     static constexpr bool is_read()
     {
-      if constexpr (Is_property_map_of<Map, Vertex>::value)
-        return has_category_v<Map, boost::readable_property_map_tag>;
-      else
-        return false;
+      return is_property_map_of_v<Map, Vertex> &&
+             Facts_of_map<Map>::template has_category<Readable>;
     }
 
   public:

@@ -50,43 +50,37 @@ struct Visitor_names
 };
 
 // \name The members: their names, and what they answer
-struct Round_done
-{
-  template <class Visitor>
-  using Name = decltype(&Visitor::round_done);
-  template <class Visitor>
-  using Answer = decltype(std::declval<Visitor&>().round_done(0u, std::size_t()));
-};
-template <class Mesh>
-struct Vertex_created
-{
-  template <class Visitor>
-  using Name = decltype(&Visitor::vertex_created);
-  template <class Visitor>
-  using Answer = decltype(std::declval<Visitor&>().vertex_created(
-    std::declval<typename boost::graph_traits<Mesh>::vertex_descriptor>(),
-    std::declval<const Control_element&>()));
-};
-template <class Mesh>
-struct Edge_created
-{
-  template <class Visitor>
-  using Name = decltype(&Visitor::edge_created);
-  template <class Visitor>
-  using Answer = decltype(std::declval<Visitor&>().edge_created(
-    std::declval<typename boost::graph_traits<Mesh>::edge_descriptor>(),
-    std::declval<const Control_element&>()));
-};
-template <class Mesh>
-struct Face_created
-{
-  template <class Visitor>
-  using Name = decltype(&Visitor::face_created);
-  template <class Visitor>
-  using Answer = decltype(std::declval<Visitor&>().face_created(
-    std::declval<typename boost::graph_traits<Mesh>::face_descriptor>(),
-    std::declval<const Control_element&>()));
-};
+#define CGAL_PN_SUBDIVISION_3_MEMBER(MEMBER, NAME, EXPECTED, ...)                                  \
+  template <class Mesh>                                                                            \
+  struct MEMBER                                                                                    \
+  {                                                                                                \
+    template <class Visitor>                                                                       \
+    using Name = decltype(&Visitor::NAME);                                                         \
+    template <class Visitor>                                                                       \
+    using Answer = decltype(std::declval<Visitor&>().NAME(__VA_ARGS__));                           \
+    template <bool is_right>                                                                       \
+    static constexpr bool check()                                                                  \
+    {                                                                                              \
+      static_assert(is_right, "PN_subdivision_3: the visitor's " #NAME                             \
+                              "() cannot be called; expected is void " #NAME EXPECTED);            \
+      return is_right;                                                                             \
+    }                                                                                              \
+  };
+CGAL_PN_SUBDIVISION_3_MEMBER(Round_done, round_done,
+                             "(unsigned round, std::size_t number_of_faces)", 0u, std::size_t())
+CGAL_PN_SUBDIVISION_3_MEMBER(Vertex_created, vertex_created,
+                             "(vertex_descriptor, const Control_element& origin)",
+                             std::declval<typename boost::graph_traits<Mesh>::vertex_descriptor>(),
+                             std::declval<const Control_element&>())
+CGAL_PN_SUBDIVISION_3_MEMBER(Edge_created, edge_created,
+                             "(edge_descriptor, const Control_element& origin)",
+                             std::declval<typename boost::graph_traits<Mesh>::edge_descriptor>(),
+                             std::declval<const Control_element&>())
+CGAL_PN_SUBDIVISION_3_MEMBER(Face_created, face_created,
+                             "(face_descriptor, const Control_element& parent)",
+                             std::declval<typename boost::graph_traits<Mesh>::face_descriptor>(),
+                             std::declval<const Control_element&>())
+#undef CGAL_PN_SUBDIVISION_3_MEMBER
 
 template <class Visitor, class Member, class = void>
 struct Has_member_name : std::true_type
@@ -110,36 +104,21 @@ struct Visits<Visitor, Member, std::void_t<typename Member::template Answer<Visi
   static constexpr bool is_callable = true, is_right = true;
 };
 
-template <class Visitor, class Mesh>
-constexpr bool check_visitor()
+template <class Visitor, class... Members>
+constexpr bool check_members_of_visitor()
 {
-  using Rounds = Visits<Visitor, Round_done>;
-  using Vertices = Visits<Visitor, Vertex_created<Mesh>>;
-  using Edges = Visits<Visitor, Edge_created<Mesh>>;
-  using Faces = Visits<Visitor, Face_created<Mesh>>;
-  static_assert(Rounds::is_right, "PN_subdivision_3: the visitor's round_done() cannot be "
-                                  "called; expected is "
-                                  "void round_done(unsigned round, std::size_t number_of_faces)");
-  static_assert(Vertices::is_right,
-                "PN_subdivision_3: the visitor's vertex_created() cannot be called; "
-                "expected is "
-                "void vertex_created(vertex_descriptor, const Control_element& origin)");
-  static_assert(Edges::is_right,
-                "PN_subdivision_3: the visitor's edge_created() cannot be called; "
-                "expected is "
-                "void edge_created(edge_descriptor, const Control_element& origin)");
-  static_assert(Faces::is_right,
-                "PN_subdivision_3: the visitor's face_created() cannot be called; "
-                "expected is "
-                "void face_created(face_descriptor, const Control_element& parent)");
-  constexpr bool are_right =
-    Rounds::is_right && Vertices::is_right && Edges::is_right && Faces::is_right;
-  constexpr bool visits =
-    Rounds::is_callable || Vertices::is_callable || Edges::is_callable || Faces::is_callable;
+  constexpr bool are_right = (Members::template check<Visits<Visitor, Members>::is_right>() && ...);
+  constexpr bool visits = (Visits<Visitor, Members>::is_callable || ...);
   static_assert(visits || !are_right,
                 "PN_subdivision_3: the visitor has none of the members round_done(), "
                 "vertex_created(), edge_created(), face_created()");
   return are_right && visits;
+}
+template <class Visitor, class Mesh>
+constexpr bool check_visitor()
+{
+  return check_members_of_visitor<Visitor, Round_done<Mesh>, Vertex_created<Mesh>,
+                                  Edge_created<Mesh>, Face_created<Mesh>>();
 }
 
 // calls the visitor's member if it has one
@@ -148,7 +127,7 @@ struct Call_round_done
 {
   void operator()([[maybe_unused]] unsigned round, [[maybe_unused]] std::size_t faces) const
   {
-    if constexpr (Visits<Visitor, Round_done>::value) visitor.round_done(round, faces);
+    if constexpr (Visits<Visitor, Round_done<void>>::value) visitor.round_done(round, faces);
   }
   Visitor& visitor;
 };

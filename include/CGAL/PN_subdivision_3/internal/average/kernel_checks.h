@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_KERNEL_CHECKS_H
 
 #include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
 #include <CGAL/Real_embeddable_traits.h>
 #include <CGAL/representation_tags.h>
@@ -26,17 +27,15 @@ namespace PN_subdivision_3 {
 namespace internal {
 
 template <class FT, class = void>
-struct Has_number_traits : std::false_type
-{};
+constexpr bool has_number_traits_v = false;
 template <class FT>
-struct Has_number_traits<
+constexpr bool has_number_traits_v<
   FT, std::enable_if_t<
         std::is_same_v<typename Real_embeddable_traits<FT>::Is_real_embeddable, Tag_true> &&
         std::is_invocable_v<typename Real_embeddable_traits<FT>::To_double, const FT&> &&
         std::is_invocable_v<typename Real_embeddable_traits<FT>::To_interval, const FT&> &&
-        !std::is_same_v<typename Algebraic_structure_traits<FT>::Algebraic_category, Null_tag>>>
-  : std::true_type
-{};
+        !std::is_same_v<typename Algebraic_structure_traits<FT>::Algebraic_category, Null_tag>>> =
+  true;
 
 template <class FT>
 constexpr bool is_field_v =
@@ -44,49 +43,42 @@ constexpr bool is_field_v =
 
 // Intervals whose comparisons are bool, as those of Boost: they abort or lie where they cannot decide.
 template <class FT, class = void>
-struct Has_ends : std::false_type
-{};
+constexpr bool has_ends_v = false;
 template <class FT>
-struct Has_ends<
-  FT, std::void_t<decltype(lower(std::declval<const FT&>()), upper(std::declval<const FT&>()))>>
-  : std::bool_constant<
-      !std::is_same_v<std::decay_t<decltype(lower(std::declval<const FT&>()))>, FT>>
-{};
+constexpr bool has_ends_v<
+  FT, std::void_t<decltype(lower(std::declval<const FT&>()), upper(std::declval<const FT&>()))>> =
+  !std::is_same_v<std::decay_t<decltype(lower(std::declval<const FT&>()))>, FT>;
 
 template <class Kernel, class = void>
-struct Has_points : std::false_type
-{};
+constexpr bool has_points_v = false;
 template <class Kernel>
-struct Has_points<Kernel, std::void_t<typename Kernel::FT, typename Kernel::Point_3>>
-  : std::true_type
-{};
+constexpr bool has_points_v<Kernel, std::void_t<typename Kernel::FT, typename Kernel::Point_3>> =
+  true;
 
 template <class Kernel, class = void>
-struct Is_homogeneous : std::false_type
-{};
+constexpr bool is_homogeneous_v = false;
 template <class Kernel>
-struct Is_homogeneous<Kernel, std::void_t<typename Kernel::Kernel_tag>>
-  : std::is_same<typename Kernel::Kernel_tag, Homogeneous_tag>
-{};
+constexpr bool is_homogeneous_v<Kernel, std::void_t<typename Kernel::Kernel_tag>> =
+  std::is_same_v<typename Kernel::Kernel_tag, Homogeneous_tag>;
 
 enum class Kernel_fault { none, no_points, homogeneous, no_traits, no_field, interval_of_bool };
 
 template <class Kernel>
 constexpr Kernel_fault fault_of_kernel()
 {
-  if constexpr (!Has_points<Kernel>::value)
+  if constexpr (!has_points_v<Kernel>)
     return Kernel_fault::no_points;
-  else if constexpr (Is_homogeneous<Kernel>::value)
+  else if constexpr (is_homogeneous_v<Kernel>)
     return Kernel_fault::homogeneous;
   else {
     using FT = typename Kernel::FT;
-    if constexpr (!Has_number_traits<FT>::value)
+    if constexpr (!has_number_traits_v<FT>)
       return Kernel_fault::no_traits;
     else if constexpr (!is_field_v<FT>)
       return Kernel_fault::no_field;
     else
-      return Has_ends<FT>::value && !is_interval_v<FT> ? Kernel_fault::interval_of_bool
-                                                       : Kernel_fault::none;
+      return has_ends_v<FT> && !is_interval_v<FT> ? Kernel_fault::interval_of_bool
+                                                  : Kernel_fault::none;
   }
 }
 
@@ -115,18 +107,53 @@ constexpr bool check_kernel()
   return fault == Kernel_fault::none;
 }
 
-// a type of the user's own for points or vectors
+// A type of points or vectors may be the user's own; one of CGAL's has to be the right one.
 template <class T, class FT, class = void>
-struct Has_coordinates_3 : std::false_type
-{};
+constexpr bool has_coordinates_3_v = false;
 template <class T, class FT>
-struct Has_coordinates_3<
+constexpr bool has_coordinates_3_v<
   T, FT,
   std::void_t<decltype(T(std::declval<FT>(), std::declval<FT>(), std::declval<FT>())),
               decltype(FT(std::declval<const T&>().x())),
               decltype(FT(std::declval<const T&>().y())),
-              decltype(FT(std::declval<const T&>().z()))>> : std::true_type
-{};
+              decltype(FT(std::declval<const T&>().z()))>> = true;
+
+template <class T, class = void>
+struct Kernel_of_type
+{
+  static constexpr bool exists = false;
+};
+template <class T>
+struct Kernel_of_type<T, std::void_t<typename Kernel_traits<T>::Kernel::Point_3>>
+{
+  static constexpr bool exists = true;
+  using type = typename Kernel_traits<T>::Kernel;
+};
+
+template <class T, class FT>
+constexpr bool may_be_point_3()
+{
+  if constexpr (Kernel_of_type<T>::exists)
+    return std::is_same_v<T, typename Kernel_of_type<T>::type::Point_3>;
+  else
+    return has_coordinates_3_v<T, FT>;
+}
+
+// with the number type of the points or of the computation
+template <class T, class Point, class FT>
+constexpr bool may_be_vector_3()
+{
+  if constexpr (!Kernel_of_type<T>::exists)
+    return has_coordinates_3_v<T, FT>;
+  else if constexpr (!Kernel_of_type<Point>::exists)
+    return true;
+  else {
+    using Kernel = typename Kernel_of_type<T>::type;
+    return std::is_same_v<T, typename Kernel::Vector_3> &&
+           (std::is_same_v<typename Kernel::FT, typename Kernel_of_type<Point>::type::FT> ||
+            std::is_same_v<typename Kernel::FT, FT>);
+  }
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3

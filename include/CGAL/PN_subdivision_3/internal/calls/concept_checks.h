@@ -9,10 +9,11 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CALLS_CONCEPT_CHECKS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CALLS_CONCEPT_CHECKS_H
 
+#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
+#include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/property_map_checks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
@@ -30,6 +31,202 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// \name Property maps
+
+// what is known of a type that may be no property map
+template <class Map, class = void>
+struct Facts_of_map
+{
+  struct Value
+  {};
+  template <class>
+  static constexpr bool has_key = false;
+  template <class>
+  static constexpr bool has_category = false;
+};
+template <class Map>
+struct Facts_of_map<Map, std::void_t<typename boost::property_traits<Map>::value_type,
+                                     typename boost::property_traits<Map>::category>>
+{
+  using Traits = boost::property_traits<Map>;
+  using Value = std::decay_t<typename Traits::value_type>;
+  template <class Key>
+  static constexpr bool has_key = std::is_convertible_v<Key, typename Traits::key_type>;
+  template <class Tag>
+  static constexpr bool has_category = std::is_convertible_v<typename Traits::category, Tag>;
+};
+template <class Map, class Key>
+constexpr bool is_property_map_of_v = Facts_of_map<Map>::template has_key<Key>;
+
+// the keys of maps of a mesh
+template <class Mesh>
+using Traits_of = boost::graph_traits<std::remove_const_t<Mesh>>;
+template <class Mesh>
+using Vertex_of = typename Traits_of<Mesh>::vertex_descriptor;
+template <class Mesh>
+using Halfedge_of = typename Traits_of<Mesh>::halfedge_descriptor;
+template <class Mesh>
+using Edge_of = typename Traits_of<Mesh>::edge_descriptor;
+template <class Mesh>
+struct Vertex_or_halfedge_of
+{};
+template <class Map, class Mesh>
+constexpr bool is_property_map_of_v<Map, Vertex_or_halfedge_of<Mesh>> =
+  is_property_map_of_v<Map, Vertex_of<Mesh>> || is_property_map_of_v<Map, Halfedge_of<Mesh>>;
+template <class Key>
+using Key_itself = Key;
+
+// their values, of a call with some Surface_parameters
+
+template <class T, class>
+constexpr bool is_anything_v = true;
+
+template <class T, class Parameters>
+constexpr bool is_point_v = may_be_point_3<T, typename Parameters::FT>();
+template <class T, class Parameters>
+constexpr bool
+  is_vector_v = may_be_vector_3<T, typename Facts_of_map<typename Parameters::Point_map>::Value,
+                                typename Parameters::FT>();
+template <class T, class>
+constexpr bool is_built_in_v = std::is_arithmetic_v<T>;
+template <class T, class>
+constexpr bool is_sharpness_v =
+  std::is_arithmetic_v<T> ||
+  std::is_convertible_v<typename Algebraic_structure_traits<T>::Algebraic_category*,
+                        Integral_domain_without_division_tag*>;
+template <class T, class Parameters>
+constexpr bool is_roundness_v = is_sharpness_v<T, Parameters> && !std::is_same_v<T, bool>;
+
+template <class T, class, class = void>
+constexpr bool is_limit_point_v = false;
+template <class T, class Parameters>
+constexpr bool is_limit_point_v<
+  T, Parameters,
+  std::void_t<decltype(std::declval<T>().point), decltype(std::declval<T>().control_normal),
+              decltype(std::declval<T>().surface_normal)>> = true;
+
+// what a function does with a map
+using Readable = boost::readable_property_map_tag;
+using Writable = boost::writable_property_map_tag;
+
+// A map, by its parameter or as an argument of its own, if it is given.
+template <class Parameter>
+struct Check_map;
+struct Points_of_kernel;
+struct Normals_of_corners;
+struct Map_of_limits;
+struct Map_of_creases;
+
+template <class Map, class Access_tag, class Tag>
+constexpr bool lacks_v =
+  std::is_convertible_v<Access_tag, Tag> && !Facts_of_map<Map>::template has_category<Tag>;
+template <class Map>
+constexpr bool is_given_map_v = !std::is_same_v<Map, No_normal_map> && is_constraint_map_v<Map> &&
+                                !std::is_same_v<Map, No_roundness>;
+
+#define CGAL_PN_SUBDIVISION_3_MAP(PARAMETER, KEY, is_value_v, MAP, KEYS, VALUES)                   \
+  template <>                                                                                      \
+  struct Check_map<PARAMETER>                                                                      \
+  {                                                                                                \
+    template <class Map, class Mesh, class Parameters, class Access_tag>                           \
+    static constexpr bool check()                                                                  \
+    {                                                                                              \
+      constexpr bool is_given = is_given_map_v<Map>;                                               \
+      constexpr bool has_keys = !is_given || is_property_map_of_v<Map, KEY<Mesh>>;                 \
+      constexpr bool is_map = is_given && has_keys;                                                \
+      constexpr bool is_read = !is_map || !lacks_v<Map, Access_tag, Readable>;                     \
+      constexpr bool is_written = !is_map || !lacks_v<Map, Access_tag, Writable>;                  \
+      constexpr bool fits = !is_map || is_value_v<typename Facts_of_map<Map>::Value, Parameters>;  \
+      static_assert(has_keys,                                                                      \
+                    "PN_subdivision_3: " MAP " is not a property map of the mesh's " KEYS);        \
+      static_assert(is_read, "PN_subdivision_3: " MAP " cannot be read");                          \
+      static_assert(is_written, "PN_subdivision_3: " MAP " cannot be written");                    \
+      static_assert(fits, "PN_subdivision_3: the values of " MAP " are not " VALUES);              \
+      return has_keys && is_read && is_written && fits;                                            \
+    }                                                                                              \
+  };
+#define CGAL_PN_SUBDIVISION_3_NO_FUNCTION                                                          \
+  "vertices (a function object is not one: see boost::make_function_property_map())"
+#define CGAL_PN_SUBDIVISION_3_VECTORS "Vector_3 with the number type of the points"
+#define CGAL_PN_SUBDIVISION_3_OF_LIMITS "vertices (of a dual scheme: of its faces)"
+// clang-format off
+CGAL_PN_SUBDIVISION_3_MAP(Points_of_kernel, Vertex_of, is_anything_v, "vertex_point_map", CGAL_PN_SUBDIVISION_3_NO_FUNCTION, "points")
+CGAL_PN_SUBDIVISION_3_MAP(internal_np::vertex_point_t, Vertex_of, is_point_v, "vertex_point_map", "vertices", "Point_3")
+CGAL_PN_SUBDIVISION_3_MAP(internal_np::vertex_normal_map_t, Vertex_of, is_vector_v, "the normal map", CGAL_PN_SUBDIVISION_3_NO_FUNCTION, CGAL_PN_SUBDIVISION_3_VECTORS)
+CGAL_PN_SUBDIVISION_3_MAP(Normals_of_corners, Vertex_or_halfedge_of, is_vector_v, "the normal map", CGAL_PN_SUBDIVISION_3_NO_FUNCTION, CGAL_PN_SUBDIVISION_3_VECTORS)
+CGAL_PN_SUBDIVISION_3_MAP(internal_np::edge_is_constrained_t, Edge_of, is_sharpness_v, "edge_is_constrained_map", "edges", "bool or numbers")
+CGAL_PN_SUBDIVISION_3_MAP(internal_np::vertex_is_constrained_t, Vertex_of, is_sharpness_v, "vertex_is_constrained_map", "vertices", "bool or numbers")
+CGAL_PN_SUBDIVISION_3_MAP(vertex_roundness_map_t, Vertex_of, is_roundness_v, "vertex_roundness_map", "vertices", "numbers")
+CGAL_PN_SUBDIVISION_3_MAP(crease_tangent_map_t, Halfedge_of, is_vector_v, "crease_tangent_map", "half-edges", CGAL_PN_SUBDIVISION_3_VECTORS)
+CGAL_PN_SUBDIVISION_3_MAP(Map_of_limits, Key_itself, is_limit_point_v, "the map of limit points", CGAL_PN_SUBDIVISION_3_OF_LIMITS, "Limit_point<Kernel>")
+CGAL_PN_SUBDIVISION_3_MAP(limit_point_map_t, Key_itself, is_anything_v, "limit_point_map", CGAL_PN_SUBDIVISION_3_OF_LIMITS, "points")
+CGAL_PN_SUBDIVISION_3_MAP(limit_normal_map_t, Key_itself, is_anything_v, "limit_normal_map", CGAL_PN_SUBDIVISION_3_OF_LIMITS, "vectors")
+CGAL_PN_SUBDIVISION_3_MAP(limit_error_map_t, Key_itself, is_anything_v, "limit_error_map", CGAL_PN_SUBDIVISION_3_OF_LIMITS, "numbers")
+CGAL_PN_SUBDIVISION_3_MAP(Map_of_creases, Edge_of, is_built_in_v, "the map of creases", "edges", "bool or built-in numbers")
+// clang-format on
+#undef CGAL_PN_SUBDIVISION_3_MAP
+#undef CGAL_PN_SUBDIVISION_3_NO_FUNCTION
+#undef CGAL_PN_SUBDIVISION_3_VECTORS
+#undef CGAL_PN_SUBDIVISION_3_OF_LIMITS
+
+// to be asked first: CGAL deduces the kernel from the map
+template <class Mesh, class NamedParameters>
+constexpr bool check_is_point_map()
+{
+  using Map = typename GetVertexPointMap<Mesh, NamedParameters>::type;
+  if constexpr (Check_map<Points_of_kernel>::check<Map, Mesh, NamedParameters, void>())
+    return check_kernel<typename GetGeomTraits<std::remove_const_t<Mesh>, NamedParameters>::type>();
+  else
+    return false;
+}
+
+// points and normals, of vertices or, if the function takes them, of corners
+template <class Mesh, class Parameters, class Access_tag, bool takes_corners>
+constexpr bool check_points_and_normals()
+{
+  using Normals =
+    std::conditional_t<takes_corners, Normals_of_corners, internal_np::vertex_normal_map_t>;
+  return Check_map<internal_np::vertex_point_t>::check<typename Parameters::Point_map, Mesh,
+                                                       Parameters, Access_tag>() &&
+         Check_map<Normals>::template check<typename Parameters::Normal_map, Mesh, Parameters,
+                                            Access_tag>();
+}
+
+// the maps of a call that say what is sharp and how round it is
+template <class Mesh, class Parameters>
+constexpr bool check_sharpness_and_roundness()
+{
+  using Roundness = typename Parameters::Roundness;
+  using Roundness_map = typename Parameters::Roundness_map;
+  constexpr bool is_given = is_given_map_v<Roundness>;
+  constexpr bool is_one = !is_given || !is_given_map_v<Roundness_map>;
+  constexpr bool is_number = !is_given || is_roundness_v<Roundness, Parameters>;
+  static_assert(is_one, "PN_subdivision_3: roundness and vertex_roundness_map are both given");
+  static_assert(is_number, "PN_subdivision_3: the roundness is no number");
+  return is_one && is_number &&
+         Check_map<internal_np::edge_is_constrained_t>::check<
+           typename Parameters::Edge_constraint_map, Mesh, Parameters, Readable>() &&
+         Check_map<internal_np::vertex_is_constrained_t>::check<
+           typename Parameters::Vertex_constraint_map, Mesh, Parameters, Readable>() &&
+         Check_map<vertex_roundness_map_t>::check<Roundness_map, Mesh, Parameters, Readable>();
+}
+
+// the map of the tangents of creases
+template <class Mesh, class Scheme, class Parameters>
+constexpr bool check_crease_tangents()
+{
+  constexpr bool is_given = has_crease_tangents_v<Scheme>;
+  constexpr bool is_taken = !is_given || Has_crease_rules<Scheme>::value;
+  static_assert(
+    is_taken,
+    "PN_subdivision_3: crease_tangent_map is given for a scheme without rules for creases");
+  if constexpr (is_given && is_taken)
+    return Check_map<crease_tangent_map_t>::check<Crease_tangent_map<Scheme>, Mesh, Parameters,
+                                                  Readable>();
+  else
+    return is_taken;
+}
 
 // \name Named parameters
 
@@ -49,37 +246,55 @@ using Geom_traits_of_call = typename Surface_parameters<
   Mesh, std::conditional_t<are_named_parameters_v<NamedParameters>, NamedParameters,
                            parameters::Default_named_parameters>>::Geom_traits;
 
+template <class Mesh, class Item>
+constexpr bool is_attribute_of_v = false;
+template <class Mesh, template <class> class Item, class Map>
+inline constexpr bool is_attribute_of_v<Mesh, Item<Map>> =
+  is_property_map_of_v<Map, typename Item<Map>::Keys::template Descriptor<Mesh>>;
+
+template <class Mesh, class Attributes>
+constexpr bool are_attributes_of_v = true;
+template <class Mesh, class... Items>
+inline constexpr bool
+  are_attributes_of_v<Mesh, Attributes<Items...>> = (is_attribute_of_v<Mesh, Items> && ...);
+
+// the attributes of a call; a table that is to be refined is not const
+template <class Mesh, class NamedParameters, bool are_changed = true>
+constexpr bool check_attributes()
+{
+  if constexpr (!are_named_parameters_v<NamedParameters>)
+    return false;
+  else {
+    using Given = std::remove_reference_t<decltype(unwrapped(
+      std::declval<Parameter_type<attributes_t, NamedParameters, No_attributes>&>()))>;
+    constexpr bool is_changeable = !are_changed || !std::is_same_v<Given, const Attribute_table>;
+    constexpr bool are_attributes = Is_attributes<std::remove_const_t<Given>>::value;
+    constexpr bool have_keys = are_attributes_of_v<Mesh, std::remove_const_t<Given>>;
+    static_assert(is_changeable,
+                  "PN_subdivision_3: the table of attributes is const, but it is to be refined");
+    static_assert(are_attributes,
+                  "PN_subdivision_3: parameters::attributes() is given neither attributes nor an "
+                  "Attribute_table");
+    static_assert(have_keys,
+                  "PN_subdivision_3: the map of an attribute is not a property map of the "
+                  "mesh's vertices, half-edges, edges or faces, as its name says");
+    return is_changeable && are_attributes && have_keys;
+  }
+}
+
 // \name Meshes
 
-// asked first: of what is no graph, such as a soup, boost::graph_traits is an error
+// of what is no graph, such as a soup, boost::graph_traits is an error, and views have no such function
 template <class Mesh, class = void>
-struct Has_add_edge : std::false_type
-{};
+constexpr bool has_add_edge_v = false;
 template <class Mesh>
-struct Has_add_edge<Mesh, std::void_t<decltype(add_edge(std::declval<Mesh&>()))>> : std::true_type
-{};
-
-template <class Mesh, bool = Has_add_edge<Mesh>::value, class = void>
-struct Is_mutable_face_graph : std::false_type
-{};
-template <class Mesh>
-struct Is_mutable_face_graph<
-  Mesh, true,
-  std::void_t<
-    decltype(set_target(std::declval<typename boost::graph_traits<Mesh>::halfedge_descriptor>(),
-                        std::declval<typename boost::graph_traits<Mesh>::vertex_descriptor>(),
-                        std::declval<Mesh&>())),
-    decltype(set_next(std::declval<typename boost::graph_traits<Mesh>::halfedge_descriptor>(),
-                      std::declval<typename boost::graph_traits<Mesh>::halfedge_descriptor>(),
-                      std::declval<Mesh&>())),
-    typename boost::graph_traits<Mesh>::face_descriptor>> : std::true_type
-{};
+constexpr bool has_add_edge_v<Mesh, std::void_t<decltype(add_edge(std::declval<Mesh&>()))>> = true;
 
 template <class Mesh>
 constexpr bool check_mutable_mesh()
 {
   constexpr bool is_mutable = !std::is_const_v<Mesh>;
-  constexpr bool is_mutable_face_graph = Is_mutable_face_graph<std::remove_const_t<Mesh>>::value;
+  constexpr bool is_mutable_face_graph = has_add_edge_v<std::remove_const_t<Mesh>>;
   static_assert(is_mutable, "PN_subdivision_3: the mesh is const, but it is to be refined");
   static_assert(
     is_mutable_face_graph,
@@ -92,81 +307,17 @@ constexpr bool check_mutable_mesh()
 // \name Schemes
 
 template <class Scheme, class FT, class = void>
-struct Is_scheme : std::false_type
-{};
+constexpr bool is_scheme_v = false;
 template <class Scheme, class FT>
-struct Is_scheme<
+constexpr bool is_scheme_v<
   Scheme, FT,
   std::void_t<typename Scheme::Host, decltype(std::declval<const Scheme&>().template mask<FT>(
-                                       std::declval<const Level_connectivity&>(), 0u))>>
-  : std::true_type
-{};
-
-// the map of the tangents of creases
-template <class Mesh, class Scheme, class Point_map, class Geom_traits>
-constexpr bool check_crease_tangents()
-{
-  using Map = Crease_tangent_map<Scheme>;
-  constexpr bool is_given = has_crease_tangents_v<Scheme>;
-  constexpr bool has_rules = Has_crease_rules<Scheme>::value;
-  static_assert(
-    !is_given || has_rules,
-    "PN_subdivision_3: crease_tangent_map is given for a scheme without rules for creases");
-  if constexpr (!is_given || !has_rules)
-    return !is_given;
-  else if constexpr (!Is_property_map_of<
-                       Map, typename boost::graph_traits<Mesh>::halfedge_descriptor>::value) {
-    static_assert(!is_given, "PN_subdivision_3: crease_tangent_map is not a property map "
-                             "of the mesh's half-edges");
-    return false;
-  } else {
-    constexpr bool is_readable = has_category_v<Map, boost::readable_property_map_tag>;
-    static_assert(is_readable, "PN_subdivision_3: crease_tangent_map cannot be read");
-    constexpr bool has_vectors =
-      may_be_normal_of<typename boost::property_traits<Map>::value_type,
-                       typename boost::property_traits<Point_map>::value_type, Geom_traits>();
-    static_assert(has_vectors, "PN_subdivision_3: the values of crease_tangent_map are "
-                               "not Vector_3 with the number type of the points");
-    return is_readable && has_vectors;
-  }
-}
+                                       std::declval<const Level_connectivity&>(), 0u))>> = true;
 
 // \name Functions
 
-template <class NamedParameters>
-constexpr bool check_subdivision_parameters()
-{
-  using Iterations =
-    typename internal_np::Lookup_named_param_def<internal_np::number_of_iterations_t,
-                                                 NamedParameters, unsigned>::type;
-  constexpr bool is_integer = std::is_integral_v<std::decay_t<Iterations>>;
-  static_assert(is_integer, "PN_subdivision_3: number_of_iterations is not an integer");
-  return is_integer;
-}
-
-// the maps of a call that say what is sharp and how round it is
-template <class Mesh, class Parameters>
-constexpr bool check_sharpness_and_roundness()
-{
-  return check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor,
-                              typename Parameters::Edge_constraint_map>() &&
-         check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
-                              typename Parameters::Vertex_constraint_map>() &&
-         check_roundness<Mesh, Parameters>();
-}
-
-// points and normals, of vertices or, if the function takes them, of corners
-template <class Mesh, class Parameters, class Access_tag, bool takes_corners>
-constexpr bool check_points_and_normals()
-{
-  return check_point_map<typename Parameters::Point_map, Access_tag, typename Parameters::FT>() &&
-         check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
-                          typename Parameters::Geom_traits, Access_tag, takes_corners>();
-}
-
 // the scheme and the control mesh, which is only read or refined
-template <class Mesh, class Scheme, class NamedParameters,
-          class Access_tag = boost::readable_property_map_tag>
+template <class Mesh, class Scheme, class NamedParameters, class Access_tag = Readable>
 constexpr bool check_control_arguments()
 {
   if constexpr (!check_named_parameters<NamedParameters>())
@@ -175,7 +326,7 @@ constexpr bool check_control_arguments()
     return false;
   else {
     using Parameters = Surface_parameters<Mesh, NamedParameters>;
-    constexpr bool is_scheme = Is_scheme<Scheme, typename Parameters::FT>::value;
+    constexpr bool is_scheme = is_scheme_v<Scheme, typename Parameters::FT>;
     static_assert(is_scheme, "PN_subdivision_3: the scheme is no model of PNSubdivisionScheme_3");
     if constexpr (is_scheme)
       return check_points_and_normals<Mesh, Parameters, Access_tag, true>() &&
@@ -196,15 +347,12 @@ constexpr bool check_refiner_arguments()
     return check_control_arguments<Mesh, Scheme, NamedParameters>();
 }
 
-template <class Mesh, class Scheme, class NamedParameters,
-          class Access_tag = boost::readable_property_map_tag>
+template <class Mesh, class Scheme, class NamedParameters, class Access_tag = Readable>
 constexpr bool check_pieces_arguments()
 {
-  if constexpr (check_control_arguments<Mesh, Scheme, NamedParameters, Access_tag>()) {
-    using Parameters = Surface_parameters<Mesh, NamedParameters>;
-    return check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
-                                 typename Parameters::Geom_traits>();
-  } else
+  if constexpr (check_control_arguments<Mesh, Scheme, NamedParameters, Access_tag>())
+    return check_crease_tangents<Mesh, Scheme, Surface_parameters<Mesh, NamedParameters>>();
+  else
     return false;
 }
 
@@ -215,11 +363,14 @@ constexpr bool check_subdivision_arguments()
     return false;
   else if constexpr (!check_named_parameters<NamedParameters>())
     return false;
-  else if constexpr (check_subdivision_parameters<NamedParameters>())
-    return check_pieces_arguments<Mesh, Scheme, NamedParameters,
-                                  boost::writable_property_map_tag>();
-  else
+  else {
+    constexpr bool is_integer = std::is_integral_v<
+      Parameter_type<internal_np::number_of_iterations_t, NamedParameters, unsigned>>;
+    static_assert(is_integer, "PN_subdivision_3: number_of_iterations is not an integer");
+    if constexpr (is_integer)
+      return check_pieces_arguments<Mesh, Scheme, NamedParameters, Writable>();
     return false;
+  }
 }
 
 template <class Mesh, class NamedParameters, bool takes_corners = false>
@@ -227,41 +378,10 @@ constexpr bool check_build_arguments()
 {
   if constexpr (check_mutable_mesh<Mesh>()) {
     if constexpr (check_is_point_map<Mesh, NamedParameters>())
-      return check_points_and_normals<Mesh, Surface_parameters<Mesh, NamedParameters>,
-                                      boost::writable_property_map_tag, takes_corners>();
+      return check_points_and_normals<Mesh, Surface_parameters<Mesh, NamedParameters>, Writable,
+                                      takes_corners>();
   }
   return false;
-}
-
-template <class T, class = void>
-struct Is_limit_point : std::false_type
-{};
-template <class T>
-struct Is_limit_point<
-  T, std::void_t<decltype(std::declval<T>().point), decltype(std::declval<T>().control_normal),
-                 decltype(std::declval<T>().surface_normal)>> : std::true_type
-{};
-
-// the map of limit points of vertices, or of faces
-template <class Map, class Key>
-constexpr bool check_limit_map()
-{
-  if constexpr (!Is_property_map_of<Map, Key>::value) {
-    static_assert(
-      Is_property_map_of<Map, Key>::value,
-      "PN_subdivision_3: the map of limit points is not a property map of the mesh's vertices "
-      "(of a dual scheme: of its faces)");
-    return false;
-  } else {
-    constexpr bool is_writable = has_category_v<Map, boost::writable_property_map_tag>;
-    static_assert(is_writable, "PN_subdivision_3: the map of limit points cannot be written");
-    constexpr bool has_limits =
-      Is_limit_point<typename boost::property_traits<Map>::value_type>::value;
-    static_assert(
-      has_limits,
-      "PN_subdivision_3: the values of the map of limit points are not Limit_point<Kernel>");
-    return is_writable && has_limits;
-  }
 }
 
 // the maps of a function for limits that say what is sharp
@@ -271,102 +391,22 @@ constexpr bool check_creased_limit_arguments()
   if constexpr (check_is_point_map<Mesh, NamedParameters>()) {
     using Parameters = Surface_parameters<Mesh, NamedParameters>;
     return check_sharpness_and_roundness<Mesh, Parameters>() &&
-           check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
-                                 typename Parameters::Geom_traits>();
+           check_crease_tangents<Mesh, Scheme, Parameters>();
   } else
     return false;
 }
 
-template <class Mesh, class Item>
-constexpr bool is_attribute_of_v = false;
-template <class Mesh, template <class> class Item, class Map>
-inline constexpr bool is_attribute_of_v<Mesh, Item<Map>> =
-  Is_property_map_of<Map, typename Item<Map>::Keys::template Descriptor<Mesh>>::value;
-
-template <class Mesh, class Attributes>
-constexpr bool are_attributes_of_v = true;
-template <class Mesh, class... Items>
-inline constexpr bool
-  are_attributes_of_v<Mesh, Attributes<Items...>> = (is_attribute_of_v<Mesh, Items> && ...);
-
-template <class Mesh, class Given>
-constexpr bool check_given_attributes()
-{
-  constexpr bool are_attributes = Is_attributes<Given>::value;
-  static_assert(are_attributes,
-                "PN_subdivision_3: parameters::attributes() is given neither attributes nor an "
-                "Attribute_table");
-  constexpr bool have_keys = are_attributes_of_v<Mesh, Given>;
-  static_assert(have_keys, "PN_subdivision_3: the map of an attribute is not a property map of the "
-                           "mesh's vertices, half-edges, edges or faces, as its name says");
-  return are_attributes && have_keys;
-}
-
-template <class T>
-struct Unwrapped
-{
-  using type = T;
-};
-template <class T>
-struct Unwrapped<std::reference_wrapper<T>>
-{
-  using type = T;
-};
-
-// the attributes of a call; a table that is to be refined is not const
-template <class Mesh, class NamedParameters, bool are_changed = true>
-constexpr bool check_attributes()
-{
-  if constexpr (!are_named_parameters_v<NamedParameters>)
-    return false;
-  else {
-    using Attributes =
-      typename Unwrapped<Parameter_type<attributes_t, NamedParameters, No_attributes>>::type;
-    constexpr bool is_const_table =
-      are_changed && std::is_same_v<Attributes, const Attribute_table>;
-    static_assert(!is_const_table, "PN_subdivision_3: the table of attributes is const, but it is "
-                                   "to be refined");
-    return check_given_attributes<Mesh, std::remove_const_t<Attributes>>() && !is_const_table;
-  }
-}
-
-template <class Mesh, class Normal_map, class NamedParameters>
+// points that are read, and a map of normals of vertices or corners
+template <class Mesh, class Normal_map, class NamedParameters, class Access_tag = Writable>
 constexpr bool check_estimation_arguments()
 {
-  if constexpr (!check_is_point_map<Mesh, NamedParameters>())
-    return false;
-  else {
+  if constexpr (check_is_point_map<Mesh, NamedParameters>()) {
     using Parameters = Surface_parameters<Mesh, NamedParameters>;
-    if constexpr (check_point_map<typename Parameters::Point_map, boost::readable_property_map_tag,
-                                  typename Parameters::FT>())
-      return check_normal_map<Mesh, Normal_map, typename Parameters::Point_map,
-                              typename Parameters::Geom_traits, boost::writable_property_map_tag,
-                              true>();
-    else
-      return false;
-  }
-}
-
-template <class Mesh, class Map, class NamedParameters>
-constexpr bool check_detection_arguments()
-{
-  using Edge = typename boost::graph_traits<Mesh>::edge_descriptor;
-  if constexpr (!check_is_point_map<Mesh, NamedParameters>())
+    return Check_map<internal_np::vertex_point_t>::check<typename Parameters::Point_map, Mesh,
+                                                         Parameters, Readable>() &&
+           Check_map<Normals_of_corners>::check<Normal_map, Mesh, Parameters, Access_tag>();
+  } else
     return false;
-  else if constexpr (!Is_property_map_of<Map, Edge>::value) {
-    static_assert(Is_property_map_of<Map, Edge>::value,
-                  "PN_subdivision_3: the map of creases is not a property map of the mesh's edges");
-    return false;
-  } else {
-    constexpr bool is_writable = has_category_v<Map, boost::writable_property_map_tag>;
-    static_assert(is_writable, "PN_subdivision_3: the map of creases cannot be written");
-    constexpr bool is_number =
-      std::is_arithmetic_v<std::decay_t<typename boost::property_traits<Map>::value_type>>;
-    static_assert(is_number,
-                  "PN_subdivision_3: the values of the map of creases are neither bool nor "
-                  "built-in numbers");
-    return is_writable && is_number;
-  }
 }
 
 } // namespace internal

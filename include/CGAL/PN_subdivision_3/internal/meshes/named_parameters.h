@@ -125,10 +125,10 @@ struct Surface_parameters
                                        decltype(roundness_of<are_beside_roundness>(
                                          std::declval<const Given_normals&>()))>;
 
-  using Edge_constraint_map = std::decay_t<typename internal_np::Lookup_named_param_def<
-    internal_np::edge_is_constrained_t, NamedParameters, No_constraint_map>::type>;
-  using Vertex_constraint_map = std::decay_t<typename internal_np::Lookup_named_param_def<
-    internal_np::vertex_is_constrained_t, NamedParameters, No_constraint_map>::type>;
+  using Edge_constraint_map =
+    Parameter_type<internal_np::edge_is_constrained_t, NamedParameters, No_constraint_map>;
+  using Vertex_constraint_map =
+    Parameter_type<internal_np::vertex_is_constrained_t, NamedParameters, No_constraint_map>;
 
   static unsigned number_of_iterations(const NamedParameters& np)
   {
@@ -161,8 +161,7 @@ struct Surface_parameters
   }
   static Roundness roundness(const NamedParameters& np)
   {
-    return parameters::choose_parameter(parameters::get_parameter(np, roundness_t()),
-                                        No_roundness());
+    return parameter_or<roundness_t>(np, No_roundness());
   }
   static auto attributes(const NamedParameters& np)
   {
@@ -170,18 +169,15 @@ struct Surface_parameters
   }
   static Edge_constraint_map edge_constraint_map(const NamedParameters& np)
   {
-    return parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::edge_is_constrained), No_constraint_map());
+    return parameter_or<internal_np::edge_is_constrained_t>(np, No_constraint_map());
   }
   static Vertex_constraint_map vertex_constraint_map(const NamedParameters& np)
   {
-    return parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::vertex_is_constrained), No_constraint_map());
+    return parameter_or<internal_np::vertex_is_constrained_t>(np, No_constraint_map());
   }
   static auto visitor(const NamedParameters& np)
   {
-    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
-                                        Default_visitor());
+    return parameter_or<internal_np::visitor_t>(np, Default_visitor());
   }
 
 private:
