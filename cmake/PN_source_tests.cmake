@@ -80,10 +80,9 @@ if(Python3_FOUND)
   endif()
 
   # some numbers of the page that shows the paper's figures; scripts/check_pictures.sh compares all
-  find_program(PN_BASH bash)
-  if(TARGET pn_subdivide AND PN_BASH)
+  if(TARGET pn_subdivide)
     add_test(NAME numbers_of_paper_figures
-             COMMAND ${PN_BASH} ${pn_scripts}/make_paper_figures.sh
+             COMMAND Python3::Interpreter -B ${pn_scripts}/make_paper_figures.py
                      --build ${PN_subdivision_3_BINARY_DIR} --check 3 4 11 17)
   endif()
 else()

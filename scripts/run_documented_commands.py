@@ -35,7 +35,7 @@ ELSEWHERE = (
     (r"g\+\+ .*pkg-config ", "the test pkg_config_consumer"),
     (r"scripts/install_dependencies\.sh --manual", "who builds the manual"),
     (r"scripts/check_style\.sh", "who changes the sources"),
-    (r"scripts/make_paper_figures\.sh", "the test numbers_of_paper_figures"),
+    (r"scripts/make_paper_figures\.py", "the test numbers_of_paper_figures"),
     (r"scripts/compare_speed\.py", "who measures, see doc/PN_subdivision_3/Speed.md"),
 )
 

@@ -8,7 +8,6 @@
 """The numbers of the page that shows the figures: `<!--NAME-->value<!---->`."""
 
 import re
-from pathlib import Path
 
 PLACE = re.compile(r"<!--(\d+_\w+)-->([^<]*)<!---->")
 ROUNDING = 2e-15  # below: what is exact but for rounding, whose last digit may be another elsewhere
@@ -42,7 +41,3 @@ def differences(page: str, numbers: dict[str, float]) -> list[str]:
         if max(value, stated) > ROUNDING and abs(value - stated) > 0.06 * abs(value):
             wrong.append(f"{name} is {shown(value)}, not {text}")
     return wrong
-
-
-def read_numbers(path: Path) -> dict[str, float]:
-    return {name: float(value) for name, value in map(str.split, path.read_text().splitlines())}
