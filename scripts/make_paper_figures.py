@@ -18,11 +18,12 @@ import tempfile
 from pathlib import Path
 
 import pictures
-from paper_figures import page
 from paper_figures.numbers import OF_EXAMPLES, OF_REFINED
 from refinery import ROOT, Refinery, run
 
 PAGE = ROOT / "doc/PN_subdivision_3/Paper_figures.md"
+PLACE = re.compile(r"<!--(\d+_\w+)-->([^<]*)<!---->")
+ROUNDING = 2e-15  # below: what is exact but for rounding, whose last digit may be another elsewhere
 NUMBER = re.compile(r"(?<![\w-])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w-])")
 
 
@@ -40,6 +41,39 @@ def numbers_of(figure: int, refinery: Refinery, folder: Path) -> dict[str, float
         example = pictures.Control_meshes(refinery.command, refinery.folder).example(name)
         return dict(numbers(printed_by(example, folder / f"{name}.svg")))
     return {}
+
+
+# --- the numbers of the page: `<!--NAME-->value<!---->` ---
+
+
+def shown(value: float) -> str:
+    if value == 0 or value == int(value) and abs(value) < 1000:
+        return str(int(value))
+    text = f"{value:.2g}"
+    if "e" in text:
+        mantissa, exponent = text.split("e")
+        return f"{mantissa}e{int(exponent)}"
+    return text
+
+
+def with_numbers(page: str, numbers: dict[str, float]) -> str:
+    def put(place: re.Match[str]) -> str:
+        name = place[1]
+        return f"<!--{name}-->{shown(numbers[name])}<!---->" if name in numbers else place[0]
+
+    return PLACE.sub(put, page)
+
+
+def differences(page: str, numbers: dict[str, float]) -> list[str]:
+    """What the page says otherwise."""
+    wrong = []
+    for name, text in PLACE.findall(page):
+        if name not in numbers:
+            continue
+        value, stated = numbers[name], float(text)
+        if max(value, stated) > ROUNDING and abs(value - stated) > 0.06 * abs(value):
+            wrong.append(f"{name} is {shown(value)}, not {text}")
+    return wrong
 
 
 def main() -> int:
@@ -70,13 +104,13 @@ def main() -> int:
             names = {f"paper/figure_{n}" for n in figures}
             pictures.draw([name for name in pictures.all_pictures() if re.sub(r"(\d)_\d", r"\1", name) in names], command, folder)
     if options.check:
-        wrong = page.differences(PAGE.read_text(), found)
+        wrong = differences(PAGE.read_text(), found)
         print("\n".join(f"{PAGE}: {line}" for line in wrong), end="\n" if wrong else "", file=sys.stderr)
         return 1 if wrong else 0
     if options.output:
         print("\n".join(f"{name} {value!r}" for name, value in found.items()))
     else:
-        PAGE.write_text(page.with_numbers(PAGE.read_text(), found))
+        PAGE.write_text(with_numbers(PAGE.read_text(), found))
     return 0
 
 
