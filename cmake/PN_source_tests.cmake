@@ -24,7 +24,7 @@ if(Python3_FOUND)
                        PASS_REGULAR_EXPRESSION "make_release.sh: no-such-tag: there is no such tag or commit")
   # no TeX is needed
   add_test(NAME preprint_has_tables_of_manual
-           COMMAND Python3::Interpreter -B ${pn_scripts}/preprint_tables.py --check)
+           COMMAND Python3::Interpreter -B ${pn_scripts}/fill_tables.py --preprint --check)
   add_test(NAME package_does_not_grow
            COMMAND Python3::Interpreter -B ${pn_scripts}/check_budgets.py)
   add_test(NAME headers_lie_in_layers
@@ -80,10 +80,9 @@ if(Python3_FOUND)
   endif()
 
   # some numbers of the page that shows the paper's figures; scripts/check_pictures.sh compares all
-  find_program(PN_BASH bash)
-  if(TARGET pn_subdivide AND PN_BASH)
+  if(TARGET pn_subdivide)
     add_test(NAME numbers_of_paper_figures
-             COMMAND ${PN_BASH} ${pn_scripts}/make_paper_figures.sh
+             COMMAND Python3::Interpreter -B ${pn_scripts}/make_paper_figures.py
                      --build ${PN_subdivision_3_BINARY_DIR} --check 3 4 11 17)
   endif()
 else()

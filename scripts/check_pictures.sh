@@ -21,7 +21,7 @@ rm -rf "$drawn"
 scripts/pictures.py --command "$build/src/pn_subdivide/pn_subdivide" --output "$drawn"
 
 stale=0
-scripts/make_paper_figures.sh --build "$build" --output "$drawn" --check >/dev/null || stale=1
+scripts/make_paper_figures.py --build "$build" --check >/dev/null || stale=1
 for picture in "$drawn"/*.png "$drawn"/paper/*.png; do
   scripts/compare_figures.py "$picture" "doc/PN_subdivision_3/fig/${picture#"$drawn"/}" || stale=1
 done

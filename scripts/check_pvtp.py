@@ -14,13 +14,15 @@ surface: the same points and normals, bit for bit, under the same numbers, and t
 Exit code 1 if they differ. Needs VTK (Debian package python3-vtk9).
 """
 
-import subprocess
+import shlex
 import sys
 import tempfile
 from pathlib import Path
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPPolyDataReader
+
+from refinery import Refinery
 
 
 def read(reader, file: Path):
@@ -68,12 +70,9 @@ def differences(whole, pieces) -> list[str]:
 def main() -> int:
     command, control, *options = sys.argv[1:]
     with tempfile.TemporaryDirectory() as folder:
-        whole, pieces = Path(folder) / "whole.vtp", Path(folder) / "pieces.pvtp"
-        job = [command, "surface", control]
-        subprocess.run([*job, str(whole), "--quiet", *options], check=True)
-        subprocess.run([*job, str(pieces), "--quiet", "--pieces", "7", *options], check=True)
-        found = differences(read(vtkXMLPolyDataReader(), whole),
-                            read(vtkXMLPPolyDataReader(), pieces))
+        refinery, mesh, common = Refinery(Path(command), Path(folder)), Path(control).resolve(), shlex.join(options)
+        found = differences(read(vtkXMLPolyDataReader(), refinery.file(mesh, common, "vtp")),
+                            read(vtkXMLPPolyDataReader(), refinery.file(mesh, f"--pieces 7 {common}", "pvtp")))
     for text in found:
         print(text)
     return 1 if found else 0

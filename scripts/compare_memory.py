@@ -16,95 +16,76 @@ refined; the same of a torus, and with a hole, by sqrt(3). Fails where a quotien
 
 import argparse
 import math
-import os
 import sys
 import tempfile
+from pathlib import Path
+
+from control_meshes.mesh import Face, Mesh, grid_quads
+from control_meshes.output import as_text
+from refinery import measured
+
+CREASE = 64 // 2 * 61  # its first vertex
 
 
-def write_tube(name, rings, segments, joined=False):
-    with open(name, "w") as f:
-        for i in range(rings + 1):
-            for j in range(segments):
-                angle = 2 * math.pi * j / segments
-                f.write(f"v {math.cos(angle)!r} {math.sin(angle)!r} {4 * i / rings!r}\n")
-        vertex = lambda i, j: i * segments + j % segments + 1
-        middle = rings // 2
-        for i in range(rings):
-            for j in range(segments):
-                face = [vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1), vertex(i + 1, j)]
-                if joined and i == middle and j == 1:
-                    continue
-                if joined and i == middle and j == 0:
-                    face = [vertex(i, 0), vertex(i, 1), vertex(i, 2), vertex(i + 1, 2), vertex(i + 1, 1), vertex(i + 1, 0)]
-                f.write("f " + " ".join(map(str, face)) + "\n")
+def tube(rings: int, segments: int, is_joined: bool = False) -> Mesh:
+    angles = [2 * math.pi * j / segments for j in range(segments)]
+    points = [(math.cos(a), math.sin(a), 4 * i / rings) for i in range(rings + 1) for a in angles]
+    faces = list(grid_quads(segments, rings + 1, "columns"))
+    if is_joined:
+        k = rings // 2 * segments
+        (a, b, c, d), (_, e, f, _) = faces[k:k + 2]
+        faces[k:k + 2] = [(a, b, e, f, c, d)]
+    return Mesh(points, faces)
 
 
-def write_torus(name, rings, segments, hole=False):
+def torus(rings: int, segments: int, has_hole: bool = False) -> Mesh:
     """Of triangles."""
-    with open(name, "w") as f:
-        for i in range(rings):
-            for j in range(segments):
-                a, b = 2 * math.pi * i / rings, 2 * math.pi * j / segments
-                f.write(f"v {(3 + math.cos(b)) * math.cos(a)!r} {(3 + math.cos(b)) * math.sin(a)!r} {math.sin(b)!r}\n")
-        vertex = lambda i, j: i % rings * segments + j % segments + 1
-        for i in range(rings):
-            for j in range(segments):
-                if not (hole and i == j == 5):
-                    f.write(f"f {vertex(i, j)} {vertex(i + 1, j)} {vertex(i + 1, j + 1)}\n"
-                            f"f {vertex(i, j)} {vertex(i + 1, j + 1)} {vertex(i, j + 1)}\n")
+    points = []
+    for i in range(rings):
+        for j in range(segments):
+            a, b = 2 * math.pi * i / rings, 2 * math.pi * j / segments
+            points.append(((3 + math.cos(b)) * math.cos(a), (3 + math.cos(b)) * math.sin(a), math.sin(b)))
+    faces: list[Face] = []
+    for number, (a, b, c, d) in enumerate(grid_quads(segments, rings, "columns rows")):
+        if not (has_hole and number == 5 * segments + 5):
+            faces += [(a, d, c), (a, c, b)]
+    return Mesh(points, faces)
 
 
-def write_ring(name, rings, segments):
-    first = rings // 2 * segments
-    with open(name, "w") as f:
-        edges = (f"{first + j} {first + (j + 1) % segments}" for j in range(segments))
-        f.write("\n\n" + " ".join(edges) + "\n")
-
-
-def measured(command):
-    """Megabytes and seconds of the processor of a run."""
-    process = os.spawnv(os.P_NOWAIT, command[0], command)
-    _, status, usage = os.wait4(process, 0)
-    if status != 0:
-        sys.exit("failed: " + " ".join(command))
-    return usage.ru_maxrss / 1024, usage.ru_utime + usage.ru_stime
-
-
-def main():
+def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("command")
+    parser.add_argument("command", type=Path)
     parser.add_argument("--limit", type=float, default=math.inf)
     options = parser.parse_args()
-    worst = 0
-    with tempfile.TemporaryDirectory() as folder:
-        name = lambda file: os.path.join(folder, file)
-        write_tube(name("tube.obj"), 64, 61)
-        write_tube(name("large.obj"), 400, 500)
-        write_tube(name("joined.obj"), 400, 500, True)
-        write_ring(name("ring.selection.txt"), 64, 61)
-        write_torus(name("torus.obj"), 400, 500)
-        write_torus(name("hole.obj"), 400, 500, True)
-        limits = ["--levels", "0", "--limit", "--border", "curve"]
-        sqrt3_limits = ["--levels", "0", "--limit", "--scheme", "sqrt3"]
-        for title, input, arguments, is_first in (
-                ("smooth", "tube.obj", ["--levels", "4"], True),
-                ("border", "tube.obj", ["--levels", "4", "--border", "curve"], False),
-                ("crease", "tube.obj", ["--levels", "4", "--sharp", name("ring.selection.txt")], False),
-                ("smooth, obj", "tube.obj", ["--levels", "4"], True),
-                ("both, obj", "tube.obj", ["--levels", "4", "--border", "curve", "--sharp", name("ring.selection.txt")], False),
-                ("limits", "large.obj", limits, True),
-                ("limits, two quads joined", "joined.obj", limits, False),
-                ("limits, sqrt(3)", "torus.obj", sqrt3_limits, True),
-                ("limits, sqrt(3), a hole", "hole.obj", sqrt3_limits, False)):
-            output = name("out.obj" if "obj" in title else "out.ply")
-            megabytes, seconds = measured([options.command, name(input), output, "--quiet", *arguments])
+    worst = 0.0
+    with tempfile.TemporaryDirectory() as work:
+        folder = Path(work)
+        for name, mesh in (("tube", tube(64, 61)), ("large", tube(400, 500)), ("joined", tube(400, 500, True)),
+                           ("torus", torus(400, 500)), ("hole", torus(400, 500, True))):
+            (folder / f"{name}.obj").write_text(as_text(mesh, f"{name}.obj"))
+        crease = folder / "crease.selection.txt"
+        crease.write_text("\n\n" + " ".join(f"{CREASE + j} {CREASE + (j + 1) % 61}" for j in range(61)) + "\n")
+        limits = "--levels 0 --limit --border curve"
+        sqrt3_limits = "--levels 0 --limit --scheme sqrt3"
+        for title, mesh, arguments, is_first in (
+                ("smooth", "tube", "--levels 4", True),
+                ("border", "tube", "--levels 4 --border curve", False),
+                ("crease", "tube", f"--levels 4 --sharp {crease}", False),
+                ("smooth, obj", "tube", "--levels 4", True),
+                ("both, obj", "tube", f"--levels 4 --border curve --sharp {crease}", False),
+                ("limits", "large", limits, True),
+                ("limits, two quads joined", "joined", limits, False),
+                ("limits, sqrt(3)", "torus", sqrt3_limits, True),
+                ("limits, sqrt(3), a hole", "hole", sqrt3_limits, False)):
+            output = folder / ("out.obj" if "obj" in title else "out.ply")
+            usage = measured(options.command.resolve(), folder / f"{mesh}.obj", output, "--quiet", *arguments.split())
             if is_first:
-                first = megabytes, seconds
-            worst = max(worst, megabytes / first[0])
-            print(f"{title:26} {megabytes:6.0f} MB {megabytes / first[0]:5.2f}   "
-                  f"{seconds:6.2f} s {seconds / first[1]:5.2f}")
-    sys.exit(1 if worst > options.limit else 0)
+                first = usage
+            worst = max(worst, usage.megabytes / first.megabytes)
+            print(f"{title:26} {usage.megabytes:6.0f} MB {usage.megabytes / first.megabytes:5.2f}   "
+                  f"{usage.processor:6.2f} s {usage.processor / first.processor:5.2f}")
+    return 1 if worst > options.limit else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

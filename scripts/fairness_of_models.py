@@ -13,7 +13,6 @@ roundness 1).
   fairness_of_models.py PN_SUBDIVIDE MESH...      needs VTK for Python (Debian package python3-vtk9)
 """
 
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -21,6 +20,8 @@ from pathlib import Path
 import numpy
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
+
+from refinery import Refinery
 
 FACES = 60_000  # as many rounds as stay below, from 2 to 5
 
@@ -61,15 +62,13 @@ def main() -> None:
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     with tempfile.TemporaryDirectory() as work:
-        for name in sys.argv[2:]:
-            mesh, found = Path(name), {}
-            for way, options in (("linear", ["--linear"]), ("angle", ["--normals", "angle", "--roundness", "1"]),
-                                 ("reciprocal", ["--normals", "reciprocal", "--roundness", "1"])):
-                out = Path(work) / f"{way}.vtp"
-                subprocess.run([sys.argv[1], "surface", name, out, "--scheme", "catmull-clark", "--curvature", "mean",
-                                "--levels", str(rounds(mesh)), "--quiet", *options], check=True,
-                               stderr=subprocess.DEVNULL)
-                found[way] = integrals(out)
+        refinery = Refinery(Path(sys.argv[1]), Path(work))
+        for mesh in map(Path, sys.argv[2:]):
+            found = {}
+            common = f"--scheme catmull-clark --curvature mean --levels {rounds(mesh)}"
+            for way, options in (("linear", "--linear"), ("angle", "--normals angle --roundness 1"),
+                                 ("reciprocal", "--normals reciprocal --roundness 1")):
+                found[way] = integrals(refinery.file(mesh.resolve(), f"{common} {options}", "vtp"))
             row = [found[way][k] / found["angle"][k] for k in (0, 1) for way in ("reciprocal", "linear")]
             print(f"| {mesh.stem} | " + " | ".join(f"{x:.2f}" for x in row) + " |", flush=True)
 

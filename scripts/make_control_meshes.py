@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from random import Random
 
-from control_meshes import head, models, paper, parts, shapes, star, textured
+from control_meshes import models, paper, parts, shapes, star, textured
 from control_meshes.domain import Domain, Saddle, Sphere, Tube
 from control_meshes.mesh import Mesh, check
 from control_meshes.output import as_text, selection_text
@@ -122,7 +122,7 @@ ENTRIES = [
     Entry("wheel.off", "hub, five spokes and rim of quads, genus 6", make=lambda: shapes.wheel(5)),
     Entry("creature.obj", "a standing creature of quads, closed", make=models.creature),
     Entry("spoon.obj", "a spoon of quads, closed", make=models.spoon),
-    Entry("head.obj", "a head of quads, open at the neck", make=head.head),
+    Entry("head.obj", "a head of quads, open at the neck", make=models.head),
     Entry("vase.obj", "a vase with texture coordinates in two charts, open at its mouth",
           make=textured.vase),
     Entry("saddle_3.ply", "z = 2xy about its saddle point", make=lambda: star.saddle(3)),

@@ -16,22 +16,20 @@ weights. With --check nothing is written; the exit code is 1 if a drawing would 
 
 import argparse
 import math
-import subprocess
 import sys
 import tempfile
 from fractions import Fraction
 from pathlib import Path
 
-from curve_diagrams import draw_recognized_arcs
+from refinery import COMMAND, ROOT, run
 
-ROOT = Path(__file__).resolve().parent.parent
 FIG = ROOT / "doc" / "PN_subdivision_3" / "fig"
-COMMAND = ROOT / "build/release/src/pn_subdivide/pn_subdivide"
 Point = tuple[float, float]
 Mesh = tuple[list[Point], list[list[int]]]
 
 COARSE, FINE, OLD, NEW, TEXT = "#b8b8b8", "#1f4e79", "#333333", "#c0392b", "#222222"
 UNIT = 46  # pixels per unit of length
+UNIT_OF_ARCS = 34
 
 
 # --- meshes ---
@@ -76,8 +74,7 @@ def rows_of(mesh: Mesh, scheme: str, levels: int) -> list[tuple[Point, dict[int,
     with tempfile.TemporaryDirectory() as folder:
         control, refined = Path(folder) / "control.ply", Path(folder) / "refined.ply"
         control.write_text("\n".join(header + lines) + "\n")
-        subprocess.run([COMMAND, "surface", control, refined, "--scheme", scheme, "--levels", str(levels),
-                        "--linear", "--ascii", "--quiet"], check=True)
+        run(COMMAND, "surface", control, refined, "--scheme", scheme, "--levels", levels, "--linear", "--ascii", "--quiet")
         text = refined.read_text()
     head, body = text.split("end_header\n", 1)
     names = [line.split()[-1] for line in head.splitlines() if line.startswith("property") and
@@ -119,6 +116,10 @@ class Drawing:
         self.items.append(f'<circle cx="{p[0]:.1f}" cy="{p[1]:.1f}" r="{radius}" fill="{fill}" '
                           f'stroke="{stroke}" stroke-width="1.2"/>')
 
+    def polygon(self, points: list[Point], color: str, width: float) -> None:
+        numbers = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
+        self.items.append(f'<polygon points="{numbers}" fill="none" stroke="{color}" stroke-width="{width}"/>')
+
     def text(self, p: Point, text: str, size: float = 12, color: str = TEXT, bold: bool = False) -> None:
         weight = ' font-weight="bold"' if bold else ""
         self.items.append(f'<text x="{p[0]:.1f}" y="{p[1]:.1f}" font-size="{size}" fill="{color}" '
@@ -133,14 +134,14 @@ class Drawing:
 class Frame:
     """Maps a part of the plane of a mesh to the picture; y goes up in the mesh."""
 
-    def __init__(self, points: list[Point], left: float, top: float) -> None:
-        self.x = left - UNIT * min(x for x, _ in points)
-        self.y = top + UNIT * max(y for _, y in points)
-        self.width = UNIT * (max(x for x, _ in points) - min(x for x, _ in points))
-        self.height = UNIT * (max(y for _, y in points) - min(y for _, y in points))
+    def __init__(self, points: list[Point], left: float, top: float, unit: float = UNIT) -> None:
+        xs, ys = zip(*points)
+        self.unit = unit
+        self.x, self.y = left - unit * min(xs), top + unit * max(ys)
+        self.width, self.height = unit * (max(xs) - min(xs)), unit * (max(ys) - min(ys))
 
     def __call__(self, p: Point) -> Point:
-        return self.x + UNIT * p[0], self.y - UNIT * p[1]
+        return self.x + self.unit * p[0], self.y - self.unit * p[1]
 
 
 def edges_of(faces: list[list[int]]) -> list[tuple[int, int]]:
@@ -325,9 +326,38 @@ def refinements() -> Drawing:
     return drawing
 
 
+# --- curves ---
+
+def rounded_plate() -> list[Point]:
+    """A plate with two round corners in three steps, two sharp ones, and a round notch in six."""
+    def arc(x: float, y: float, radius: float, start: int, end: int, steps: int) -> list[Point]:
+        turns = [math.radians(start + (end - start) * i / steps) for i in range(steps + 1)]
+        return [(round(x + radius * math.cos(t), 7), round(y + radius * math.sin(t), 7)) for t in turns]
+
+    return arc(1, 1, 1, 180, 270, 3) + arc(5, 1, 1, 270, 360, 3) + [(6.0, 3.0)] + arc(3, 3, 1, 0, -180, 6) + [(0.0, 3.0)]
+
+
+def refined_curve(points: list[Point], options: list[str]) -> list[Point]:
+    with tempfile.TemporaryDirectory() as folder:
+        control, result = Path(folder) / "control.txt", Path(folder) / "refined.txt"
+        control.write_text("".join(f"{x!r} {y!r}\n" for x, y in points))
+        run(COMMAND, "curve", control, result, "--closed", "--levels", 4, "--quiet", *options)
+        rows = [line.split() for line in result.read_text().splitlines()]
+    return [(float(row[0]), float(row[1])) for row in rows if row and row[0] != "#"]
+
+
 def recognized_arcs() -> Drawing:
-    drawing = Drawing()
-    draw_recognized_arcs(drawing, COMMAND)
+    """A drawing of lines and arcs, refined in three ways."""
+    drawing, points, left = Drawing(), rounded_plate(), 24.0
+    for title, options in (("linear", ["--linear"]), ("point-normal", []), ("with --sharp arcs", ["--sharp", "arcs"])):
+        frame = Frame(points, left, 30, UNIT_OF_ARCS)
+        drawing.polygon([frame(p) for p in points], COARSE, 1.5)
+        drawing.polygon([frame(p) for p in refined_curve(points, options)], FINE, 2)
+        for p in points:
+            drawing.dot(frame(p), 2.4, "white", OLD)
+        drawing.text((left + frame.width / 2, 64 + frame.height), title, 13)
+        left += frame.width + 36
+    drawing.width, drawing.height = left - 12, 82 + frame.height
     return drawing
 
 
@@ -337,7 +367,7 @@ def main() -> int:
     parser.add_argument("--command", type=Path, default=COMMAND, help="pn_subdivide")
     parser.add_argument("--check", action="store_true", help="write nothing, compare")
     arguments = parser.parse_args()
-    COMMAND = arguments.command
+    COMMAND = arguments.command.resolve()
     wrong = []
     for name, make in (("refinements", refinements), ("stencils_quads", quad_stencils),
                        ("stencils_triangles", triangle_stencils), ("recognized_arcs", recognized_arcs)):

@@ -23,6 +23,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from control_meshes.vector import dot, scaled, sub
+
 OWN = {"--normals": "estimate", "--sharp": "none", "--levels": "2"}
 
 
@@ -52,30 +54,22 @@ def off(path):
     return points, [(f[0], f[i], f[i + 1]) for f in faces for i in range(1, len(f) - 1)]
 
 
-def minus(a, b):
-    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
-
-
-def dot(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
 def to_segment(p, a, b) -> float:
-    u, v = minus(b, a), minus(p, a)
+    u, v = sub(b, a), sub(p, a)
     t = min(max(dot(u, v) / dot(u, u), 0), 1) if dot(u, u) > 0 else 0
-    d = [v[i] - t * u[i] for i in range(3)]
+    d = sub(v, scaled(u, t))
     return dot(d, d)
 
 
 def to_triangle(p, a, b, c) -> float:
     """the squared distance"""
-    u, v, w = minus(b, a), minus(c, a), minus(p, a)
+    u, v, w = sub(b, a), sub(c, a), sub(p, a)
     uu, uv, vv, uw, vw = dot(u, u), dot(u, v), dot(v, v), dot(u, w), dot(v, w)
     area = uu * vv - uv * uv
     if area > 0:
         s, t = (vv * uw - uv * vw) / area, (uu * vw - uv * uw) / area
         if s >= 0 and t >= 0 and s + t <= 1:
-            d = [w[i] - s * u[i] - t * v[i] for i in range(3)]
+            d = sub(sub(w, scaled(u, s)), scaled(v, t))
             return dot(d, d)
     return min(to_segment(p, a, b), to_segment(p, b, c), to_segment(p, c, a))
 

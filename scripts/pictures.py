@@ -31,11 +31,10 @@ from typing import Any
 
 from control_meshes import pictured
 from control_meshes.output import as_text
+from paper_figures.rings import write_rings
+from refinery import COMMAND, DATA, ROOT, Refinery, run
 
-ROOT = Path(__file__).resolve().parent.parent
-COMMAND = ROOT / "build/release/src/pn_subdivide/pn_subdivide"
 FIGURES = ROOT / "doc/PN_subdivision_3/fig"
-DATA = ROOT / "data/meshes"
 CGAL_DATA = Path("/usr/share/doc/libcgal-demo/data.tar.gz")
 FURNITURE = Path(os.environ.get("FURNITURE", "/usr/share/sweethome3d/furniture"))
 Table = dict[str, Any]
@@ -71,13 +70,6 @@ def tiles_of(picture: Table) -> list[Table]:
     return [put(tile, row) for row in picture.get("rows", [{}]) for tile in tiles]
 
 
-def run(*words: Any, folder: Path = ROOT) -> None:
-    """Its messages are shown if it fails."""
-    done = subprocess.run(list(map(str, words)), cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{shlex.join(done.args)}\n{done.stdout}")
-
-
 # --- control meshes ---
 
 
@@ -85,11 +77,11 @@ class Control_meshes:
     """Those of data/meshes where they are, others made in a folder when they are first asked for."""
 
     def __init__(self, command: Path, work: Path) -> None:
-        self.command, self.work = command.resolve(), work
+        self.command, self.work = command, work
 
     def find(self, name: str) -> Path:
         if (DATA / name).is_file():
-            return (DATA / name).relative_to(ROOT)
+            return DATA / name
         path = self.work / name
         if not path.exists():
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -103,7 +95,7 @@ class Control_meshes:
         """All that the commands of README.md write."""
         (path.parent / "data").symlink_to(ROOT / "data")
         for line in re.findall("(?m)^pn_subdivide (.*)", (ROOT / "README.md").read_text()):
-            run(self.command, *shlex.split(line), "--quiet", folder=path.parent)
+            run(self.command.resolve(), *shlex.split(line), "--quiet", folder=path.parent)
 
     def cgal(self, path: Path) -> None:
         if not CGAL_DATA.exists():
@@ -128,9 +120,12 @@ class Control_meshes:
         for when in ("before", "after"):  # both patches in one mesh
             run("/usr/bin/python3", "-c", JOIN, *(folder / f"{part}_{when}.ply" for part in ("left", "right", "joined")))
 
+    def rings(self, path: Path) -> None:
+        write_rings(Refinery(self.command, path.parent), path.parent)
+
     def example(self, name: str) -> Path:
         """Built where the command is."""
-        found = sorted(self.command.parents[2].glob(f"examples/*/{name}"))
+        found = sorted(self.command.resolve().parents[2].glob(f"examples/*/{name}"))
         if not found:
             raise Missing(f"the example {name} is missing: scripts/build.sh {name} builds it")
         return found[0]
@@ -139,7 +134,7 @@ class Control_meshes:
 SOURCES: dict[str, Callable[[Control_meshes, Path], None]] = {
     "made": Control_meshes.made, "readme": Control_meshes.readme, "cgal": Control_meshes.cgal,
     "sweethome3d": Control_meshes.sweethome3d, "interpolate_samples": Control_meshes.interpolate_samples,
-    "prescribe_normals": Control_meshes.prescribe_normals}
+    "prescribe_normals": Control_meshes.prescribe_normals, "rings": Control_meshes.rings}
 
 JOIN = """
 import sys, vtk
@@ -164,26 +159,18 @@ class Drawing:
     """A picture; the meshes that are refined for it are in a folder of its own."""
 
     def __init__(self, control_meshes: Control_meshes, work: Path) -> None:
-        self.control_meshes, self.work = control_meshes, work
-        self.refined: dict[tuple[str, str, str], Path] = {}
+        self.control_meshes = control_meshes
+        self.refinery = Refinery(control_meshes.command, work)
 
     def mesh(self, tile: Table) -> Path:
-        result = self.refine(tile) if "refine" in tile else self.control_meshes.find(tile["mesh"])
+        result = self.control_meshes.find(tile["mesh"])
+        if "refine" in tile:
+            result = self.refinery.file(result, tile["refine"], tile.get("as", "vtp" if "--curvature" in tile["refine"] else "ply"))
         if not tile.get("every_second"):
             return result
         half = result.with_stem(result.stem + "_half")
         half.write_text(re.sub(r".*piece_\d*[13579]\.vtp.*\n", "", result.read_text()))
         return half
-
-    def refine(self, tile: Table) -> Path:
-        options, ending = tile["refine"], tile.get("as", "vtp" if "--curvature" in tile["refine"] else "ply")
-        key = tile["mesh"], options, ending
-        if key not in self.refined:
-            result = self.work / (ending if "." in ending else f"{len(self.refined)}.{ending}")
-            run(self.control_meshes.command, "surface", self.control_meshes.find(tile["mesh"]), result,
-                *shlex.split(options), "--quiet")
-            self.refined[key] = result
-        return self.refined[key]
 
     def control(self, tile: Table) -> Path | str:
         match tile.get("control"):
@@ -216,8 +203,6 @@ def draw(names: list[str], command: Path, folder: Path) -> None:
     unknown = [n for n in names if not fnmatch.filter(chosen, n)]
     if unknown:
         sys.exit(f"pictures.py: no picture is named {', '.join(unknown)}")
-    if not os.access(command, os.X_OK):
-        sys.exit(f"{command} is missing: scripts/build.sh pn_subdivide builds it")
     with tempfile.TemporaryDirectory() as work:
         control_meshes = Control_meshes(command, Path(work))
         for name, picture in chosen.items():

@@ -28,9 +28,9 @@ class Domain(ABC):
     def step(self, at: Vec, angle: float, distance: float) -> Vec:
         """Where one gets from `at` in the given direction."""
 
-    @abstractmethod
     def difference(self, a: Vec, b: Vec) -> Vec:
         """b - a, the short way."""
+        return sub(b, a)
 
     @abstractmethod
     def up(self, at: Vec) -> Vec:
@@ -87,9 +87,6 @@ class Sphere(Domain):
         return with_length(add(at, add(scaled(u, distance * cos(angle)),
                                        scaled(v, distance * sin(angle)))))
 
-    def difference(self, a: Vec, b: Vec) -> Vec:
-        return sub(b, a)
-
     def up(self, at: Vec) -> Vec:
         return at
 
@@ -108,9 +105,6 @@ class Flat(Domain):
 
     def step(self, at: Vec, angle: float, distance: float) -> Vec:
         return add(at, (distance * cos(angle), distance * sin(angle), 0.0))
-
-    def difference(self, a: Vec, b: Vec) -> Vec:
-        return sub(b, a)
 
     def up(self, at: Vec) -> Vec:
         return (0.0, 0.0, 1.0)

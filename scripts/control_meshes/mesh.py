@@ -73,10 +73,6 @@ class Mesh:
                 following_v = following.pop(following_v)
         return loops
 
-    def isolated_vertices(self) -> list[int]:
-        used = {v for f in self.faces for v in f}
-        return [v for v in range(len(self.points)) if v not in used]
-
     def face_normal(self, f: Face) -> Vec:
         """The area vector: half its length is the area of a planar face."""
         n = (0.0, 0.0, 0.0)

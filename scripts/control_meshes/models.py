@@ -5,7 +5,9 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""Two coarse models of pure quads, as a modeller would box them: a creature and a spoon."""
+"""Three coarse models of pure quads, as a modeller would box them: a creature, a spoon and a head."""
+
+from math import sqrt
 
 from .mesh import Mesh
 from .modelling import BACK, DOWN, FRONT, LEFT, RIGHT, UP, Block, Cell, Model, X, Y, Z
@@ -28,7 +30,7 @@ def creature() -> Mesh:
         _leg(model, sign, model.side(DOWN, lambda c, column=column: c[0] == column))
         _arm(model, side, sign, model.side(side, lambda c: c[2] == 2))
     _tail(model, model.side(BACK, lambda c: c[0] == 1 and c[2] == 0))
-    _head(model)
+    _creature_head(model)
     return model.mesh
 
 
@@ -60,7 +62,7 @@ def _tail(model: Model, tip: list[int]) -> None:
         model.turn(tip, Y, Z, 0.35)
 
 
-def _head(model: Block) -> None:
+def _creature_head(model: Block) -> None:
     top = model.side(UP)
     model.extrude(top, (0.0, 0.0, 0.2), (0.72, 0.8, 1.0))
     model.extrude(top, (0.0, -0.03, 0.18), (1.75, 1.9, 1.0))
@@ -99,3 +101,89 @@ def spoon() -> Mesh:
     for along, up, grow in steps:
         model.extrude(end, (along, 0.0, up), (1.0, grow, lerp(1.0, grow, 0.3)))
     return model.mesh
+
+
+# Where the block is cut: columns across the face, layers from face to nape, rows up to the crown.
+HEAD_COLUMNS = (-1.0, -0.78, -0.26, 0.0, 0.26, 0.78, 1.0)
+HEAD_LAYERS = (-1.0, -0.5, 0.0, 0.5, 1.0)
+HEAD_ROWS = (-1.0, -0.78, -0.52, -0.3, 0.02, 0.28, 0.62, 1.0)
+
+
+def head() -> Mesh:
+    """Of pure quads, open at the neck. Looks along -y; symmetric about x = 0."""
+    model = Block(6, 4, 7, _head_place)
+    _throat(model)
+    _nose(model)
+    _mouth(model)
+    for side, sign, column in ((LEFT, -1, 1), (RIGHT, 1, 4)):
+        _eye(model, sign, column)
+        _ear(model, sign, side)
+    return _open_at_the_neck(model)
+
+
+def _head_place(node: Cell) -> Vec:
+    """The block as an ellipsoid with a narrow jaw and a flat face."""
+    x, y, z = HEAD_COLUMNS[node[0]], HEAD_LAYERS[node[1]], HEAD_ROWS[node[2]]
+    xx, yy, zz = x * x, y * y, z * z
+    across = x * sqrt(1 - yy / 2 - zz / 2 + yy * zz / 3)
+    back = y * sqrt(1 - zz / 2 - xx / 2 + zz * xx / 3)
+    up = z * sqrt(1 - xx / 2 - yy / 2 + xx * yy / 3)
+    low = max(0.0, -up)
+    jaw = 1 - 0.3 * low * low
+    return (0.76 * across * jaw, back * (0.86 if back < 0 else 1 - 0.35 * low) - 0.08 * low,
+            1.12 * up)
+
+
+def _front(model: Block, columns: tuple[int, ...], rows: tuple[int, ...]) -> list[int]:
+    return model.side(FRONT, lambda c: c[0] in columns and c[2] in rows)
+
+
+def _throat(model: Block) -> None:
+    neck = model.side(DOWN, lambda c: c[0] in (1, 2, 3, 4) and c[1] in (1, 2, 3))
+    model.move(neck, (0.0, 0.12, 0.08), (1.15, 0.95, 1.0))
+    model.extrude(neck, (0.0, 0.06, -0.25), (0.95, 0.95, 0.3))
+    model.extrude(neck, (0.0, 0.05, -0.3), (1.1, 1.1, 0.0))
+
+
+def _nose(model: Block) -> None:
+    tip = _front(model, (2, 3), (3,))
+    bridge = _front(model, (2, 3), (3, 4))
+    model.extrude(bridge, (0.0, -0.06, 0.0), (0.7, 1.0, 0.9))
+    model.move(tip, (0.0, -0.1, -0.03), (1.2, 1.0, 1.0))
+
+
+def _mouth(model: Block) -> None:
+    chin = _front(model, (2, 3), (0,))
+    model.move(chin, (0.0, -0.07, 0.0), (1.1, 1.0, 1.0))
+    lips = _front(model, (2, 3), (1,))
+    model.move(lips, (0.0, -0.02, 0.0), (1.5, 1.0, 0.9))
+    model.extrude(lips, (0.0, -0.05, 0.0), (0.9, 1.0, 0.7))
+    model.extrude(lips, (0.0, 0.07, 0.0), (0.9, 1.0, 0.2))
+
+
+def _eye(model: Block, sign: int, column: int) -> None:
+    brow = _front(model, (column,), (5,))
+    model.move(brow, (0.0, -0.03, 0.0))
+    socket = _front(model, (column,), (4,))
+    model.extrude(socket, (0.0, 0.02, 0.0), (0.8, 1.0, 0.8))
+    model.extrude(socket, (0.0, 0.1, 0.0), (0.85, 1.0, 0.8))
+    model.extrude(socket, (0.0, -0.05, 0.0), (0.6, 1.0, 0.6))
+
+
+def _ear(model: Block, sign: int, side: Cell) -> None:
+    ear = model.side(side, lambda c: c[1] == 2 and c[2] in (3, 4))
+    model.move(ear, (0.0, 0.0, 0.0), (1.0, 0.7, 1.0))
+    model.extrude(ear, (sign * 0.06, 0.05, 0.0), (1.0, 0.9, 0.9))
+    model.extrude(ear, (sign * 0.12, 0.1, 0.06), (0.5, 1.7, 1.3))
+    model.extrude(ear, (0.0, 0.0, 0.0), (1.0, 0.6, 0.7))
+    model.extrude(ear, (-sign * 0.05, 0.0, 0.0), (1.0, 0.7, 0.8))
+
+
+def _open_at_the_neck(model: Block) -> Mesh:
+    neck = set(model.side(DOWN, lambda c: c[0] in (1, 2, 3, 4) and c[1] in (1, 2, 3)))
+    faces = [f for i, f in enumerate(model.mesh.faces) if i not in neck]
+    used = sorted({v for f in faces for v in f})
+    number = {v: i for i, v in enumerate(used)}
+    points = [model.mesh.points[v] for v in used]
+    return Mesh([(round(x, 4), round(y, 4), round(z, 4)) for x, y, z in points],
+                [tuple(number[v] for v in f) for f in faces])

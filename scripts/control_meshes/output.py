@@ -9,13 +9,12 @@
 corner and a group per surface for parts, with texture coordinates and a group per chart for textured
 meshes."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import PurePath
 
 from .mesh import Mesh
 from .part import Part
-from .textured import TexturedMesh, TexturePoint
-from .vector import Vec
+from .textured import TexturedMesh
 
 
 def as_text(mesh: Mesh, name: str) -> str:
@@ -53,39 +52,25 @@ def selection_text(part: Part) -> str:
 
 def _obj(mesh: Mesh) -> list[str]:
     if isinstance(mesh, Part):
-        return _obj_part(mesh)
+        shapes = dict.fromkeys(f"# group {s.name} is {s.shape()}" for s in mesh.surfaces)
+        return [*shapes, *_obj_in_groups(mesh, [s.name for s in mesh.surfaces], mesh.corner_normals(), "vn", "//")]
     if isinstance(mesh, TexturedMesh):
-        return _obj_textured(mesh)
+        return _obj_in_groups(mesh, mesh.charts, mesh.texture, "vt", "/")
     return ([f"v {_numbers(p)}" for p in mesh.points]
             + ["f " + " ".join(str(v + 1) for v in f) for f in mesh.faces])
 
 
-def _obj_part(part: Part) -> list[str]:
-    number: dict[Vec, int] = {}
+def _obj_in_groups(mesh: Mesh, groups: Sequence[str], corners: Sequence[Sequence[tuple[float, ...]]], kind: str,
+                   separator: str) -> list[str]:
+    """A group of each face, and a normal or texture point of each corner."""
+    number: dict[tuple[float, ...], int] = {}
     faces: list[str] = []
-    group = None
-    for f, surface, normals in zip(part.faces, part.surfaces, part.corner_normals()):
-        if surface != group:
-            faces.append(f"g {surface.name}")
-            group = surface
-        for n in normals:
-            number.setdefault(n, len(number) + 1)
-        faces.append("f " + " ".join(f"{v + 1}//{number[n]}" for v, n in zip(f, normals)))
-    shapes = dict.fromkeys(f"# group {s.name} is {s.shape()}" for s in part.surfaces)
-    return ([*shapes] + [f"v {_numbers(p)}" for p in part.points]
-            + [f"vn {_numbers(n)}" for n in number] + faces)
-
-
-def _obj_textured(mesh: TexturedMesh) -> list[str]:
-    number: dict[TexturePoint, int] = {}
-    faces: list[str] = []
-    group = None
-    for f, chart, texture in zip(mesh.faces, mesh.charts, mesh.texture):
-        if chart != group:
-            faces.append(f"g {chart}")
-            group = chart
-        for t in texture:
-            number.setdefault(t, len(number) + 1)
-        faces.append("f " + " ".join(f"{v + 1}/{number[t]}" for v, t in zip(f, texture)))
+    last = None
+    for f, group, at_corners in zip(mesh.faces, groups, corners):
+        if group != last:
+            faces.append(f"g {group}")
+            last = group
+        numbers = [number.setdefault(c, len(number) + 1) for c in at_corners]
+        faces.append("f " + " ".join(f"{v + 1}{separator}{n}" for v, n in zip(f, numbers)))
     return ([f"v {_numbers(p)}" for p in mesh.points]
-            + [f"vt {_numbers(t)}" for t in number] + faces)
+            + [f"{kind} {_numbers(c)}" for c in number] + faces)

@@ -15,7 +15,7 @@ from math import sqrt
 from .domain import TWO_PI
 from .mesh import Face, Mesh, grid_quads
 from .modelling import Cell, boundary_of_cells
-from .shapes import NO_NORMAL
+from .shapes import NO_NORMAL, wheel_of_shells
 from .vector import Vec, add, cos, cross, scaled, sin, with_length
 
 Sample = tuple[Vec, Vec]
@@ -120,22 +120,10 @@ HUB, RIM = (0.45, 0.8, 1.1), (2.3, 2.6, 2.9)
 
 def _wheel(normal: Callable[[Vec, float], Vec]) -> Mesh:
     """Figure 12: hub and rim are two cells wide, and each is divided at the same angles throughout.
-    Cells are (angle, layer, shell); of three angles one is a spoke. Normals are made of the point and
-    the side of the spoke on which it is: -1, 1, or 0 where it is on none."""
+    Normals are made of the point and the side of the spoke on which it is: -1, 1, or 0 where it is on none."""
     half_widths, half_heights = (0.22,) * 3 + (0.11,) * 3, (0.4, 0.5, 0.4, 0.28, 0.4, 0.28)
-    cells = [(i, 0, j) for i, j in product(range(3 * SPOKES), range(5)) if j != 2 or i % 3 == 0]
-    normals: list[Vec] = []
-
-    def place(node: Cell) -> Vec:
-        w = half_widths[node[2]]
-        angle = (node[0] // 3 + (-w, w, 0.5)[node[0] % 3]) * TWO_PI / SPOKES
-        x, y, _ = scaled(_around(angle), (HUB + RIM)[node[2]])
-        p = (x, y, half_heights[node[2]] * (2 * node[1] - 1))
-        normals.append(normal(p, (-1, 1, 0)[node[0] % 3] if node[2] in (2, 3) else 0))
-        return p
-
-    mesh, _ = boundary_of_cells(cells, place, period=3 * SPOKES)
-    mesh.normals = normals
+    mesh, nodes = wheel_of_shells(SPOKES, list(zip(HUB + RIM, half_widths, half_heights)), 2)
+    mesh.normals = [normal(p, (-1, 1, 0)[i % 3] if shell in (2, 3) else 0) for p, (i, _, shell) in zip(mesh.points, nodes)]
     mesh.normals_are_handles = True
     return mesh
 

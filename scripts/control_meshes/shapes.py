@@ -7,7 +7,7 @@
 # Author(s): PN_subdivision_3 developers
 """Small shapes that are not samplings: blocks, torus, wheel, mixed polygons."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from itertools import product
 from math import sqrt
 from random import Random
@@ -82,18 +82,26 @@ def torus(around: int, across: int, radius: float, tube: float) -> Mesh:
 
 
 def wheel(spokes: int) -> Mesh:
-    """Hub, spokes and rim: quads, genus spokes + 1. Cells are (angle, layer, shell); of three
-    angles one is a spoke."""
+    """Genus spokes + 1."""
     shells = ((0.45, 0.25, 0.45), (1.1, 0.2, 0.4), (2.3, 0.09, 0.25), (2.8, 0.13, 0.4))
-    cells = [(i, 0, j) for i, j in product(range(3 * spokes), range(3)) if j != 1 or i % 3 == 0]
+    return wheel_of_shells(spokes, shells, 1)[0]
+
+
+def wheel_of_shells(spokes: int, shells: Sequence[Vec], gap: int) -> tuple[Mesh, list[Cell]]:
+    """Hub, spokes and rim: quads, and the node of each point. Nodes and cells are (angle, layer, shell); of three angles one
+    is a spoke, and in the gap there are only spokes. Shells have a radius, half the width of a spoke there, relative to the
+    distance of spokes, and half a height."""
+    cells = [(i, 0, j) for i, j in product(range(3 * spokes), range(len(shells) - 1)) if j != gap or i % 3 == 0]
+    nodes: list[Cell] = []
 
     def place(node: Cell) -> Vec:
+        nodes.append(node)
         radius, half_width, half_height = shells[node[2]]
         turn = node[0] // 3 + (-half_width, half_width, 0.5)[node[0] % 3]
         angle = turn * TWO_PI / spokes
         return (radius * cos(angle), radius * sin(angle), half_height * (2 * node[1] - 1))
 
-    return boundary_of_cells(cells, place, period=3 * spokes)[0]
+    return boundary_of_cells(cells, place, period=3 * spokes)[0], nodes
 
 
 def mixed_polygons() -> Mesh:

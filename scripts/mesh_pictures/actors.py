@@ -9,8 +9,7 @@
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkPolyDataMapper,
                                          vtkProperty, vtkTexture)
 
@@ -19,8 +18,8 @@ try:
 except ImportError:
     from vtkmodules.vtkFiltersExtraction import vtkExtractEdges
 
-from .files import (averaged_normals, normals_of, points_of, set_normals, vertices_without_face,
-                    with_split_normals)
+from .files import (averaged_normals, normals_of, points_of, poly_data, set_normals,
+                    vertices_without_face, with_split_normals)
 
 OUTSIDE, INSIDE = (0.62, 0.71, 0.82), (0.93, 0.62, 0.32)
 EDGE, CONTROL, NEEDLE = (0.15, 0.2, 0.3), (0.75, 0.1, 0.1), (0.1, 0.5, 0.2)
@@ -125,26 +124,13 @@ def normal_needles(mesh: vtkPolyData) -> vtkActor:
     size = np.linalg.norm(np.ptp(points, axis=0)) * 0.05
     starts = points[given]
     ends = starts + size * normals[given]
-    return _lines_and_dots(_segments(starts, ends), NEEDLE, 1.5)
-
-
-def _segments(starts: np.ndarray, ends: np.ndarray) -> vtkPolyData:
-    result, points, lines = vtkPolyData(), vtkPoints(), vtkCellArray()
-    points.SetData(numpy_to_vtk(np.concatenate([starts, ends]), deep=True))
-    for i in range(len(starts)):
-        lines.InsertNextCell(2, (i, len(starts) + i))
-    result.SetPoints(points)
-    result.SetLines(lines)
-    return result
+    count = len(starts)
+    needles = poly_data(np.concatenate([starts, ends]), lines=[(i, count + i) for i in range(count)])
+    return _lines_and_dots(needles, NEEDLE, 1.5)
 
 
 def lone_vertices(mesh: vtkPolyData) -> vtkActor:
-    lone = vertices_without_face(mesh)
-    dots, cells = vtkPolyData(), vtkCellArray()
-    for v in lone:
-        cells.InsertNextCell(1, (int(v),))
-    dots.SetPoints(mesh.GetPoints())
-    dots.SetVerts(cells)
+    dots = poly_data(points_of(mesh), verts=[(int(v),) for v in vertices_without_face(mesh)])
     actor = _lines_and_dots(dots, CONTROL, 1.0)
     actor.GetProperty().SetPointSize(6)
     return actor

@@ -7,6 +7,7 @@
 # Author(s): PN_subdivision_3 developers
 """Mesh files as vtkPolyData."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -60,17 +61,26 @@ def _read_off(path: Path) -> vtkPolyData:
     if len(lines) <= vertices + faces:
         raise ValueError("truncated")
     rows = np.array([line[:6 if kind == "NOFF" else 3] for line in lines[1:vertices + 1]], float)
-    mesh = vtkPolyData()
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(rows[:, :3].copy(), deep=True))
-    mesh.SetPoints(points)
-    cells = vtkCellArray()
-    for line in lines[vertices + 1:vertices + faces + 1]:
-        corners = [int(v) for v in line[1:int(line[0]) + 1]]
-        cells.InsertNextCell(len(corners), corners)
-    mesh.SetPolys(cells)
+    mesh = poly_data(rows[:, :3], polys=[[int(v) for v in line[1:int(line[0]) + 1]]
+                                         for line in lines[vertices + 1:vertices + faces + 1]])
     if kind == "NOFF":
         set_normals(mesh, rows[:, 3:6])
+    return mesh
+
+
+Cells = Sequence[Sequence[int]]
+
+
+def poly_data(points: np.ndarray | list[tuple[float, float, float]], verts: Cells = (), lines: Cells = (),
+              polys: Cells = ()) -> vtkPolyData:
+    mesh, place = vtkPolyData(), vtkPoints()
+    place.SetData(numpy_to_vtk(np.array(points, float), deep=True))
+    mesh.SetPoints(place)
+    for cells, put in ((verts, mesh.SetVerts), (lines, mesh.SetLines), (polys, mesh.SetPolys)):
+        array = vtkCellArray()
+        for cell in cells:
+            array.InsertNextCell(len(cell), cell)
+        put(array)
     return mesh
 
 

@@ -9,12 +9,12 @@
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkRenderingCore import (vtkActor2D, vtkPolyDataMapper2D, vtkRenderer,
                                          vtkTextActor)
 
 from .actors import colors
+from .files import poly_data
 
 STEPS = 200
 TICKS = (-1.0, -0.5, 0.0, 0.5, 1.0)
@@ -42,34 +42,22 @@ def add_scale_bar(renderer: vtkRenderer, size: tuple[int, int], name: str, limit
 
 def _band(left: float, length: float, low: float, high: float) -> vtkActor2D:
     table = colors(1.0)
-    corners, cells = [], vtkCellArray()
+    corners: list[tuple[float, float, float]] = []
     shades = np.empty((STEPS, 3), np.uint8)
     for i in range(STEPS):
         x, following = (left + length * k / STEPS for k in (i, i + 1))
-        cells.InsertNextCell(4, range(len(corners), len(corners) + 4))
         corners += [(x, low, 0), (following, low, 0), (following, high, 0), (x, high, 0)]
         shades[i] = [round(255 * c) for c in table.GetColor(2 * (i + 0.5) / STEPS - 1)]
-    data = _data(corners)
-    data.SetPolys(cells)
+    data = poly_data(corners, polys=[range(4 * i, 4 * i + 4) for i in range(STEPS)])
     data.GetCellData().SetScalars(numpy_to_vtk(shades, deep=True))
     return _flat(data)
 
 
 def _line(x: float, low: float, high: float) -> vtkActor2D:
-    data, cells = _data([(x, low, 0), (x, high, 0)]), vtkCellArray()
-    cells.InsertNextCell(2, (0, 1))
-    data.SetLines(cells)
-    actor = _flat(data)
+    actor = _flat(poly_data([(x, low, 0), (x, high, 0)], lines=[(0, 1)]))
     actor.GetProperty().SetColor(*INK)
     actor.GetProperty().SetLineWidth(2)
     return actor
-
-
-def _data(points: list[tuple[float, float, float]]) -> vtkPolyData:
-    data, place = vtkPolyData(), vtkPoints()
-    place.SetData(numpy_to_vtk(np.array(points, float), deep=True))
-    data.SetPoints(place)
-    return data
 
 
 def _flat(data: vtkPolyData) -> vtkActor2D:

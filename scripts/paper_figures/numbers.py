@@ -5,20 +5,23 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""The numbers of each figure, from the meshes that scripts/make_paper_figures.sh has refined."""
+"""The numbers of each figure, from refined meshes and from what the examples print."""
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 from itertools import product
 from math import acos, cos, degrees, hypot, pi, sin
-from pathlib import Path
 from statistics import median
 
 from control_meshes.star import BEZIER_HEIGHTS
+from control_meshes.vector import Vec, add, cross, dot, scaled, sub
+from refinery import Refinery
 
-from .refined import Refined, Vec
+from .refined import Refined, refined
+from .rings import RINGS, bent, flat
 
 Numbers = Iterator[tuple[str, float]]
-RINGS = 4  # of figure 6
+MODIFIED = "--first-round 2 --tuned-valences diverging"  # of the paper
 
 
 def unevenness(values: Iterable[float]) -> float:
@@ -32,71 +35,73 @@ def radius(p: Vec) -> float:
 
 
 def angle(a: Vec, b: Vec) -> float:
-    return degrees(acos(min(1.0, sum(x * y for x, y in zip(a, b)))))
+    return degrees(acos(min(1.0, dot(a, b))))
 
 
 def off_circle(p: Vec, three: list[Vec]) -> float:
     """The distance from the circle through three points, relative to its radius."""
     a, b, c = three
-    u, v = _minus(b, a), _minus(c, a)
-    axis = _cross(u, v)
-    middle = _cross(_minus(_times(v, _dot(u, u)), _times(u, _dot(v, v))), axis)
-    center = _plus(a, _times(middle, 0.5 / _dot(axis, axis)))
-    size = hypot(*_minus(a, center))
-    height = _dot(_minus(p, center), axis) / hypot(*axis)
-    across = _minus(_minus(p, center), _times(axis, height / hypot(*axis)))
+    u, v = sub(b, a), sub(c, a)
+    axis = cross(u, v)
+    middle = cross(sub(scaled(v, dot(u, u)), scaled(u, dot(v, v))), axis)
+    center = add(a, scaled(middle, 0.5 / dot(axis, axis)))
+    size = hypot(*sub(a, center))
+    height = dot(sub(p, center), axis) / hypot(*axis)
+    across = sub(sub(p, center), scaled(axis, height / hypot(*axis)))
     return hypot(height, hypot(*across) - size) / size
 
 
-def _minus(a: Vec, b: Vec) -> Vec:
-    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+def deviation(refinery: Refinery, shape: str, mesh: str, options: str) -> float:
+    """The distance from the shape over its radius."""
+    line = refinery.run(mesh, refinery.folder / "verified.ply", f"{options} --verify {shape}")
+    return float(re.findall(r"2\^-52: ([^)]*)\)", line)[0]) * 2.0 ** -52
 
 
-def _plus(a: Vec, b: Vec) -> Vec:
-    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
+def cylinder_3(refinery: Refinery) -> Numbers:
+    for kind, option in (("linear", " --linear"), ("PN", "")):
+        yield f"3_{kind}", deviation(refinery, "cylinder:0,0,0,0,0,1,1", "paper/cylinder.ply",
+                                     "--scheme catmull-clark --levels 5" + option)
 
 
-def _times(a: Vec, s: float) -> Vec:
-    return (a[0] * s, a[1] * s, a[2] * s)
+def tetrahedron_4(refinery: Refinery) -> Numbers:
+    for kind, option in (("linear", " --linear"), ("PN", "")):
+        yield f"4_{kind}", deviation(refinery, "sphere:0,0,0,1", "paper/tetrahedron.ply",
+                                     "--scheme butterfly --levels 5" + option)
 
 
-def _dot(a: Vec, b: Vec) -> float:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def _cross(a: Vec, b: Vec) -> Vec:
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def rings_6(folder: Path) -> Numbers:
+def rings_6(refinery: Refinery) -> Numbers:
     """Rings m of the surface: point-normal, and linear from the control points of level m."""
     for m in range(RINGS):
-        bent, flat = (Refined(folder / f"{kind}_{m}.ply") for kind in ("PN", "linear"))
-        layer = bent.layers(0, 8)
+        pn, linear = bent(refinery, m), flat(refinery, m, 0)
+        layer = pn.layers(0, 8)
         ring = [v for v, distance in layer.items() if 4 < distance < 8]
-        normals = [bent.normal_from_faces(v) for v in ring]
-        yield f"6_apart_{m}", max(angle(n, flat.normal_from_faces(v)) for v, n in zip(ring, normals))
+        normals = [pn.normal_from_faces(v) for v in ring]
+        yield f"6_apart_{m}", max(angle(n, linear.normal_from_faces(v)) for v, n in zip(ring, normals))
         total = [sum(n[i] for n in normals) for i in range(3)]
-        mean = _times((total[0], total[1], total[2]), 1 / hypot(*total))
+        mean = scaled((total[0], total[1], total[2]), 1 / hypot(*total))
         yield f"6_spread_{m}", max(angle(n, mean) for n in normals)
 
 
-def cross_8(folder: Path) -> Numbers:
+def cross_8(refinery: Refinery) -> Numbers:
     """The ends of the five open arms, and their outer three quarters of a cube, beside cylinders."""
-    for path in sorted(folder.glob("cross_*.ply")):
-        mesh = Refined(path)
+    for scheme, (kind, option) in product(("catmull-clark", "doo-sabin", "kobbelt", "loop"),
+                                          (("PN", "--normals angle"), ("linear", "--linear"))):
+        triangles = " --triangulate" if scheme == "loop" else ""
+        mesh = refined(refinery, "paper/cross.off", f"--scheme {scheme} --levels 5 {option}{triangles}")
         off = {v: abs(hypot(p[i - 2], p[i - 1]) / 0.5 ** 0.5 - 1)
                for v, p in enumerate(mesh.points) for i in range(3)
                if abs(p[i]) > 2.75 and (i < 2 or p[i] < 0)}
-        name = path.stem.removeprefix("cross_").replace("-", "_")
+        name = f"{kind}_{scheme}".replace("-", "_")
         yield f"8_arm_{name}", max(off.values())
         yield f"8_end_{name}", max(d for v, d in off.items() if mesh.is_border(v))
 
 
-def local_9(folder: Path) -> Numbers:
+def local_9(refinery: Refinery) -> Numbers:
     """Gaussian curvature on the second to fourth ring of vertices after five rounds."""
-    for row, panel in product("123", "abcde"):
-        mesh = Refined(folder / f"{row}{panel}.ply")
+    panels = {"a": "catmull-clark --linear", "b": f"modified-catmull-clark --linear {MODIFIED}", "c": "catmull-clark",
+              "d": f"modified-catmull-clark {MODIFIED}", "e": "modified-catmull-clark"}
+    for (row, name), (panel, scheme) in product(enumerate(("saddle_5", "bezier_6", "cylinder_cap_8"), 1), panels.items()):
+        mesh = refined(refinery, f"{name}.ply", f"--levels 5 --curvature gaussian --scheme {scheme}")
         values = [mesh.values["gaussian_curvature"][v]
                   for v, layer in mesh.layers(0, 4).items() if layer > 1]
         yield f"9_{row}{panel}_min", min(values)
@@ -115,44 +120,46 @@ def curvature_of_bezier() -> float:
     return (z(2, 0) * z(0, 2) - z(1, 1) ** 2) / slope ** 2
 
 
-def grid_10(folder: Path) -> Numbers:
-    for path in sorted(folder.glob("grid_*.ply")):
-        heights = Refined(path).values["z"]
-        yield f"10_{path.stem}", max(heights) - min(heights)
+def grid_10(refinery: Refinery) -> Numbers:
+    for kind, shape in product(("", "linear_"), ("waves", "bumps")):
+        mesh = refined(refinery, f"paper/{shape}.ply", "--scheme doo-sabin --levels 4" + (" --linear" if kind else ""))
+        heights = mesh.values["z"]
+        yield f"10_grid_{kind}{shape}", max(heights) - min(heights)
 
 
-def ring_11(folder: Path) -> Numbers:
-    for name in ("ring_linear", "ring_PN"):
-        mesh = Refined(folder / f"{name}.ply")
+def ring_11(refinery: Refinery) -> Numbers:
+    for kind, option in (("linear", "--linear"), ("PN", "--normals file")):
+        mesh = refined(refinery, "paper/ring.ply", f"--scheme catmull-clark --levels 4 {option}")
         meridian = mesh.line_over(0, 8)
         parallels = [min(mesh.lines_through(v), key=lambda line: len(line & meridian))
                      for v in meridian]
-        yield f"11_{name}", max(unevenness(radius(mesh.points[v]) for v in line)
-                                for line in parallels)
+        yield f"11_ring_{kind}", max(unevenness(radius(mesh.points[v]) for v in line)
+                                     for line in parallels)
 
 
-def wheel_12(folder: Path) -> Numbers:
-    linear, bent, tori = (Refined(folder / f"wheel_{name}.ply").points
-                          for name in ("linear", "PN", "tori"))
-    for name, points in (("linear", linear), ("PN", bent), ("tori", tori)):
+def wheel_12(refinery: Refinery) -> Numbers:
+    linear, pn, tori = (refined(refinery, f"paper/{mesh}.ply", "--scheme catmull-clark --levels 4" + option).points
+                        for mesh, option in (("wheel", " --linear"), ("wheel", ""), ("wheel_tori", "")))
+    for name, points in (("linear", linear), ("PN", pn), ("tori", tori)):
         middle = [radius(p) for p in points if abs(p[2]) < 1e-9]
         yield f"12_rim_{name}", unevenness(r for r in middle if r > 2.6)
         yield f"12_hub_{name}", unevenness(r for r in middle if r < 0.8)
         tube = [hypot(radius(p) - 2.6, p[2]) for p in points if radius(p) > 2.6]
         yield f"12_tube_{name}", unevenness(tube)
-    yield "12_z", max(abs(p[2] - q[2]) for p, q in zip(linear, bent))
+    yield "12_z", max(abs(p[2] - q[2]) for p, q in zip(linear, pn))
 
 
-def models_13(folder: Path) -> Numbers:
-    for kind in ("linear", "PN"):
-        bell = Refined(folder / f"bell_{kind}.ply")
+def models_13(refinery: Refinery) -> Numbers:
+    for kind, option in (("linear", " --linear"), ("PN", "")):
+        bell = refined(refinery, "paper/bell.ply", "--scheme catmull-clark --levels 4" + option)
         yield f"13_bell_{kind}", unevenness(radius(p) for v, p in enumerate(bell.points)
                                             if bell.is_border(v))
-        inner = [p for p in Refined(folder / f"hole_{kind}.ply").points if radius(p) < 1]
+        hole = refined(refinery, "paper/cuboid_with_hole.ply", "--scheme doo-sabin --levels 5" + option)
+        inner = [p for p in hole.points if radius(p) < 1]
         lowest = min(abs(p[2]) for p in inner)
         yield f"13_hole_{kind}", unevenness(radius(p) for p in inner
                                             if abs(p[2]) < 1.001 * lowest)
-    mesh = Refined(folder / "cyclide.ply")
+    mesh = refined(refinery, "paper/cyclide.ply", "--scheme kobbelt --levels 5")
 
     def off(control: list[int]) -> float:
         three = [mesh.points[v] for v in control[::2]]
@@ -183,27 +190,30 @@ def oscillation(mesh: Refined, v: int) -> float:
     return max(values) - min(values)
 
 
-def extraordinary(number: str, folder: Path, control_vertices: int, regular: int) -> Numbers:
-    """Only vertices at which the modified schemes differ in the paper, of more edges than regular."""
-    for name in ("linear", "modified", "PN_modified", "PN_modified_1", "PN"):
-        mesh = Refined(folder / f"{name}.ply")
+def extraordinary(refinery: Refinery, number: str, model: str, options: str, control_vertices: int, regular: int) -> Numbers:
+    """Only vertices at which the modified schemes differ in the paper, of more edges than regular. A scheme is the
+    first word of the options."""
+    for name, way in (("linear", f"{options} --linear"), ("modified", f"modified-{options} --linear {MODIFIED}"),
+                      ("PN_modified", f"modified-{options} --normals angle {MODIFIED}"),
+                      ("PN_modified_1", f"modified-{options} --normals angle"), ("PN", f"{options} --normals angle")):
+        mesh = refined(refinery, model, f"--levels 4 --curvature gaussian --scheme {way}")
         hubs = [v for v in range(control_vertices)
                 if len(mesh.neighbors[v]) > regular and not mesh.is_border(v)]
         yield f"{number}_vertices", len(hubs)
         yield f"{number}_{name}", median(oscillation(mesh, v) for v in hubs)
 
 
-def spoon_14(folder: Path) -> Numbers:
-    return extraordinary("14", folder, 116, 4)
+def spoon_14(refinery: Refinery) -> Numbers:
+    return extraordinary(refinery, "14", "spoon.obj", "catmull-clark", 116, 4)
 
 
-def head_15(folder: Path) -> Numbers:
-    return extraordinary("15", folder, 304, 6)
+def head_15(refinery: Refinery) -> Numbers:
+    return extraordinary(refinery, "15", "head.obj", "loop --triangulate", 304, 6)
 
 
-def torus_17(folder: Path) -> Numbers:
+def torus_17(refinery: Refinery) -> Numbers:
     for n in (4, 8):
-        mesh = Refined(folder / f"torus_{n}.ply")
+        mesh = refined(refinery, f"paper/torus_{n}.ply", "--scheme kobbelt --levels 5")
         circles: list[tuple[set[int], Callable[[Vec], float]]] = []
         for i in range(n):
             t = 2 * pi * i / n
@@ -217,6 +227,37 @@ def torus_17(folder: Path) -> Numbers:
         yield f"17_surface_{n}", max(abs(hypot(radius(p) - 2, p[2]) - 1) for p in mesh.points)
 
 
-OF_FIGURE: dict[int, Callable[[Path], Numbers]] = {
-    6: rings_6, 8: cross_8, 9: local_9, 10: grid_10, 11: ring_11, 12: wheel_12, 13: models_13, 14: spoon_14,
-    15: head_15, 17: torus_17}
+OF_REFINED: dict[int, Callable[[Refinery], Numbers]] = {
+    3: cylinder_3, 4: tetrahedron_4, 6: rings_6, 8: cross_8, 9: local_9, 10: grid_10, 11: ring_11, 12: wheel_12,
+    13: models_13, 14: spoon_14, 15: head_15, 17: torus_17}
+
+
+# --- what the examples print ---
+
+
+def arcs_1(printed: list[list[float]]) -> Numbers:
+    yield from zip(("1_h0", "1_h1", "1_h2", "1_mean"), printed[0])
+
+
+def circle_2(printed: list[list[float]]) -> Numbers:
+    for scheme, row in zip(("6_point", "b_spline"), printed):
+        yield f"2_off_{scheme}", row[1]
+        yield f"2_spacing_{scheme}", row[-1]
+
+
+def bottle_5(printed: list[list[float]]) -> Numbers:
+    for row, values in enumerate(printed, 1):
+        for rounds, value in zip((6, 8, 10), values[-3:]):
+            yield f"5_{row}_{rounds}", value
+
+
+def circles_16(printed: list[list[float]]) -> Numbers:
+    for angle_of_turn, kept, _, largest, crossings in printed:
+        yield f"16_kept_{angle_of_turn:.0f}", kept
+        yield f"16_angle_{angle_of_turn:.0f}", largest
+        yield f"16_crossings_{angle_of_turn:.0f}", crossings
+
+
+OF_EXAMPLES: dict[int, tuple[str, Callable[[list[list[float]]], Numbers]]] = {
+    1: ("average_arcs", arcs_1), 2: ("curve_circle", circle_2), 5: ("curve_bottle", bottle_5),
+    16: ("curve_normal_edit", circles_16)}

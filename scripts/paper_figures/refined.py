@@ -10,8 +10,13 @@
 from collections import defaultdict
 from pathlib import Path
 
-Vec = tuple[float, float, float]
-Face = tuple[int, ...]
+from control_meshes.mesh import Face, Mesh
+from control_meshes.vector import Vec
+from refinery import Refinery
+
+
+def refined(refinery: Refinery, mesh: str | Path, options: str) -> "Refined":
+    return Refined(refinery.file(mesh, options + " --ascii"))
 
 
 class Refined:
@@ -83,16 +88,9 @@ class Refined:
 
     def normal_from_faces(self, v: int) -> Vec:
         """The normalized sum of the area vectors of the faces."""
+        around = Mesh(self.points, [])
         total = [0.0, 0.0, 0.0]
         for f in self.faces_at[v]:
-            for a, b in zip(f[1:], f[2:]):
-                p, q = _difference(self.points[a], self.points[f[0]]), _difference(
-                    self.points[b], self.points[f[0]])
-                for i in range(3):
-                    total[i] += p[i - 2] * q[i - 1] - p[i - 1] * q[i - 2]
+            total = [a + b for a, b in zip(total, around.face_normal(f))]
         length = sum(x * x for x in total) ** 0.5
         return (total[0] / length, total[1] / length, total[2] / length)
-
-
-def _difference(a: Vec, b: Vec) -> Vec:
-    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])

@@ -13,7 +13,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-VTK_PEER = Path(__file__).with_name("vtk_peer.py")
+VTK_PEER = Path(__file__).parent.with_name("vtk_peer.py")
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Server:
 def python_with_vtk() -> str:
     """an interpreter that has VTK, or nothing"""
     for python in (sys.executable, "/usr/bin/python3"):
-        has_vtk = subprocess.run([python, "-c", "import vtk"], capture_output=True, check=False)
+        has_vtk = subprocess.run([python, "-c", "import vtk, numpy"], capture_output=True, check=False)
         if has_vtk.returncode == 0:
             return python
     return ""

@@ -50,7 +50,7 @@ class Layers(unittest.TestCase):
     def test_arrow_of_an_included_source(self) -> None:
         self.put("PN_recognition_3/internal/Part.cpp", "PN_limit_surface_3/internal/limit_surface/Jet.h")
         self.assertEqual(check_layers.check(self.root),
-                         ["PN_recognition_3/internal/Part.cpp includes PN_subdivision_3/internal/limit_surface/"
+                         ["PN_recognition_3/internal/Part.cpp includes PN_limit_surface_3/internal/limit_surface/"
                           "Jet.h: recognition may not include limit_surface"])
 
     def test_arrow_to_another_package(self) -> None:

@@ -15,27 +15,12 @@ from pathlib import Path
 
 import vtk
 
+from mesh_pictures.files import read_mesh
+
 FILTERS = {
     "vtk/filter/loop": vtk.vtkLoopSubdivisionFilter,
     "vtk/filter/butterfly": vtk.vtkButterflySubdivisionFilter,
 }
-
-
-def read(file: str) -> vtk.vtkPolyData:
-    lines = Path(file).read_text().splitlines()
-    vertices, faces = map(int, lines[1].split()[:2])
-    points = vtk.vtkPoints()
-    points.SetDataTypeToDouble()
-    for line in lines[2:2 + vertices]:
-        points.InsertNextPoint(*map(float, line.split()))
-    polygons = vtk.vtkCellArray()
-    for line in lines[2 + vertices:2 + vertices + faces]:
-        corners = list(map(int, line.split()))[1:]
-        polygons.InsertNextCell(len(corners), corners)
-    mesh = vtk.vtkPolyData()
-    mesh.SetPoints(points)
-    mesh.SetPolys(polygons)
-    return mesh
 
 
 def run(job: str, mesh: vtk.vtkPolyData, rounds: int) -> str:
@@ -61,7 +46,7 @@ def main() -> None:
     for line in sys.stdin:
         job, file, rounds, _ = line.split()
         if file != held:
-            held, mesh = file, read(file)
+            held, mesh = file, read_mesh(Path(file))
         print(run(job, mesh, int(rounds)), flush=True)
 
 

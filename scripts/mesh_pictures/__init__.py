@@ -1,8 +1,0 @@
-# Copyright (c) 2026  PN_subdivision_3 developers
-# All rights reserved.
-#
-# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
-#
-# SPDX-License-Identifier: LGPL-3.0-or-later
-# Author(s): PN_subdivision_3 developers
-"""Pictures of meshes with VTK: reading files, choosing a camera, drawing a sheet of tiles."""
