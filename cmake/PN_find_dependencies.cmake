@@ -25,7 +25,7 @@ if(PN_SUBDIVISION_3_WITH_EIGEN)
     find_package(Eigen3 3.3 CONFIG QUIET)
   endif()
   if(NOT TARGET Eigen3::Eigen)
-    pn_missing(EIGEN "Eigen not found, subdivision matrices, curvatures and interpolation are left out\
+    pn_missing(EIGEN "Eigen not found, curvatures and interpolation are left out\
  (Debian package libeigen3-dev)")
   endif()
 endif()

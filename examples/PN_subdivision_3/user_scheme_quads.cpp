@@ -10,7 +10,7 @@
 // is Catmull-Clark itself; the nearer the tension to 1, the nearer the surface to the control mesh.
 //
 // The weights are all that is written here. Linear and point-normal subdivision, several threads,
-// exact numbers and the subdivision matrix come with them.
+// exact numbers and eigenvalues come with them.
 //
 //   user_scheme_quads [MESH [TENSION]]
 

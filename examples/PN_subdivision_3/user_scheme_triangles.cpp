@@ -10,7 +10,7 @@
 // vertices. They are rational, hence exact in exact numbers.
 //
 // The weights are all that is written here. Linear and point-normal subdivision, several threads,
-// exact numbers and the subdivision matrix come with them.
+// exact numbers and eigenvalues come with them.
 //
 //   user_scheme_triangles [MESH]
 

@@ -23,6 +23,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -274,6 +276,28 @@ TEST(Tessellate, LinearCatmullClark)
   };
   expect_linear(named_shapes::cube(), PN::CatmullClark_scheme(), subdivide);
   expect_linear(test_meshes::house(5), PN::CatmullClark_scheme(), subdivide);
+}
+// Pentagons about a vertex of the border with too many edges to have a surface normal: what is known of their children
+// are the points alone, which a round has to show first.
+TEST(Tessellate, ChildrenOfPolygonsAreLookedAt)
+{
+  constexpr int n = 5;
+  const auto at = [](double radius, double part, double z) {
+    const double angle = part * std::acos(-1) / n;
+    return std::array<double, 3>{radius * std::cos(angle), radius * std::sin(angle), z};
+  };
+  Control_mesh fan{"fan of pentagons", {{0, 0, 0}}, {}};
+  for (int i = 0; i <= n; ++i) fan.points.push_back(at(0.3, i, 0));
+  for (int i = 0; i < n; ++i) {
+    const int spoke = i + 1, outer = int(fan.points.size());
+    const double z = i % 2 == 0 ? -0.6 : 0.6;
+    fan.points.push_back(at(0.6, i + 0.3, z));
+    fan.points.push_back(at(0.6, i + 0.7, z));
+    fan.faces.push_back({0, spoke, outer, outer + 1, spoke + 1});
+  }
+  expect_linear(fan, PN::CatmullClark_scheme(), [](Surface_mesh& m, unsigned k) {
+    CGAL::Subdivision_method_3::CatmullClark_subdivision(m, params::number_of_iterations(k));
+  });
 }
 TEST(Tessellate, LinearLoop)
 {
