@@ -11,8 +11,8 @@
 
 #include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
 
-#include <CGAL/PN_limit_surface_3/internal/curvature/Curvature_data.h>
-#include <CGAL/PN_limit_surface_3/internal/curvature/Curvature_estimations.h>
+#include <CGAL/PN_limit_surface_3/internal/curvature/Curvature_estimation.h>
+#include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -90,38 +90,33 @@ template <class FT, class Access, class Point_map, class Normal_map>
 Curvature_data curvature_data(const Access& access, Point_map points, Normal_map normals)
 {
   using Index = Level_connectivity::Index;
-  Level_connectivity level = checked_level(access);
-  std::vector<Coordinates<double, 3>> p;
-  p.reserve(level.number_of_vertices());
-  for (Index v = 0; v < level.number_of_vertices(); ++v)
-    p.push_back(to_double_3(checked_point<FT>(access, points, v)));
-  Curvature_data data(std::move(level), p);
+  using Vector = Coordinates<double, 3>;
+  const auto vector = [](const Vector& c) { return Eigen::Vector3d(c[0], c[1], c[2]); };
+  Curvature_data data;
+  data.level = checked_level(access);
+  const Index n = data.level.number_of_vertices();
+  std::vector<Vector> p;
+  p.reserve(n);
+  for (Index v = 0; v < n; ++v) p.push_back(to_double_3(checked_point<FT>(access, points, v)));
+  data.vertices.reserve(n);
+  for (const Vector& q : p) data.vertices.push_back({vector(q), Eigen::Vector3d::Zero()});
   if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
     data.fits_normals = true;
-    data.face_normals.resize(p.size());
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      const Index v = data.old_number[i];
-      const auto name = [&] { return access.vertex_name(v); };
+    data.face_normals.resize(n);
+    for (Index v = 0; v < n; ++v) {
       const Coordinates<FT, 3> m = coordinates_3<FT>(get(normals, access.vertex(v)));
-      check_finite<FT, 3>(m, "normal", name);
-      data.vertices[i].normal = to_double_3(m);
-      normalize_control_normal<double, 3>(data.vertices[i].normal);
+      check_finite<FT, 3>(m, "normal", [&] { return access.vertex_name(v); });
+      Vector unit = to_double_3(m);
+      normalize_control_normal<double, 3>(unit);
+      data.vertices[v].normal = vector(unit);
     }
   }
+  estimate_normals<double>(
+    data.level, Control_normal_estimate::angle, [&p](Index v) -> const Vector& { return p[v]; },
+    [&](Index v, const Vector& m) {
+      (data.fits_normals ? data.face_normals[v] : data.vertices[v].normal) = vector(m);
+    });
   return data;
-}
-
-// both walk round the vertices
-inline void set_faces(Curvature_data& data, Face_neighbors& faces, const For_chunks& for_chunks)
-{
-  using Index = Level_connectivity::Index;
-  for_chunks(data.level.number_of_vertices(), [&](Index begin, Index end) {
-    const Corner_normals normal(data);
-    for (Index v = begin; v < end; ++v) {
-      faces.set(v);
-      (data.fits_normals ? data.face_normals[v] : data.vertices[v].normal) = normal(v);
-    }
-  });
 }
 
 } // namespace internal
@@ -138,7 +133,7 @@ through the vertex. It is fitted by weighted least squares to rings of vertices 
 ring has the vertices that share a face with the ring before it. As many rings are taken as determine
 the cubic: two in the interior and more at most border vertices. Where no number of rings does (up to 4
 are tried), a quadric is fitted. Vertices whose normals form an angle of 90 degrees or more with that
-of the vertex are left out. The vertex normals of the planes are those of `estimate_control_normals()`, up to 10<sup>-7</sup>.
+of the vertex are left out. The vertex normals of the planes are those of `estimate_control_normals()` with `Control_normal_estimate::angle`.
 
 <b>With normals.</b> An edge e between vertices i and j whose normals are n<sub>i</sub> and n<sub>j</sub> tells the normal curvature
 -(3n<sub>i</sub> + n<sub>j</sub>)&middot;e/|e|<sup>2</sup> of i in its direction: that of the change of the normals, (n<sub>j</sub> -
@@ -220,10 +215,9 @@ void estimate_curvature(const PolygonMesh& mesh, CurvatureMap curvatures,
   const auto points = Parameters::const_point_map(mesh, np);
   const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
   internal::with_mesh_access(mesh, [&](const auto& access) {
-    internal::Curvature_data data =
+    const internal::Curvature_data data =
       internal::curvature_data<typename Parameters::FT>(access, points, Parameters::normal_map(np));
-    internal::Face_neighbors faces(data);
-    internal::set_faces(data, faces, for_chunks);
+    const std::vector<Index> order = internal::order_by_faces(data.level);
     // from here on nothing is refused: what is written need not wait for the rest
     const Index n = data.level.number_of_vertices();
     constexpr Index some = 1 << 15;
@@ -231,11 +225,11 @@ void estimate_curvature(const PolygonMesh& mesh, CurvatureMap curvatures,
     for (Index first = 0, number; first < n; first += number) {
       number = (std::min)(n - first, some);
       for_chunks(number, [&](Index begin, Index end) {
-        internal::Curvature_estimations estimate(data, faces);
-        estimate(first + begin, first + end, results.data() + begin);
+        internal::Curvature_estimation estimate(data);
+        for (Index i = begin; i < end; ++i) results[i] = estimate(order[first + i]);
       });
       for (Index i = 0; i < number; ++i)
-        put(curvatures, access.vertex(data.old_number[first + i]),
+        put(curvatures, access.vertex(order[first + i]),
             internal::to_vertex_curvature<Value>(results[i]));
     }
   });

@@ -6,25 +6,18 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// The parts of estimate_curvature() that make it fast, against slow ways to the same: normal equations in lanes
-// against a singular value decomposition, rings against sets, angles against those of the mathematical library.
+// Curvatures estimated from points against the same by singular value decompositions, sets of vertices and normals of its
+// own: which neighbors take part, when they determine a cubic, and what it is.
 
 #include "Estimated_curvatures.h"
-
-#include <CGAL/PN_limit_surface_3/internal/curvature/Cubic_lanes.h>
-#include <CGAL/PN_limit_surface_3/internal/curvature/Curvature_data.h>
-#include <CGAL/PN_limit_surface_3/internal/curvature/Curvature_estimations.h>
-#include <CGAL/PN_subdivision_3/internal/average/Local_frame.h>
-#include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
 
 #include <Eigen/SVD>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <memory>
 #include <random>
 #include <set>
+#include <utility>
 #include <vector>
 
 using namespace estimated_curvatures;
@@ -32,7 +25,6 @@ namespace in = PN::internal;
 
 namespace {
 
-using Index = PN::Level_connectivity::Index;
 using Generator = std::mt19937;
 
 double uniform(Generator& g, double a, double b)
@@ -48,41 +40,19 @@ struct Sample
 };
 using Samples = std::vector<Sample>;
 
-// Around the origin, long and skew as well.
-Samples random_samples(Generator& g)
+// Around the origin, long and skew as well, and every second time close to two lines, which do not determine a cubic.
+Samples random_samples(Generator& g, bool close_to_lines)
 {
   Samples s(std::size_t(uniform(g, 12, 60)));
-  const double length = uniform(g, 0.2, 5), shear = uniform(g, -2, 2);
+  const double length = uniform(g, 0.2, 5), shear = uniform(g, -2, 2), width = uniform(g, 0, 0.03);
+  double side = 1;
   for (Sample& p : s) {
     const double x = uniform(g, -1, 1), y = uniform(g, -1, 1);
     p = {length * x + shear * y, y, uniform(g, -1, 1), uniform(g, 0.1, 1)};
+    if (close_to_lines) p.y = side * x + width * y;
+    side = -side;
   }
   return s;
-}
-
-// The unit vectors of the frame are those of space.
-void put(const Samples& s, std::size_t lane, in::Cubic_lanes& lanes)
-{
-  lanes.number[lane] = double(s.size());
-  for (std::size_t j = 0; j < lanes.size; ++j) {
-    const Sample p = j < s.size() ? s[j] : Sample{0, 0, 0, 0};
-    lanes.sample[0][j][lane] = p.x;
-    lanes.sample[1][j][lane] = p.y;
-    lanes.sample[2][j][lane] = p.z;
-    lanes.cosine[j][lane] = p.weight;
-  }
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t c = 0; c < 3; ++c) lanes.frame[i][c][lane] = i == c ? 1 : 0;
-}
-
-std::unique_ptr<in::Cubic_lanes> solved(const std::vector<Samples>& samples)
-{
-  auto lanes = std::make_unique<in::Cubic_lanes>();
-  for (const Samples& s : samples) lanes->size = (std::max)(lanes->size, s.size());
-  for (std::size_t l = 0; l < in::Cubic_lanes::lanes; ++l)
-    put(samples[l % samples.size()], l, *lanes);
-  lanes->solve();
-  return lanes;
 }
 
 // x, y in units in which their second moments, with the vertex, are those of a unit square; then rows of the
@@ -92,6 +62,7 @@ struct Reference
   Eigen::Matrix2d units = Eigen::Matrix2d::Zero(); // lower triangular
   double norm_of_inverse = 0;
   Eigen::VectorXd coefficients = Eigen::VectorXd(9);
+  double gaussian = 0, mean = 0;
 
   explicit Reference(const Samples& s)
   {
@@ -115,63 +86,68 @@ struct Reference
     for (const auto& [first, n] : {std::pair(0, 2), std::pair(2, 3), std::pair(5, 4)})
       a.middleCols(first, n) /= a.middleCols(first, n).norm() / std::sqrt(double(n));
     norm_of_inverse = a.jacobiSvd().singularValues().cwiseInverse().norm();
+    set_curvatures();
+  }
+
+private:
+  void set_curvatures()
+  {
+    const Eigen::Matrix2d to_units = units.inverse();
+    Eigen::Matrix2d second;
+    second << 2 * coefficients[2], coefficients[3], coefficients[3], 2 * coefficients[4];
+    const Eigen::Vector2d g = to_units.transpose() * coefficients.head<2>();
+    second = to_units.transpose() * second * to_units;
+    const double p = g[0], q = g[1], w = std::sqrt(1 + p * p + q * q);
+    gaussian = second.determinant() / std::pow(w, 4);
+    mean = -((1 + q * q) * second(0, 0) - 2 * p * q * second(0, 1) + (1 + p * p) * second(1, 1)) /
+           (2 * std::pow(w, 3));
   }
 };
+
+bool is_fitted(const Samples& samples, in::Curvature_fit& fit)
+{
+  std::vector<in::Curvature_sample> all;
+  for (const Sample& s : samples) all.push_back({{s.x, s.y, s.z}, {0, 0, 0}, s.weight});
+  all.push_back({{0, 0, 0}, {0, 0, 0}, 1});
+  return fit.fit(all, {0, 0, 1}, 3);
+}
 
 } // namespace
 
 TEST(Curvature_fit, NormalEquationsAgreeWithSingularValues)
 {
   Generator g(1);
-  for (int i = 0; i < 200; ++i) {
-    std::vector<Samples> samples;
-    for (std::size_t l = 0; l < in::Cubic_lanes::lanes; ++l) samples.push_back(random_samples(g));
-    const auto lanes = solved(samples);
-    for (std::size_t l = 0; l < samples.size(); ++l) {
-      const Reference expected(samples[l]);
-      const double inverse = expected.norm_of_inverse, error = 1e-14 * inverse * inverse;
-      EXPECT_GT(lanes->least_pivot[l], 0);
-      EXPECT_NEAR(std::sqrt(lanes->square_of_inverse[l]) / inverse, 1, error);
-      EXPECT_NEAR(lanes->unit[0][l], expected.units(0, 0), 1e-14 * expected.units.norm());
-      EXPECT_NEAR(lanes->unit[1][l], expected.units(1, 0), 1e-14 * expected.units.norm());
-      EXPECT_NEAR(lanes->unit[2][l], expected.units(1, 1), 1e-13 * expected.units.norm());
-      for (int k = 0; k < 5; ++k)
-        EXPECT_NEAR(lanes->coefficient[k][l], expected.coefficients[k],
-                    10 * error * (1 + expected.coefficients.norm()));
-    }
+  std::size_t determined = 0;
+  constexpr int times = 120;
+  for (int i = 0; i < times; ++i) {
+    const Samples samples = random_samples(g, i % 2 != 0);
+    const Reference expected(samples);
+    in::Curvature_fit fit;
+    const bool is_determined = is_fitted(samples, fit);
+    EXPECT_EQ(is_determined, expected.norm_of_inverse <= 50) << expected.norm_of_inverse;
+    if (!is_determined) continue;
+    ++determined;
+    const in::Principal_curvatures c = fit.curvatures(1);
+    const double size = std::abs(c.minimal) + std::abs(c.maximal);
+    EXPECT_NEAR(c.mean, expected.mean, 1e-12 * size);
+    EXPECT_NEAR(c.gaussian, expected.gaussian, 1e-12 * size * size);
   }
-}
-
-TEST(Curvature_fit, ALaneIsItsOwn)
-{
-  Generator g(2);
-  for (int i = 0; i < 50; ++i) {
-    std::vector<Samples> samples;
-    for (std::size_t l = 0; l < in::Cubic_lanes::lanes; ++l) samples.push_back(random_samples(g));
-    const auto together = solved(samples);
-    for (std::size_t l = 0; l < samples.size(); ++l) {
-      const auto alone = solved({samples[l]});
-      for (std::size_t other = 0; other < in::Cubic_lanes::lanes; ++other) {
-        EXPECT_EQ(together->square_of_inverse[l], alone->square_of_inverse[other]);
-        for (std::size_t k = 0; k < 5; ++k)
-          EXPECT_EQ(together->coefficient[k][l], alone->coefficient[k][other]);
-      }
-    }
-  }
+  EXPECT_GT(determined, times / 4u);
+  EXPECT_LT(determined, times - 2u);
 }
 
 // Points on two lines leave one cubic undetermined, those on one line more.
 TEST(Curvature_fit, UndeterminedCubicsAreToldApart)
 {
   Generator g(3);
-  for (const double angle : {0.3, 1.2}) {
+  for (const double angle : {0., 0.3, 1.2}) {
     Samples cross;
     for (int i = 1; i <= 8; ++i)
       for (const double t : {0., angle})
         for (const double r : {0.1 * i, -0.1 * i})
           cross.push_back({r * std::cos(t), r * std::sin(t), uniform(g, -1, 1), 1});
-    const auto lanes = solved({cross});
-    EXPECT_FALSE(lanes->least_pivot[0] > 0 && lanes->square_of_inverse[0] < 1e6);
+    in::Curvature_fit fit;
+    EXPECT_FALSE(is_fitted(cross, fit));
   }
 }
 
@@ -179,137 +155,94 @@ TEST(Curvature_fit, UndeterminedCubicsAreToldApart)
 
 namespace {
 
-in::Curvature_data data_of(const Mesh& mesh)
-{
-  std::unique_ptr<in::Curvature_data> data;
-  in::with_mesh_access(mesh, [&](const auto& access) {
-    data = std::make_unique<in::Curvature_data>(
-      in::curvature_data<double>(access, get(CGAL::vertex_point, mesh), in::No_normal_map()));
-  });
-  return *data;
-}
-
-struct Estimation
-{
-  explicit Estimation(const Mesh& mesh)
-    : data(data_of(mesh))
-    , faces(data)
-  {
-    in::set_faces(data, faces, in::For_chunks());
-  }
-  in::Curvature_data data;
-  in::Face_neighbors faces;
-};
-
 // Random quadrilaterals, triangles and others over a torus and a square, with flat and with steep parts. About the tube
 // of the coarse torus two rings reach vertices that face the other way.
 std::vector<Sampled_surface> surfaces()
 {
   std::vector<Sampled_surface> result;
   for (const Faces kind : {Faces::quads, Faces::triangles, Faces::mixed}) {
-    result.push_back(lay(torus_grid(24, kind), torus));
+    result.push_back(lay(torus_grid(12, kind), torus));
     result.push_back(lay(torus_grid(5, kind), torus));
-    result.push_back(lay(square(24, kind, 0.3), waves));
+    result.push_back(lay(square(12, kind, 0.3), waves));
   }
   for (const int n : {3, 5, 9, 12}) result.push_back(lay(star(n, Faces::quads, 0.1), saddle));
   return result;
 }
 
-// the vertices of the faces at those of a set
-std::set<Index> grown(const PN::Level_connectivity& level, const std::set<Index>& vertices)
+using Vectors = std::vector<Eigen::Vector3d>;
+
+// weighted by angles
+Vectors vertex_normals(const Soup& soup, const Vectors& p)
 {
-  std::set<Index> result;
-  for (Index h = 0; h < level.number_of_halfedges(); ++h) {
-    if (level.is_border(h) || vertices.count(level.target(h)) == 0) continue;
-    for (Index g = level.next(h); g != h; g = level.next(g)) result.insert(level.target(g));
+  Vectors normals(p.size(), Eigen::Vector3d::Zero());
+  for (const Polygon& f : soup.faces) {
+    const std::size_t n = f.size();
+    Eigen::Vector3d area = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < n; ++i)
+      area += (p[f[i]] - p[f[0]]).cross(p[f[(i + 1) % n]] - p[f[0]]);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Eigen::Vector3d a = p[f[(i + 1) % n]] - p[f[i]], b = p[f[(i + n - 1) % n]] - p[f[i]];
+      normals[f[i]] += std::acos(a.normalized().dot(b.normalized())) * area.normalized();
+    }
+  }
+  for (Eigen::Vector3d& m : normals) m.normalize();
+  return normals;
+}
+
+// The vertices of the faces at those of a set that face the same way, but the vertex.
+std::set<std::size_t> grown(const Soup& soup, const std::set<std::size_t>& vertices,
+                            const Vectors& normals, std::size_t v)
+{
+  std::set<std::size_t> result = vertices;
+  for (const Polygon& f : soup.faces) {
+    const auto is_near = [&](std::size_t w) { return w == v || vertices.count(w) != 0; };
+    if (std::none_of(f.begin(), f.end(), is_near)) continue;
+    for (const std::size_t w : f)
+      if (w != v && normals[w].dot(normals[v]) > 0) result.insert(w);
   }
   return result;
 }
 
+Samples samples_of(const std::set<std::size_t>& vertices, const Vectors& p, const Vectors& normals,
+                   std::size_t v)
+{
+  const Eigen::Vector3d n = normals[v], x = n.cross(Eigen::Vector3d(0.3, 0.5, 0.8)).normalized();
+  const Eigen::Vector3d y = n.cross(x);
+  Samples samples;
+  for (const std::size_t w : vertices) {
+    const Eigen::Vector3d d = p[w] - p[v];
+    samples.push_back({d.dot(x), d.dot(y), d.dot(n), normals[w].dot(n)});
+  }
+  return samples;
+}
+
 } // namespace
 
-TEST(Curvature_fit, NeighborsAreThoseOfRings)
+// Rings grow until they determine a cubic, at the border, too.
+TEST(Curvature_fit, EstimatesAreThoseOfSetsOfVertices)
 {
-  std::size_t found = 0;
+  std::size_t found = 0, of_more_rings = 0;
   for (const Sampled_surface& s : surfaces()) {
-    const Estimation e(mesh_of(s.soup));
-    const auto& level = e.data.level;
-    in::Near_vertices near(e.data, e.faces);
-    const auto faces_same_way = [&](Index v, Index w) {
-      double sum = 0;
-      for (std::size_t c = 0; c < 3; ++c)
-        sum += e.data.vertices[v].normal[c] * e.data.vertices[w].normal[c];
-      return sum > 0;
-    };
-    for (Index v = 0; v < level.number_of_vertices(); v += 3) {
-      if (!near.find(v)) continue;
-      ++found;
-      std::set<Index> expected;
-      for (const Index w : grown(level, {v}))
-        if (faces_same_way(v, w)) expected.insert(w);
-      if (expected.size() < 12) {
-        for (const Index w : grown(level, expected))
-          if (faces_same_way(v, w)) expected.insert(w);
+    const Curvatures c = from_points(s.soup);
+    Vectors p;
+    for (const Triple& q : s.soup.points) p.emplace_back(q[0], q[1], q[2]);
+    const Vectors normals = vertex_normals(s.soup, p);
+    for (std::size_t v = 0; v < p.size(); v += 11) {
+      std::set<std::size_t> near;
+      for (int rings = 1; rings <= 4; ++rings) {
+        near = grown(s.soup, near, normals, v);
+        if (near.size() < 12) continue;
+        const Reference expected(samples_of(near, p, normals, v));
+        if (!(expected.norm_of_inverse <= 50)) continue;
+        ++found;
+        if (rings > 2) ++of_more_rings;
+        const double size = std::abs(c[v].minimal) + std::abs(c[v].maximal) + 1e-3;
+        EXPECT_NEAR(c[v].mean, expected.mean, 1e-9 * size) << v << ", rings: " << rings;
+        EXPECT_NEAR(c[v].gaussian, expected.gaussian, 1e-9 * size * size);
+        break;
       }
-      expected.erase(v);
-      std::set<Index> vertices;
-      for (std::size_t i = 0; i < near.size(); ++i) vertices.insert(near[i].vertex);
-      EXPECT_EQ(vertices.size(), near.size());
-      EXPECT_EQ(vertices, expected);
     }
   }
-  EXPECT_GT(found, 500u);
-}
-
-TEST(Curvature_fit, AnglesAreGoodToSevenDigits)
-{
-  for (int i = -10000; i <= 10000; ++i)
-    EXPECT_NEAR(in::Corner_normals::arc_cosine(i / 10000.), std::acos(i / 10000.), 3e-8);
-}
-
-TEST(Curvature_fit, NormalsAreThoseOfAngles)
-{
-  for (const Sampled_surface& s : surfaces())
-    for (const double scale : {1e-200, 1., 1e100}) {
-      Soup soup = s.soup;
-      for (Triple& p : soup.points) p = {scale * p[0], scale * p[1], scale * p[2]};
-      const Estimation e(mesh_of(soup));
-      in::estimate_normals<double>(
-        e.data.level, PN::Control_normal_estimate::angle,
-        [&](Index v) -> const auto& { return e.data.vertices[v].point; },
-        [&](Index v, const PN::Coordinates<double, 3>& n) {
-          for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(e.data.vertices[v].normal[c], n[c], 1e-7);
-        });
-    }
-}
-
-TEST(Curvature_fit, HalfAngles)
-{
-  for (int i = -179; i <= 180; ++i) {
-    const double angle = i * std::acos(-1.) / 180;
-    const Eigen::Vector2d half = in::half_angle(3 * std::cos(angle), 3 * std::sin(angle), 3);
-    EXPECT_NEAR(half[0], std::cos(angle / 2), 1e-15);
-    EXPECT_NEAR(half[1], std::sin(angle / 2), 1e-15);
-  }
-}
-
-// What the lanes give is what one vertex after the other is given by orthogonal transformations.
-TEST(Curvature_fit, SeveralAtOnceAreThoseOfOneAtATime)
-{
-  for (const Sampled_surface& s : surfaces()) {
-    const Estimation e(mesh_of(s.soup));
-    const Index n = e.data.level.number_of_vertices();
-    std::vector<in::Principal_curvatures> several(n);
-    in::Curvature_estimations(e.data, e.faces)(0, n, several.data());
-    in::Curvature_estimation one(e.data);
-    for (Index v = 0; v < n; ++v) {
-      const in::Principal_curvatures expected = one(v);
-      const double size = 1 + std::abs(expected.minimal) + std::abs(expected.maximal);
-      EXPECT_EQ(several[v].is_estimated, expected.is_estimated);
-      EXPECT_NEAR(several[v].minimal, expected.minimal, 1e-11 * size);
-      EXPECT_NEAR(several[v].maximal, expected.maximal, 1e-11 * size);
-      EXPECT_NEAR(several[v].mean, expected.mean, 1e-11 * size);
-      EXPECT_NEAR(several[v].gaussian, expected.gaussian, 1e-11 * size * size);
-    }
-  }
+  EXPECT_GT(found, 80u);
+  EXPECT_GT(of_more_rings, 5u);
 }

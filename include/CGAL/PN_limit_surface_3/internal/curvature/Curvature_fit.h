@@ -9,16 +9,13 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_CURVATURE_CURVATURE_FIT_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_CURVATURE_CURVATURE_FIT_H
 
-#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
-
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -43,16 +40,6 @@ struct Graph_derivatives
   Eigen::Matrix2d hessian;
 };
 
-// The unit vector at half the angle of (x, y), which has the given length.
-inline Eigen::Vector2d half_angle(double x, double y, double length)
-{
-  if (!(length > 0)) return {1, 0};
-  const double larger = std::sqrt((1 + std::abs(x) / length) / 2);
-  const double smaller = std::abs(y) / (2 * length * larger);
-  return x < 0 ? Eigen::Vector2d(smaller, std::copysign(larger, y))
-               : Eigen::Vector2d(larger, std::copysign(smaller, y));
-}
-
 // The curvatures of the graph, whose lengths have been divided by `scale`. The shape operator is that of
 // the derivative of the normal (-grad f, 1)/W, so that a sphere with outward normals has positive curvatures.
 inline Principal_curvatures principal_curvatures(const Graph_derivatives& f, double scale)
@@ -65,23 +52,22 @@ inline Principal_curvatures principal_curvatures(const Graph_derivatives& f, dou
   const Eigen::Matrix2d shape = -basis.transpose() * f.hessian * basis / w;
 
   Principal_curvatures c;
-  const double difference = (shape(0, 0) - shape(1, 1)) / 2;
-  const double size = (std::max)(std::abs(difference), std::abs(shape(0, 1)));
-  const double x = size > 0 ? difference / size : 0, y = size > 0 ? shape(0, 1) / size : 0;
-  const double length = std::sqrt(x * x + y * y), radius = size * length / scale;
-  c.mean = (shape(0, 0) + shape(1, 1)) / 2 / scale;
-  c.minimal = c.mean - radius;
-  c.maximal = c.mean + radius;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
+  eigen.computeDirect(shape);
+  c.mean = shape.trace() / 2 / scale;
+  c.minimal = eigen.eigenvalues()[0] / scale;
+  c.maximal = eigen.eigenvalues()[1] / scale;
   c.gaussian =
     shape(0, 0) / scale * (shape(1, 1) / scale) - shape(0, 1) / scale * (shape(0, 1) / scale);
-  const Eigen::Vector2d along = half_angle(x, y, length), across(along[1], -along[0]);
+  const Eigen::Vector2d along = eigen.eigenvectors().col(1), across(along[1], -along[0]);
   const auto in_space = [&](const Eigen::Vector2d& t) -> Eigen::Vector3d {
     const Eigen::Vector2d u = basis * t;
     return (f.frame * Eigen::Vector3d(u[0], u[1], f.gradient.dot(u))).normalized();
   };
   c.minimal_direction = in_space(across);
   c.maximal_direction = in_space(along);
-  c.is_estimated = std::isfinite(c.gaussian) && std::isfinite(c.mean) && std::isfinite(radius);
+  c.is_estimated =
+    std::isfinite(c.gaussian) && std::isfinite(c.minimal) && std::isfinite(c.maximal);
   return c.is_estimated ? c : Principal_curvatures();
 }
 
@@ -98,14 +84,8 @@ struct Curvature_sample
 // the vertex, the gradient is 0, and every normal tells of the second derivatives and, with degree 3, of the third ones.
 class Curvature_fit
 {
-  static constexpr int max_unknowns = 9;
   static constexpr double root_2 = 1.41421356237309505, root_3 = 1.73205080756887729;
-  using Matrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Eigen::Dynamic, max_unknowns>;
-  using Row = Eigen::Matrix<double, 1, max_unknowns>;
-  using Square =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_unknowns, max_unknowns>;
-  using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_unknowns, 1>;
+  using Row = Eigen::Matrix<double, 9, 1>; // of a matrix with up to 9 columns
   using Samples = std::vector<Curvature_sample>;
 
 public:
@@ -116,9 +96,9 @@ public:
   // whether the points determine all derivatives
   bool fit(const Samples& samples, const Eigen::Vector3d& normal, int degree)
   {
-    if (!begin(samples, normal, degree == 3 ? 9 : 5)) return false;
+    if (!begin(samples, normal)) return false;
     for (const Curvature_sample& s : samples) add_point(s);
-    if (!solve(2)) return false;
+    if (!(degree == 3 ? solve<9>(2) : solve<5>(2))) return false;
     set_derivatives(solution_.head<2>(), solution_.segment<3>(2));
     return true;
   }
@@ -126,9 +106,9 @@ public:
   // whether the normals do, and the points of samples without one
   bool fit_normals(const Samples& samples, const Eigen::Vector3d& normal, int degree)
   {
-    if (!begin(samples, normal, degree == 3 ? 7 : 3)) return false;
-    for (const Curvature_sample& s : samples) add_normal(s);
-    if (!solve(3)) return false;
+    if (!begin(samples, normal)) return false;
+    for (const Curvature_sample& s : samples) add_normal(s, degree == 3);
+    if (!(degree == 3 ? solve<7>(3) : solve<3>(3))) return false;
     set_derivatives({0, 0}, -solution_.head<3>());
     return true;
   }
@@ -140,16 +120,14 @@ public:
   }
 
 private:
-  bool begin(const Samples& samples, const Eigen::Vector3d& normal, Eigen::Index unknowns)
+  bool begin(const Samples& samples, const Eigen::Vector3d& normal)
   {
     graph_.frame.col(2) = normal;
     graph_.frame.col(0) = normal.unitOrthogonal();
     graph_.frame.col(1) = normal.cross(graph_.frame.col(0));
-    if (!set_units(samples)) return false;
-    matrix_.resize(Eigen::Index(3 * samples.size()), unknowns);
-    right_side_.resize(matrix_.rows());
-    rows_ = 0;
-    return true;
+    rows_.clear();
+    right_sides_.clear();
+    return set_units(samples);
   }
 
   // Units in which the second moments of the samples are 1 make the fit independent of affine maps
@@ -165,13 +143,10 @@ private:
     const double determinant = moments.determinant();
     if (!(determinant > on_a_line * moments.trace() * moments.trace())) return false;
     units_ = Eigen::LLT<Eigen::Matrix2d>(moments).matrixL();
+    inverse_units_ = units_.inverse();
     return true;
   }
 
-  Eigen::Vector2d in_units(const Eigen::Vector2d& u) const
-  {
-    return units_.triangularView<Eigen::Lower>().solve(u);
-  }
   static double weight_of(const Curvature_sample& s, const Eigen::Vector2d& u)
   {
     return s.weight / (1 + u.squaredNorm() / 2);
@@ -180,7 +155,7 @@ private:
   void add_point(const Curvature_sample& s)
   {
     const Eigen::Vector3d p = graph_.frame.transpose() * s.offset;
-    const Eigen::Vector2d u = in_units(p.head<2>());
+    const Eigen::Vector2d u = inverse_units_ * p.head<2>();
     const double x = u[0], y = u[1];
     Row value;
     value << x, y, x * x / 2, x * y / root_2, y * y / 2, x * x * x / 6, x * x * y / (2 * root_3),
@@ -194,15 +169,16 @@ private:
   //   n.t / r = S(t,t) + r/2 C(t,t,t) + r^2 E,   12 h / r^2 = r C(t,t,t) + 3 r^2 E,
   // and E, h and C vanish on spheres and circular cylinders, of any triangulation. From both E is eliminated. What tells of C
   // alone, and of S across t, where E is another one, has a small weight: it is for rings that do not tell otherwise.
-  void add_normal(const Curvature_sample& s)
+  void add_normal(const Curvature_sample& s, bool is_cubic)
   {
     constexpr double part = 0.3; // less suits exact normals, more those that are estimated
     const Eigen::Vector3d p = graph_.frame.transpose() * s.offset;
-    const bool has_normal = !s.normal.isZero(0), is_cubic = matrix_.cols() > 3;
+    const bool has_normal = !s.normal.isZero(0);
     Eigen::Vector3d m(0, 0, 1);
     if (has_normal) m = (m + graph_.frame.transpose() * s.normal).normalized();
     const double h = p.dot(m);
-    const Eigen::Vector2d u = in_units(p.head<2>() - m.head<2>() * ((h + p[2]) / (1 + m[2])));
+    const Eigen::Vector2d u =
+      inverse_units_ * (p.head<2>() - m.head<2>() * ((h + p[2]) / (1 + m[2])));
     const double r = u.norm(), weight = weight_of(s, u);
     if (!(r > 0)) return;
     const double x = u[0] / r, y = u[1] / r;
@@ -222,31 +198,45 @@ private:
 
   void add_row(double weight, const Row& row, double right_side)
   {
-    matrix_.row(rows_) = weight * row.head(matrix_.cols());
-    right_side_[rows_] = weight * right_side;
-    ++rows_;
+    rows_.push_back(weight * row);
+    right_sides_.push_back(weight * right_side);
   }
 
-  // The columns of each degree, of which the lowest has so many, get a mean square of 1. That, the coefficients of binomials
-  // in front of the unknowns and Frobenius norms make the condition independent of the choice of the frame.
-  bool solve(Eigen::Index of_lowest)
+  // By normal equations, whose solution is then corrected by what it leaves of the right side: as accurate as by
+  // orthogonal transformations. The columns of each degree, of which the lowest has so many, count as if they had a mean
+  // square of 1. That, the coefficients of binomials in front of the unknowns and Frobenius norms make the condition
+  // independent of the choice of the frame.
+  template <int unknowns>
+  bool solve(int of_lowest)
   {
-    if (rows_ < matrix_.cols()) return false;
-    matrix_.conservativeResize(rows_, matrix_.cols());
-    Unknowns scales(matrix_.cols());
-    for (Eigen::Index first = 0, n = of_lowest; first < matrix_.cols(); first += n, ++n) {
-      const double size = matrix_.middleCols(first, n).norm() / std::sqrt(double(n));
-      if (!(size > 0)) return false;
-      matrix_.middleCols(first, n) /= size;
-      scales.segment(first, n).setConstant(1 / size);
+    using Vector = Eigen::Matrix<double, unknowns, 1>;
+    using Square = Eigen::Matrix<double, unknowns, unknowns>;
+    Square matrix = Square::Zero();
+    for (const Row& row : rows_)
+      matrix.noalias() += row.head<unknowns>() * row.head<unknowns>().transpose();
+    Vector size; // of the columns
+    for (int first = 0, n = of_lowest; first < unknowns; first += n, ++n)
+      size.segment(first, n).setConstant(std::sqrt(matrix.diagonal().segment(first, n).sum() / n));
+    if (!(size.minCoeff() > 0)) return false;
+    const Eigen::LLT<Square> factors(matrix);
+    if (factors.info() != Eigen::Success) return false;
+    Eigen::Matrix<double, unknowns, unknowns, Eigen::RowMajor> inverse; // of the lower triangle
+    for (int i = 0; i < unknowns; ++i) {
+      inverse.row(i) = Square::Identity().row(i);
+      for (int k = 0; k < i; ++k) inverse.row(i) -= factors.matrixLLT()(i, k) * inverse.row(k);
+      inverse.row(i) *= 1 / factors.matrixLLT()(i, i);
     }
-    qr_.compute(matrix_);
-    const Square inverse = qr_.matrixQR()
-                             .topRows(matrix_.cols())
-                             .template triangularView<Eigen::Upper>()
-                             .solve(Square::Identity(matrix_.cols(), matrix_.cols()));
-    if (!(inverse.norm() <= max_condition)) return false;
-    solution_ = qr_.solve(right_side_.head(rows_)).cwiseProduct(scales);
+    if (!((inverse * size.asDiagonal()).norm() <= max_condition)) return false;
+    Vector solution = Vector::Zero();
+    for (int i = 0; i < 2; ++i) {
+      Vector right_side = Vector::Zero();
+      for (std::size_t k = 0; k < rows_.size(); ++k) {
+        const auto row = rows_[k].head<unknowns>();
+        right_side += (right_sides_[k] - row.dot(solution)) * row;
+      }
+      solution += inverse.transpose() * (inverse * right_side);
+    }
+    solution_.head<unknowns>() = solution;
     return true;
   }
 
@@ -254,18 +244,15 @@ private:
   {
     Eigen::Matrix2d hessian;
     hessian << second[0], second[1] / root_2, second[1] / root_2, second[2];
-    const Eigen::Matrix2d inverse_units = units_.inverse();
-    graph_.gradient = inverse_units.transpose() * first;
-    graph_.hessian = inverse_units.transpose() * hessian * inverse_units;
+    graph_.gradient = inverse_units_.transpose() * first;
+    graph_.hessian = inverse_units_.transpose() * hessian * inverse_units_;
   }
 
   Graph_derivatives graph_;
-  Eigen::Matrix2d units_; // lower triangular
-  Matrix matrix_;
-  Eigen::VectorXd right_side_;
-  Unknowns solution_;
-  Eigen::Index rows_ = 0;
-  Eigen::HouseholderQR<Matrix> qr_;
+  Eigen::Matrix2d units_, inverse_units_; // lower triangular
+  std::vector<Row> rows_;
+  std::vector<double> right_sides_;
+  Row solution_ = Row::Zero();
 };
 
 } // namespace internal
