@@ -26,9 +26,9 @@
 namespace pn_python {
 
 Control::Control(const Reals& points, const Integers& targets, const Integers& nexts,
-                 const Integers& faces, const Integers& of_vertices, const Integers& of_faces)
+                 const Integers& faces, const Integers& of_points, const Integers& of_faces)
 {
-  const auto n = std::uint32_t(of_vertices.size()), e = std::uint32_t(targets.size() / 2),
+  const auto n = std::uint32_t(of_points.size()), e = std::uint32_t(targets.size() / 2),
              m = std::uint32_t(of_faces.size());
   const auto at = [](const Integers& numbers, std::uint32_t i) {
     return std::uint32_t(numbers.data()[i]); // of -1 the greatest one, which stands for none
@@ -36,7 +36,7 @@ Control::Control(const Reals& points, const Integers& targets, const Integers& n
   mesh.resize(n, e, m);
   for (std::uint32_t v = 0; v < n; ++v) {
     mesh.point(Vertex(v)) = point_at(points.data(), v);
-    mesh.set_halfedge(Vertex(v), Halfedge(at(of_vertices, v)));
+    mesh.set_halfedge(Vertex(v), Halfedge(at(of_points, v)));
   }
   for (std::uint32_t h = 0; h < 2 * e; ++h) {
     mesh.set_target(Halfedge(h), Vertex(at(targets, h)));

@@ -87,12 +87,12 @@ struct Control
 {
   // of the half-edges target, next one and face, of the vertices and faces a half-edge; a negative number: none
   Control(const Reals& points, const Integers& targets, const Integers& nexts,
-          const Integers& faces, const Integers& of_vertices, const Integers& of_faces);
+          const Integers& faces, const Integers& of_points, const Integers& of_faces);
 
   void set_scheme(const std::string& name, const std::map<std::string, double>& parameters,
                   bool linear);
   // Of the edges, besides those at which faces meet at a greater angle, and of the vertices; before the normals.
-  void set_sharpness(int border_number, const Reals& of_edges, const Reals& of_vertices,
+  void set_sharpness(int border_number, const Reals& of_edges, const Reals& of_points,
                      double degrees);
   // One of each vertex or corner; without normals they are estimated.
   void set_normals(const std::optional<Reals>& normals, bool are_of_corners,

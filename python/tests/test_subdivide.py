@@ -50,6 +50,7 @@ def test_faces_may_be_arrays_lists_or_offsets_and_indices():
     assert same_bits(mixed.points, pn.subdivide(points, (sizes, np.concatenate(polygons)), linear=True).points)
     back = pn.subdivide(points, polygons, levels=0)
     assert [face.tolist() for face in back.faces] == polygons and same_bits(back.points, points)
+    assert back.face_parents.tolist() == list(range(7))
 
 
 def test_linear_is_the_scheme_of_catmull_and_clark():
