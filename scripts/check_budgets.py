@@ -31,6 +31,7 @@ ROOT = Path(__file__).resolve().parent.parent
 BUDGETS = ROOT / "scripts" / "budgets.tsv"
 HEADERS = ROOT / "include" / "CGAL"
 SOURCES = ROOT / "src"  # of the command, and of the library
+PYTHON = [ROOT / "python" / "src", ROOT / "python" / "pn_subdivision"]
 LONG = 100  # lines of a header that should be touched by a wrong change
 INTRODUCTION = """\
 # The most that a folder may have; checked by scripts/check_budgets.py, which also lowers and raises it.
@@ -101,7 +102,7 @@ def counted() -> dict[str, tuple[int, int]]:
     """Files and lines of each folder and behind each umbrella header, and the counts of the whole, which have no lines."""
     headers = sorted(HEADERS.rglob("*.h"))
     included = sorted(HEADERS.rglob("*.cpp"))
-    sources = [path for path in SOURCES.rglob("*") if path.suffix in (".h", ".cpp")]
+    sources = [path for folder in (SOURCES, *PYTHON) for path in folder.rglob("*") if path.suffix in (".h", ".cpp", ".py")]
     counts: dict[str, tuple[int, int]] = {}
     for path in headers + included + sources + sorted((ROOT / "test_support").rglob("*.h")):
         folder = str(path.parent.relative_to(ROOT))

@@ -37,7 +37,7 @@ This file is part of {NAME}, a package for CGAL (www.cgal.org).
 SPDX-License-Identifier: LGPL-3.0-or-later
 Author(s): {NAME} developers
 """
-FOLDERS = ("include", "test_support", "src", "examples", "demo", "test", "benchmark", "scripts", "doc", "cmake")
+FOLDERS = ("include", "test_support", "src", "python", "examples", "demo", "test", "benchmark", "scripts", "doc", "cmake")
 COMMENTS = {".h": "//", ".cpp": "//", ".ts": "//", ".mjs": "//", ".py": "#", ".sh": "#"}
 # Folders of these names hold what is not the package's: interfaces that are only documented, libraries.
 NOT_OURS = {"Concepts", "node_modules"}

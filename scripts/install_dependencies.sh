@@ -9,15 +9,16 @@
 #
 # Installs what is missing to build and test PN_subdivision_3, from Debian packages only.
 #
-#   scripts/install_dependencies.sh [--compiler | --picture | --manual | --page | --release]
+#   scripts/install_dependencies.sh [--compiler | --picture | --manual | --page | --python | --release]
 #
 #   --compiler: only what programs that use the package are compiled with; --picture: only what
-#   scripts/render.py needs; --manual: also what the target doc needs; --page: only what the page needs;
-#   --release: what scripts/make_release.sh needs but for the page
+#   scripts/render.py needs; --manual: also what the target doc needs; --page: only what the page needs; --python: only what
+#   the module for Python, its wheel and their tests need; --release: what scripts/make_release.sh needs but for the page
 set -euo pipefail
 
 compiling=(g++ cmake ninja-build make libcgal-dev) # make: what CMake takes where no generator is named
 drawing=(python3-vtk9 python3-numpy xvfb)
+of_python=(python3-dev pybind11-dev python3-numpy python3-pytest python3-mesonpy python3-pip)
 required=("${compiling[@]}" libeigen3-dev libboost-dev libgmp-dev libmpfr-dev libgtest-dev)
 optional=(libtbb-dev libcli11-dev nlohmann-json3-dev libbenchmark-dev libopenmesh-dev libosd-dev libcgal-demo libmpfi-dev python3
           clang lld libopenmpi-dev openmpi-bin pkgconf "${drawing[@]}" xauth)
@@ -40,16 +41,21 @@ case ${1:-} in
     command -v node >/dev/null || required+=(nodejs)
     command -v npm >/dev/null || required+=(npm)
     ;;
+  --python)
+    required=("${compiling[@]}" libboost-dev "${of_python[@]}")
+    optional=(clang libtbb-dev)
+    with_archives=no
+    ;;
   --release)
     required=("${compiling[@]}" libeigen3-dev libboost-dev libgmp-dev libmpfr-dev libtbb-dev libcli11-dev nlohmann-json3-dev
-              python3 doxygen dpkg-dev lintian file xz-utils)
+              python3 doxygen dpkg-dev lintian file xz-utils "${of_python[@]}")
     optional=(blahtexml)
     with_archives=no
     ;;
   --manual) optional+=(doxygen blahtexml) ;;
   "") ;;
   *)
-    echo "usage: scripts/install_dependencies.sh [--compiler | --picture | --manual | --page | --release]" >&2
+    echo "usage: scripts/install_dependencies.sh [--compiler | --picture | --manual | --page | --python | --release]" >&2
     exit 2
     ;;
 esac

@@ -8,7 +8,7 @@
 # Author(s): PN_subdivision_3 developers
 #
 # Makes what a release consists of, of a tag or another commit (default: HEAD), in build/release_files/VERSION:
-# sources, a Debian package, a statically linked command, the manual, the page, the npm package, checksums.
+# sources, a Debian package, a statically linked command, a wheel for Python, the manual, the page, the npm package, checksums.
 # What that needs is installed (Debian packages, and npm's for the page).
 #
 #   scripts/make_release.sh [--maintainer "NAME <ADDRESS>"] [--without-page] [TAG or COMMIT]
@@ -128,6 +128,15 @@ pack() { # ARCHIVE FOLDER
   tar -C "$work" --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$SOURCE_DATE_EPOCH" -c "$2" | xz -9 -T1 >"$1"
 }
 pack "$files/$folder.tar.xz" "$folder"
+
+echo "Wheel"
+# without TBB, hence with one thread: it needs nothing but the libraries of C and C++
+/usr/bin/python3 -m pip wheel --quiet --no-index --no-deps --no-build-isolation --config-settings=setup-args=-Dtbb=disabled -w "$files" python \
+  >"$work/log.txt" 2>&1 || {
+  tail -n 40 "$work/log.txt" >&2
+  fail "the wheel could not be built"
+}
+scripts/test_python.sh --offline --command "$program" --wheel "$(echo "$files"/*.whl)"
 
 echo "Manual"
 build "$work/static" doc
