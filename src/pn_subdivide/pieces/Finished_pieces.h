@@ -9,9 +9,15 @@
 #ifndef PN_SUBDIVIDE_FINISHED_PIECES_H
 #define PN_SUBDIVIDE_FINISHED_PIECES_H
 
+#include "io/Output_file.h"
+#include "pieces/Shared_file.h"
+
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
+#include <utility>
 
 namespace pn_subdivide {
 
@@ -20,23 +26,57 @@ namespace pn_subdivide {
 class Finished_pieces
 {
 public:
-  Finished_pieces(std::filesystem::path folder, std::string job);
+  Finished_pieces(std::filesystem::path folder, const std::string& job)
+    : folder_(std::move(folder))
+    , job_("pn_subdivide " + job)
+  {}
 
-  static bool are_of(const std::filesystem::path& folder, const std::string& job);
+  bool are_of_job() const { return content("job") == job_ + "\n"; }
+  void create() const
+  {
+    remove(); // that of the same job whose other file is gone
+    std::filesystem::create_directory(folder_);
+    write("job", job_ + "\n");
+  }
+  void remove() const
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
 
-  // of no piece
-  void create() const;
-  void remove() const;
-  std::size_t number() const;
-
+  std::size_t number() const
+  {
+    using Entries = std::filesystem::directory_iterator;
+    const auto files = std::distance(Entries(folder_), Entries());
+    return files > 0 ? static_cast<std::size_t>(files) - 1 : 0; // without that of the job
+  }
   // empty if there is none
-  std::string receipt(std::size_t i) const;
+  std::string receipt(std::size_t i) const
+  {
+    const std::string text = content(std::to_string(i)), line = first_line(i);
+    return text.compare(0, line.size(), line) == 0 ? text.substr(line.size()) : "";
+  }
   // once the piece is on the disk
-  void set_finished(std::size_t i, const std::string& receipt) const;
+  void set_finished(std::size_t i, const std::string& receipt) const
+  {
+    write(std::to_string(i), first_line(i) + receipt);
+  }
 
 private:
-  void write(const std::string& name, const std::string& text) const;
-  std::string first_line(std::size_t i) const;
+  std::string content(const std::string& name) const
+  {
+    std::ifstream in(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  void write(const std::string& name, const std::string& text) const
+  {
+    Output_file out((folder_ / name).string());
+    out.text(text);
+    out.commit();
+    sync_file(folder_ / name);
+    sync_file(folder_); // its name
+  }
+  std::string first_line(std::size_t i) const { return job_ + " " + std::to_string(i) + "\n"; }
 
   std::filesystem::path folder_;
   std::string job_;

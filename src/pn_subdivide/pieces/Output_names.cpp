@@ -32,7 +32,8 @@ void Output_names::require_free(bool resumes, const std::string& job) const
 {
   if (fs::exists(fs::symlink_status(part)))
     require_continuation(resumes, job);
-  else if (resumes && fs::exists(fs::symlink_status(done)) && !Finished_pieces::are_of(done, job))
+  else if (resumes && fs::exists(fs::symlink_status(done)) &&
+           !Finished_pieces(done, job).are_of_job())
     throw Error(done.string() + " is there, and is not of a run that can be continued: rename or "
                                 "delete it");
   if (!folder.empty()) require_own_folder();
@@ -47,7 +48,7 @@ void Output_names::require_continuation(bool resumes, const std::string& job) co
   if (!fs::exists(done))
     throw Error(name + " is there without " + done.filename().string() +
                 ", and cannot be continued: delete or rename it");
-  if (!Finished_pieces::are_of(done, job))
+  if (!Finished_pieces(done, job).are_of_job())
     throw Error(done.string() +
                 " belongs to a run with other data or options, which cannot be continued: delete "
                 "it and " +

@@ -51,6 +51,8 @@ std::string name_of(const Mesh_data& mesh, const Creases& creases, const Surface
                     const Limit_choice& limit, std::size_t pieces)
 {
   Checksum crc;
+  std::ostringstream text;
+  text.precision(17);
   const auto add = [&crc](const auto& values) {
     crc.process_bytes(values.data(), values.size() * sizeof(values[0]));
   };
@@ -68,23 +70,19 @@ std::string name_of(const Mesh_data& mesh, const Creases& creases, const Surface
       add(column.name);
       add(column.values);
       for (const std::string& word : column.words) add(word);
+      text << int(column.type) << column.words.size() << column.is_label << ' ';
     }
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     const std::uint64_t degree = mesh.face(f).size();
     crc.process_bytes(&degree, sizeof degree);
     crc.process_bytes(mesh.face(f).begin(), degree * sizeof(Mesh_data::Index));
   }
-  std::ostringstream text;
-  text.precision(17);
   text << CGAL_PN_SUBDIVISION_3_VERSION << ' ' << scheme.scheme << ' '
        << scheme.normal_scheme.value_or("-");
   for (const auto& [parameter, value] : scheme.parameters) text << ' ' << parameter << ' ' << value;
   text << ' ' << scheme.first_round.value_or(1) << ' ' << scheme.tuned_valences.value_or("-");
   text << ' ' << int(creases.border) << ' ' << int(normals.choice) << ' ' << int(normals.kind);
   text << ' ' << limit.points << limit.normals << ' ' << limit.tolerance.value_or(0);
-  for (const Columns* columns : {&mesh.attributes.of_vertices, &mesh.attributes.of_faces})
-    for (const Column& column : *columns)
-      text << ' ' << int(column.type) << column.words.size() << column.is_label;
   for (const auto& names : mesh.attributes.directions)
     for (const std::string& name : names) text << ' ' << name;
   for (const auto* files : {&mesh.attributes.texture_files, &mesh.attributes.material_files})

@@ -186,14 +186,16 @@ void expect_composition(const Control_mesh& control, bool has_normals)
       for (auto v : plain.vertices())
         ASSERT_EQ(plain.point(v), refiner.points()[v.idx()]) << control.name << ", refiner";
     }
-    const PN::Surface_pieces pieces(
-      mesh, scheme, PN::parameters::join(PN::parameters::number_of_pieces(3), with_map(mesh)));
-    for (std::size_t k = 0; k < pieces.number_of_pieces(); ++k) {
-      const auto piece = pieces.piece(k);
-      for (std::size_t i = 0; i < piece.number_of_vertices(); ++i) {
-        const Surface_mesh::Vertex_index v(
-          static_cast<Surface_mesh::size_type>(piece.vertex_number(i)));
-        ASSERT_EQ(plain.point(v), piece.points()[i]) << control.name << ", piece";
+    if constexpr (PN::splits_edges_v<std::decay_t<decltype(scheme)>>) {
+      const PN::Surface_pieces pieces(
+        mesh, scheme, PN::parameters::join(PN::parameters::number_of_pieces(3), with_map(mesh)));
+      for (std::size_t k = 0; k < pieces.number_of_pieces(); ++k) {
+        const auto piece = pieces.piece(k);
+        for (std::size_t i = 0; i < piece.number_of_vertices(); ++i) {
+          const Surface_mesh::Vertex_index v(
+            static_cast<Surface_mesh::size_type>(piece.vertex_number(i)));
+          ASSERT_EQ(plain.point(v), piece.points()[i]) << control.name << ", piece";
+        }
       }
     }
     if constexpr (Description::is_primal) {
