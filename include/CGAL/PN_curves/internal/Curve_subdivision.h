@@ -65,8 +65,7 @@ class Curve_subdivision
   using Average = Average_of<is_pn, FT, dimension>;
   using Value = typename Average::Value;
   using Block = typename Block_of<Average>::type;
-  using Stored_value = typename Block::Stored_value;
-  using Values = boost::container::vector<Stored_value>;
+  using Values = boost::container::vector<Value>;
   using Index = typename Univariate_rows<FT>::Index;
   using Vector_coordinates = Coordinates<FT, dimension>;
 
@@ -121,7 +120,7 @@ public:
     };
     if (iterations == 0 || values_.empty()) {
       curve.reserve(values_.size());
-      for (const Stored_value& value : values_) curve.push_back(make_item(value));
+      for (const Value& value : values_) curve.push_back(make_item(value));
       return curve;
     }
     check_sizes(iterations);
@@ -224,7 +223,7 @@ private:
   {
     const auto [first, last] = range(size());
     Values refined(static_cast<std::size_t>(last - first), boost::container::default_init);
-    Stored_value* next = refined.data();
+    Value* next = refined.data();
     evaluate(first, last, [&next](const Value* values, std::size_t n) {
       for (std::size_t i = 0; i < n; ++i) *next++ = values[i];
     });
