@@ -150,10 +150,9 @@ public:
   // the round, and of its vertices those of `child`
   Values refined(const Values& values, const std::vector<Index>& child) const
   {
-    const std::vector<typename One_round::Stored_value> old(values.begin(), values.end());
     Values all(round_.refined_size().vertices);
-    round_.evaluate(0, static_cast<Index>(all.size()), old.data(),
-                    round_.transfers(old.data(), For_chunks()),
+    round_.evaluate(0, static_cast<Index>(all.size()), values.data(),
+                    round_.transfers(values.data(), For_chunks()),
                     [&](Index first, const Value* v, Index n) {
                       std::copy(v, v + n, all.begin() + static_cast<std::ptrdiff_t>(first));
                     });

@@ -99,9 +99,8 @@ std::vector<typename Block::Value>
 block_of_rows(const PN::internal::Stencil_block<typename Block::FT>& rows,
               const std::vector<typename Block::Value>& old)
 {
-  const std::vector<typename Block::Stored_value> stored(old.begin(), old.end());
   std::vector<typename Block::Value> result(rows.number_of_rows());
-  Block()(rows, stored.data(), result.data());
+  Block()(rows, old.data(), result.data());
   return result;
 }
 
@@ -110,7 +109,6 @@ template <class Block, class FT>
 void expect_fraction_of_the_way(FT roundness)
 {
   const auto old = some_values<FT>(40, 6);
-  const std::vector<typename Block::Stored_value> stored(old.begin(), old.end());
   std::vector<PN::Coordinates<FT, 3>> points;
   for (const auto& v : old) points.push_back(v.point);
   PN::PN_average<FT, 3> average;
@@ -120,7 +118,7 @@ void expect_fraction_of_the_way(FT roundness)
     const auto rows = some_rows<FT>(PN::internal::block_size_v<FT>, length, false, old.size());
     const auto round = block_of_rows<Block>(rows, old);
     auto part = round;
-    block(rows, stored.data(), part.data());
+    block(rows, old.data(), part.data());
     for (std::size_t r = 0; r < part.size(); ++r) {
       const auto linear = PN::Linear_average<FT, 3>()(rows.begin(r), rows.end(r), points.data());
       EXPECT_EQ(part[r].normal, round[r].normal);

@@ -120,7 +120,7 @@ public:
     };
     if (iterations == 0 || values_.empty()) {
       curve.reserve(values_.size());
-      for (const Stored_value& value : values_) curve.push_back(make_item(value));
+      for (const Value& value : values_) curve.push_back(make_item(value));
       return curve;
     }
     check_sizes(iterations);
@@ -164,7 +164,7 @@ public:
   {
     const auto [first, last] = range(size());
     Values refined(static_cast<std::size_t>(last - first), boost::container::default_init);
-    Stored_value* next = refined.data();
+    Value* next = refined.data();
     evaluate(first, last, [&next](const Value* values, std::size_t n) {
       for (std::size_t i = 0; i < n; ++i) *next++ = values[i];
     });
@@ -190,8 +190,7 @@ public:
 
 private:
   using Block = typename Block_of<Average>::type;
-  using Stored_value = typename Block::Stored_value;
-  using Values = boost::container::vector<Stored_value>;
+  using Values = boost::container::vector<Value>;
 
   template <class Point_or_vector>
   static Vector_coordinates coordinates(const Point_or_vector& p)

@@ -335,8 +335,7 @@ private:
   std::pair<Level_connectivity, std::vector<Value>>
   refined(const Stage& stage, const Sub_level& cut, const One_round& round) const
   {
-    using Stored_value = typename One_round::Stored_value;
-    std::vector<Stored_value> old;
+    std::vector<Value> old;
     for (const Index v : cut.origin()) old.emplace_back(stage.values[v]);
     Level_connectivity fine = child_level(round, for_chunks_);
     std::vector<Value> values(fine.number_of_vertices());

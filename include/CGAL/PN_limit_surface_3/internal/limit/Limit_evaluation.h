@@ -57,7 +57,6 @@ public:
   using Index = Level_connectivity::Index;
   using Tower = Limit_tower<Scheme, FT>;
   using Value = typename Tower::Value;
-  using Stored_value = typename Tower::Stored_value;
   using Result = typename Tower::Result;
   using Level = Valued_level<Value>;
   using Classes = Limit_classes<Scheme, FT>;
@@ -235,7 +234,6 @@ private:
   {
     if constexpr (Settled_neighborhood<Scheme>::may_have_next_ring) {
       const One_round round(scheme_, level.level, number);
-      const std::vector<Stored_value> old = stored(level.values);
       with_towers(vertices.size(), [&](Towers& towers, Index begin, Index end) {
         std::vector<Index> rings;
         std::vector<Value> values;
@@ -245,7 +243,7 @@ private:
           for (Index i = first; i < last; ++i)
             Vertex_ring::append_next(level.level, round.host(), vertices[i].v, rings);
           values.resize(rings.size());
-          round.evaluate(rings.data(), rings.data() + rings.size(), old.data(),
+          round.evaluate(rings.data(), rings.data() + rings.size(), level.values.data(),
                          [&](const Index* at, const Value* refined, Index n) {
                            std::copy(refined, refined + n, values.begin() + (at - rings.data()));
                          });
@@ -274,7 +272,7 @@ private:
     constexpr bool is_sqrt3 = std::is_same_v<typename Scheme::Host, Sqrt3_host>;
     // the same rows whichever vertices are asked for
     const Sub_level cut(level.level, vertices, cut_rings(scheme_), Sub_level::Keeps::walks);
-    std::vector<Stored_value> values;
+    std::vector<Value> values;
     values.reserve(cut.origin().size());
     for (const Index v : cut.origin()) values.emplace_back(level.values[v]);
     vertices = cut.centers();
@@ -288,23 +286,17 @@ private:
   }
   // A round that refines the border would take the rim for it.
   static void close_rim(const Level_connectivity& whole, const Sub_level& cut,
-                        Level_connectivity& level, std::vector<Stored_value>& values)
+                        Level_connectivity& level, std::vector<Value>& values)
   {
     const Rim_closure closure(level,
                               [&](Index b) { return !whole.is_border(cut.halfedge_origin(b)); });
     for (const Index v : closure.neighbors_of_new_vertices()) {
-      const Stored_value value = values[v];
+      const Value value = values[v];
       values.push_back(value);
     }
   }
 
-  template <class Values>
-  static std::vector<Stored_value> stored(const Values& values)
-  {
-    return std::vector<Stored_value>(values.begin(), values.end());
-  }
-
-  Level refined(const Level_connectivity& level, const std::vector<Stored_value>& values,
+  Level refined(const Level_connectivity& level, const std::vector<Value>& values,
                 unsigned number) const
   {
     const One_round round(scheme_, level, number);

@@ -53,7 +53,6 @@ public:
   using Class = Ring_class<Scheme, FT>;
   using Average = typename Class::Average;
   using Value = typename Class::Value;
-  using Stored_value = typename Class::Stored_value;
   using Result = Limit_result<Average>;
 
   // is_spline: whether the surface is a regular piece of a spline about the vertices
@@ -86,7 +85,7 @@ public:
     state.result = &result;
     state.center = point_of(value(0));
     for (std::size_t p = 0; p < class_.size(); ++p)
-      rings_[p * copies_ + count_] = Stored_value(relative(value(p), state.center, FT(-1)));
+      rings_[p * copies_ + count_] = relative(value(p), state.center, FT(-1));
     ++count_;
   }
 
@@ -299,8 +298,7 @@ private:
   const Limit_demand& demand_;
   const bool is_spline_;
   const std::size_t copies_;
-  std::vector<Stored_value> rings_;
-  std::vector<Value> next_, limits_;
+  std::vector<Value> rings_, next_, limits_;
   std::vector<State> states_;
   Ring_planes<Scheme, FT> planes_;
   std::optional<Normal_transfer<FT>> transfer_;

@@ -145,7 +145,6 @@ public:
   using Average = Average_of_scheme<Scheme, FT>;
   using Value = typename Average::Value;
   using Block = typename Block_of<Average>::type;
-  using Stored_value = typename Block::Stored_value;
 
   // Of the scheme in some rounds, each on the level that the one before makes; not valid if the rows leave
   // the ring, or if the limit mask does not exist.
@@ -244,7 +243,7 @@ public:
   double error_factor() const { return limit_error_factor(error_ratio()); }
 
   // the rings after a step; those before it may be overwritten
-  void refine(Stored_value* rings, Value* next) const
+  void refine(Value* rings, Value* next) const
   {
     for (unsigned r = 0; r < rounds(); ++r) {
       if (r != 0) std::copy(next, next + largest_size_ * copies_, rings);
@@ -252,7 +251,7 @@ public:
     }
   }
   // the averages of the limit mask, one a ring
-  void limit(const Stored_value* rings, Value* result) const
+  void limit(const Value* rings, Value* result) const
   {
     average(points_.limit, has_normal_rows_ ? &normals_.limit : nullptr, rings, result);
   }
@@ -302,7 +301,7 @@ private:
     return result;
   }
 
-  void average(const Ring_rows<FT>& rows, const Ring_rows<FT>* normal_rows, const Stored_value* old,
+  void average(const Ring_rows<FT>& rows, const Ring_rows<FT>* normal_rows, const Value* old,
                Value* result) const
   {
     for (std::size_t b = 0; b < rows.blocks().size(); ++b) {
@@ -313,7 +312,7 @@ private:
   }
 
   void average_part(const Stencil_block<FT>& rows,
-                    [[maybe_unused]] const Stencil_block<FT>* normal_rows, const Stored_value* old,
+                    [[maybe_unused]] const Stencil_block<FT>* normal_rows, const Value* old,
                     Value* result) const
   {
     if constexpr (may_have_normal_rows)

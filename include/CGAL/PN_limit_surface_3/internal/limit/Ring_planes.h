@@ -37,7 +37,6 @@ class Ring_planes
 public:
   using Class = Ring_class<Scheme, FT>;
   using Value = typename Class::Value;
-  using Stored_value = typename Class::Stored_value;
   using Vector = Coordinates<double, 3>;
 
   // tangent to a ring at its limit, if there is one
@@ -58,7 +57,7 @@ public:
 
   // `ring()` becomes ring c about its limit, divided by a power of two if squares of its size would be out of
   // range. The limit is taken away before coordinates are rounded to double.
-  Ring_geometry geometry(const Stored_value* rings, const Value* limits, std::size_t c)
+  Ring_geometry geometry(const Value* rings, const Value* limits, std::size_t c)
   {
     constexpr int harmless = 200;
     double size = 0, largest = 0;
@@ -91,8 +90,7 @@ public:
 
   // of the first rings, but for those that are done
   template <class Is_done>
-  void find(const Stored_value* rings, const Value* limits, std::size_t number,
-            const Is_done& is_done)
+  void find(const Value* rings, const Value* limits, std::size_t number, const Is_done& is_done)
   {
     constexpr std::size_t lanes = Ring_lanes::lanes;
     for (std::size_t c = 0; c < number; c += lanes) {
@@ -109,7 +107,7 @@ public:
   const Plane& operator[](std::size_t c) const { return planes_[c]; }
 
 private:
-  void find_side_by_side(const Stored_value* rings, const Value* limits, std::size_t first,
+  void find_side_by_side(const Value* rings, const Value* limits, std::size_t first,
                          std::size_t end)
   {
     lanes_.ring.resize(class_.size());
@@ -117,7 +115,7 @@ private:
       const std::size_t c = (std::min)(first + l, end - 1);
       for (std::size_t p = 0; p < class_.size(); ++p)
         set_place(lanes_.ring[p], l, rings[p * class_.copies() + c]);
-      set_place(lanes_.limit, l, Stored_value(limits[c]));
+      set_place(lanes_.limit, l, limits[c]);
       lanes_.roundness[l] = class_.roundness_at(limits[c]);
     }
     lanes_.find(class_.tangents(), fan());
@@ -129,14 +127,14 @@ private:
                               lanes_.error[l],
                               lanes_.side[l] < 0};
   }
-  static void set_place(Ring_lanes::Place& place, std::size_t lane, const Stored_value& v)
+  static void set_place(Ring_lanes::Place& place, std::size_t lane, const Value& v)
   {
     for (std::size_t i = 0; i < 3; ++i) {
-      place.point[i][lane] = v.pairs[i][0];
-      place.normal[i][lane] = v.pairs[i][1];
+      place.point[i][lane] = v.point[i];
+      place.normal[i][lane] = v.normal[i];
     }
   }
-  Plane plane(const Stored_value* rings, const Value* limits, std::size_t c)
+  Plane plane(const Value* rings, const Value* limits, std::size_t c)
   {
     const Ring_geometry g = geometry(rings, limits, c);
     if (!g.is_regular()) return {};

@@ -463,16 +463,7 @@ private:
 
   Level refined(Level& level) const
   {
-    using Stored_value = typename Refiner::Stored_value;
-    auto& values = level.level.values;
-    if constexpr (std::is_same_v<Stored_value, Value>)
-      return refined(level, values.data());
-    else
-      return refined(level, std::vector<Stored_value>(values.begin(), values.end()).data());
-  }
-  template <class Stored_value>
-  Level refined(Level& level, const Stored_value* values) const
-  {
+    const Value* const values = level.level.values.data();
     typename Refiner::One_round round(scheme_, level.level.level, level.creases, values,
                                       rounds_ + 1);
     Level next{{}, Level_creases(), {}, {}, {}};

@@ -65,23 +65,22 @@ struct Avx2_lanes<double>
     return static_cast<std::uint32_t>(_mm256_movemask_pd(
       _mm256_and_pd(_mm256_cmp_pd(a, b, _CMP_GE_OQ), _mm256_cmp_pd(c, d, _CMP_LT_OQ))));
   }
-  // the pairs at these places
-  CGAL_PN_SUBDIVISION_3_AVX2_INLINE Pairs pairs(const void* const (&at)[width])
+  // the pairs `k` numbers behind these places
+  CGAL_PN_SUBDIVISION_3_AVX2_INLINE Pairs pairs(const double* const (&at)[width], int k)
   {
-    const Packed p02 = two(at[0], at[2]), p13 = two(at[1], at[3]);
+    const Packed p02 = two(at[0] + k, at[2] + k), p13 = two(at[1] + k, at[3] + k);
     return {_mm256_unpacklo_pd(p02, p13), _mm256_unpackhi_pd(p02, p13)};
   }
-  // the numbers at these places
-  CGAL_PN_SUBDIVISION_3_AVX2_INLINE Packed numbers(const double* const (&at)[width])
+  // the numbers there
+  CGAL_PN_SUBDIVISION_3_AVX2_INLINE Packed numbers(const double* const (&at)[width], int k)
   {
-    return _mm256_set_pd(*at[3], *at[2], *at[1], *at[0]);
+    return _mm256_set_pd(at[3][k], at[2][k], at[1][k], at[0][k]);
   }
 
 private:
-  CGAL_PN_SUBDIVISION_3_AVX2_INLINE Packed two(const void* a, const void* b)
+  CGAL_PN_SUBDIVISION_3_AVX2_INLINE Packed two(const double* a, const double* b)
   {
-    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(static_cast<const double*>(a))),
-                                _mm_loadu_pd(static_cast<const double*>(b)), 1);
+    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(b), 1);
   }
 };
 
@@ -112,24 +111,26 @@ struct Avx2_lanes<float>
     return static_cast<std::uint32_t>(_mm256_movemask_ps(
       _mm256_and_ps(_mm256_cmp_ps(a, b, _CMP_GE_OQ), _mm256_cmp_ps(c, d, _CMP_LT_OQ))));
   }
-  CGAL_PN_SUBDIVISION_3_AVX2_INLINE Pairs pairs(const void* const (&at)[width])
+  CGAL_PN_SUBDIVISION_3_AVX2_INLINE Pairs pairs(const float* const (&at)[width], int k)
   {
-    const Packed p0145 = four(at[0], at[1], at[4], at[5]), p2367 = four(at[2], at[3], at[6], at[7]);
+    const Packed p0145 = four(at[0] + k, at[1] + k, at[4] + k, at[5] + k),
+                 p2367 = four(at[2] + k, at[3] + k, at[6] + k, at[7] + k);
     return {_mm256_shuffle_ps(p0145, p2367, 0x88), _mm256_shuffle_ps(p0145, p2367, 0xdd)};
   }
-  CGAL_PN_SUBDIVISION_3_AVX2_INLINE Packed numbers(const float* const (&at)[width])
+  CGAL_PN_SUBDIVISION_3_AVX2_INLINE Packed numbers(const float* const (&at)[width], int k)
   {
-    return _mm256_set_ps(*at[7], *at[6], *at[5], *at[4], *at[3], *at[2], *at[1], *at[0]);
+    return _mm256_set_ps(at[7][k], at[6][k], at[5][k], at[4][k], at[3][k], at[2][k], at[1][k],
+                         at[0][k]);
   }
 
 private:
-  CGAL_PN_SUBDIVISION_3_AVX2_INLINE Packed four(const void* a, const void* b, const void* c,
-                                                const void* d)
+  CGAL_PN_SUBDIVISION_3_AVX2_INLINE Packed four(const float* a, const float* b, const float* c,
+                                                const float* d)
   {
     return _mm256_castpd_ps(_mm256_set_pd(pair(d), pair(c), pair(b), pair(a)));
   }
   // both numbers as the bits of a larger one
-  CGAL_PN_SUBDIVISION_3_AVX2_INLINE double pair(const void* at)
+  CGAL_PN_SUBDIVISION_3_AVX2_INLINE double pair(const float* at)
   {
     double bits;
     std::memcpy(&bits, at, sizeof bits);

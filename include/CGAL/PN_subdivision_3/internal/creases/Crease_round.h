@@ -237,7 +237,7 @@ private:
 template <class One_round>
 std::vector<typename One_round::Value>
 values_of_rows(const One_round& round, const std::vector<Level_connectivity::Index>& vertices,
-               const typename One_round::Stored_value* old, const For_chunks& for_chunks)
+               const typename One_round::Value* old, const For_chunks& for_chunks)
 {
   using Index = Level_connectivity::Index;
   using Value = typename One_round::Value;
@@ -271,12 +271,11 @@ public:
   using FT = typename Average::FT;
   using Index = Level_connectivity::Index;
   using Value = typename Average::Value;
-  using Stored_value = typename One_round::Stored_value;
   using Slot_value = std::pair<Index, Value>;
 
   // `old` has the values of the slots. The level is cut open until close() is called.
   Crease_round(const Scheme& scheme, Level_connectivity& level, const Creases<FT>& creases,
-               const Stored_value* old, unsigned number)
+               const Value* old, unsigned number)
     : Crease_round(scheme, level, creases, number)
   {
     read(old);
@@ -307,7 +306,7 @@ public:
   Crease_round& operator=(const Crease_round&) = delete;
 
   // the values of the slots
-  void read(const Stored_value* old) { old_ = old; }
+  void read(const Value* old) { old_ = old; }
 
   // of all new vertices; those of which crease_values() has values do not hold
   const One_round& round() const { return *round_; }
@@ -447,7 +446,7 @@ private:
   const Scheme& scheme_;
   Level_connectivity& level_;
   const Creases<FT>& creases_;
-  const Stored_value* old_ = nullptr;
+  const Value* old_ = nullptr;
   const Level_size refined_size_;
   Refined_creases<FT> refined_;
   std::optional<Smooth_rows<FT>> smooth_rows_, smooth_normal_rows_;
@@ -464,11 +463,11 @@ class Crease_round<Scheme, Average, No_creases> : public Round<Scheme, Average>
 public:
   using One_round = Round<Scheme, Average>;
   using Index = Level_connectivity::Index;
-  using Stored_value = typename One_round::Stored_value;
-  using Slot_value = std::pair<Index, typename Average::Value>;
+  using Value = typename Average::Value;
+  using Slot_value = std::pair<Index, Value>;
 
-  Crease_round(const Scheme& scheme, const Level_connectivity& level, No_creases,
-               const Stored_value*, unsigned number)
+  Crease_round(const Scheme& scheme, const Level_connectivity& level, No_creases, const Value*,
+               unsigned number)
     : Crease_round(scheme, level, No_creases(), number)
   {}
   Crease_round(const Scheme& scheme, const Level_connectivity& level, No_creases, unsigned number)
@@ -478,7 +477,7 @@ public:
   Crease_round(const Crease_round&) = delete;
   Crease_round& operator=(const Crease_round&) = delete;
 
-  void read(const Stored_value*) {}
+  void read(const Value*) {}
   const One_round& round() const { return *this; }
   Index number_of_vertices() const { return static_cast<Index>(this->refined_size().vertices); }
   std::vector<Slot_value> crease_values(const For_chunks&) const { return {}; }

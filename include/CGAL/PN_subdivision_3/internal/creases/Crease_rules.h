@@ -57,7 +57,7 @@ struct Crease_round_data
   const One_round& round; // its mask is that of the cut level
   const Smooth_rows<FT>* smooth_rows;
   const Smooth_rows<FT>* smooth_normal_rows; // of a normal mask
-  const typename One_round::Stored_value* old;
+  const typename One_round::Value* old;
 };
 
 // The rules of creases, corners and darts. Objects of this class are cheap and not shared by threads.
@@ -279,7 +279,7 @@ private:
     if constexpr (!is_pn)
       return {average(row.first, row.second, data_.old), {}, {}, {}};
     else {
-      const Old_values old{data_.old};
+      const auto* const old = data_.old;
       const auto average_of_rows = [&] {
         if constexpr (Has_normal_mask<Scheme>::value)
           if (data_.round.has_own_normals()) {
@@ -294,12 +294,6 @@ private:
       return result;
     }
   }
-
-  struct Old_values
-  {
-    typename Average::Value operator[](std::size_t slot) const { return stored[slot]; }
-    const typename Round<Scheme, Average>::Stored_value* stored;
-  };
 
   const Data& data_;
   Row row_;

@@ -46,7 +46,6 @@ public:
   using FT = typename Average::FT;
   using Index = Level_connectivity::Index;
   using Value = typename Average::Value;
-  using Stored_value = typename One_round::Stored_value;
   using Slot_value = typename One_round::Slot_value;
 
   // `level` is whole; it is copied
@@ -75,7 +74,7 @@ public:
   }
 
   // `values` and the tangents of `refined` are those of the round in which the edges are sharp
-  void blend(const Creases<FT>& creases, const Stored_value* old, Refined_creases<FT>& refined,
+  void blend(const Creases<FT>& creases, const Value* old, Refined_creases<FT>& refined,
              std::vector<Slot_value>& values, const For_chunks& for_chunks)
   {
     const std::vector<Slot_value> gone = gone_values(creases, old, for_chunks);
@@ -181,7 +180,7 @@ private:
 
   // \name Values
   // by their slots
-  std::vector<Slot_value> gone_values(const Creases<FT>& creases, const Stored_value* old,
+  std::vector<Slot_value> gone_values(const Creases<FT>& creases, const Value* old,
                                       const For_chunks& for_chunks)
   {
     std::vector<Value> values;
@@ -192,15 +191,13 @@ private:
     } else {
       gone_.take_tangents(creases);
       decide(Level_connectivity::null, [&] {
-        values =
-          gone_.template joined<Value>(creases, [&](Index slot) { return Value(old[slot]); });
+        values = gone_.template joined<Value>(creases, [&](Index slot) { return old[slot]; });
       });
     }
-    const std::vector<Stored_value> stored(values.begin(), values.end());
-    round_->read(stored.data());
+    round_->read(values.data());
     std::vector<Slot_value> result = round_->crease_values(for_chunks);
     const std::vector<Value> of_rows =
-      values_of_rows(round_->round(), rows_, stored.data(), for_chunks);
+      values_of_rows(round_->round(), rows_, values.data(), for_chunks);
     for (std::size_t i = 0; i < rows_.size(); ++i) result.emplace_back(rows_[i], of_rows[i]);
     std::sort(result.begin(), result.end(),
               [](const Slot_value& a, const Slot_value& b) { return a.first < b.first; });

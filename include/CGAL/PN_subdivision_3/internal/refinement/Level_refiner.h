@@ -62,8 +62,8 @@ Level_connectivity child_level(const Level_round& round, const Level_creases& cr
 }
 
 // Evaluates a round on a level with creases into the slots of the refined one; makes the level whole again.
-template <class Level_round, class Stored_value, class Refined_values>
-void evaluate_round(Level_round& round, const Stored_value* old, const For_chunks& for_chunks,
+template <class Level_round, class Value, class Refined_values>
+void evaluate_round(Level_round& round, const Value* old, const For_chunks& for_chunks,
                     Refined_values& refined,
                     const typename Level_round::One_round::Rows_sink* rows_sink = nullptr)
 {
@@ -100,8 +100,7 @@ public:
   using Rows_sink = typename Rows::Rows_sink;
   // takes the child of a level, which is still there
   using Child_sink = Function_ref<void(const Level_connectivity&)>;
-  using Stored_value = typename Rows::Stored_value;
-  using Values = boost::container::vector<Stored_value>;
+  using Values = boost::container::vector<Value>;
 
   // Level, creases and values are those of the first round that is not done.
   Level_refiner(const Scheme& scheme, Level_connectivity&& level, Level_creases&& creases,

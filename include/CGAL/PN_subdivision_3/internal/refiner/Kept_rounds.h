@@ -79,7 +79,6 @@ public:
   using typename Base::Value;
   using Control = Control_values<Average>;
   using One_round = Crease_round<Scheme, Average, Level_creases>;
-  using Stored_value = typename One_round::Stored_value;
 
   Kept_rounds(const Scheme& scheme, Level_connectivity&& control, Level_creases&& creases,
               unsigned number_of_rounds, Control& values, const For_chunks& for_chunks)
@@ -202,8 +201,8 @@ public:
     for (const std::optional<Level_connectivity>* whole : {&whole_control_, &whole_last_})
       if (*whole) sum += memory(**whole);
     for (const Level& level : levels_)
-      sum += memory(level.connectivity) + sizeof(Stored_value) * level.values.size() +
-             level.readers.memory();
+      sum +=
+        memory(level.connectivity) + sizeof(Value) * level.values.size() + level.readers.memory();
     return sum;
   }
 
@@ -218,7 +217,7 @@ private:
     {}
 
     Level_connectivity connectivity; // cut open
-    boost::container::vector<Stored_value> values;
+    boost::container::vector<Value> values;
     std::optional<One_round> round; // refers to the connectivity; none if there are no rounds
     Row_readers readers;
   };

@@ -44,7 +44,6 @@ public:
   using FT = typename Average::FT;
   using Value = typename Average::Value;
   using Block = typename Block_of<Average>::type;
-  using Stored_value = typename Block::Stored_value;
   using Host = typename Scheme::Host;
   static constexpr bool has_transfers = Has_curvature_transfer<Scheme>::value;
   // takes (first new vertex, its row and those of the vertices behind it)
@@ -87,7 +86,7 @@ public:
   // What stands in place of the normals of the rows, where the scheme transfers curvature; found from
   // the old values, before the round is evaluated.
   using Transfers = std::conditional_t<has_transfers, Transferred_normals<FT, Value>, No_transfers>;
-  Transfers transfers(const Stored_value* old, [[maybe_unused]] const For_chunks& for_chunks) const
+  Transfers transfers(const Value* old, [[maybe_unused]] const For_chunks& for_chunks) const
   {
     if constexpr (has_transfers)
       return Transferred_normals<FT, Value>(
@@ -106,8 +105,8 @@ public:
 
   // Computes the new vertices [begin, end) from the old values, and hands them to the sink block by
   // block. Whoever averages something else, too, gets the rows of the blocks.
-  void evaluate(Index begin, Index end, const Stored_value* old, const Transfers& transfers,
-                Sink sink, const Rows_sink* rows_sink = nullptr) const
+  void evaluate(Index begin, Index end, const Value* old, const Transfers& transfers, Sink sink,
+                const Rows_sink* rows_sink = nullptr) const
   {
     evaluate_blocks(
       begin, end, old, [](Index i) { return i; },
@@ -119,7 +118,7 @@ public:
   }
 
   // the new vertices that are listed, to the same bits; as the rows have them, without transfers
-  void evaluate(const Index* begin, const Index* end, const Stored_value* old, List_sink sink) const
+  void evaluate(const Index* begin, const Index* end, const Value* old, List_sink sink) const
   {
     evaluate_blocks(
       0, static_cast<Index>(end - begin), old, [&](Index i) { return begin[i]; },
@@ -165,7 +164,7 @@ private:
 
   // the i-th of the new vertices is vertex(i)
   template <class Vertex, class Block_sink>
-  void evaluate_blocks(Index begin, Index end, const Stored_value* old, const Vertex& vertex,
+  void evaluate_blocks(Index begin, Index end, const Value* old, const Vertex& vertex,
                        const Block_sink& sink, const Rows_sink* rows_sink = nullptr) const
   {
     Stencil_block<FT> rows;
@@ -215,8 +214,7 @@ private:
 
   template <class Vertex>
   void compute(Index first, Index n, const Vertex& vertex, Stencil_block<FT>& rows,
-               [[maybe_unused]] Normal_rows& normal_rows, const Stored_value* old,
-               Value* result) const
+               [[maybe_unused]] Normal_rows& normal_rows, const Value* old, Value* result) const
   {
     const auto averages = [&](Index begin, Index number, Value* values) {
       const Block block(average_);
@@ -275,7 +273,7 @@ private:
 // several threads if for_chunks does.
 template <class One_round>
 void evaluate_rows(const One_round& round, typename One_round::Index begin,
-                   typename One_round::Index end, const typename One_round::Stored_value* old,
+                   typename One_round::Index end, const typename One_round::Value* old,
                    const typename One_round::Transfers& transfers, const For_chunks& for_chunks,
                    typename One_round::Sink sink,
                    const typename One_round::Rows_sink* rows_sink = nullptr)
@@ -292,7 +290,7 @@ void evaluate_rows(const One_round& round, typename One_round::Index begin,
 // only the new vertices that are listed, as their rows have them, without transfers
 template <class One_round>
 void evaluate_rows(const One_round& round, const typename One_round::Index* vertices,
-                   typename One_round::Index number, const typename One_round::Stored_value* old,
+                   typename One_round::Index number, const typename One_round::Value* old,
                    const For_chunks& for_chunks, typename One_round::List_sink sink)
 {
   using Index = typename One_round::Index;

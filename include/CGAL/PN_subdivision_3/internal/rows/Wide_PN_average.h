@@ -66,16 +66,14 @@ public:
   static bool is_available() { return __builtin_cpu_supports("avx2"); }
 
   // Averages rows that lie one after another. Bit r of what is returned is set where result[r] does
-  // not hold: entries of the row fade, or its normal may vanish. The pairs of a stored value are the
-  // coordinates of its point and normal. `roundness` is that of values which have none of their own.
-  template <class Stored_value>
+  // not hold: entries of the row fade, or its normal may vanish. A value is the numbers of its point,
+  // its normal and its roundness; `roundness` is that of values which have none of their own.
   [[gnu::target("avx2")]] static std::uint32_t average(const Entry* rows, std::size_t length,
-                                                       std::size_t number, const Stored_value* old,
+                                                       std::size_t number, const Value* old,
                                                        FT roundness, Value* result)
   {
-    constexpr std::size_t pair = 2 * sizeof(FT);
-    static_assert(sizeof(Entry) == pair &&
-                  (has_roundness || sizeof(Stored_value) == pair * dimension));
+    static_assert(sizeof(Entry) == 2 * sizeof(FT) &&
+                  sizeof(Value) == (2 * dimension + has_roundness) * sizeof(FT));
     Old entries[maximum_length * maximum_number_of_rows / width];
     Sums sums[maximum_number_of_rows / width];
     const std::size_t groups = (number + width - 1) / width;
@@ -102,7 +100,7 @@ private:
   // the j-th entries of a register of rows
   struct Old
   {
-    Packed weight, point[dimension], normal[dimension];
+    Packed weight, numbers[2 * dimension]; // of points and normals
   };
   // their q, N, |N|^2 and 1/|N|, and their roundness
   struct Sums
@@ -118,9 +116,8 @@ private:
   }
 
   // all of the sums but the scale; keeps the entries
-  template <class Stored_value>
   CGAL_PN_SUBDIVISION_3_AVX2_INLINE void sum(const Entry* const (&row)[width], std::size_t length,
-                                             const Stored_value* old, Old* entries, Sums& sums)
+                                             const Value* old, Old* entries, Sums& sums)
   {
     Packed q[dimension], n[dimension];
     [[maybe_unused]] Packed roundness = Lanes::all(0);
@@ -128,8 +125,8 @@ private:
     for (std::size_t j = 0; j < length; ++j) {
       gather(row, j, old, entries[j], roundness);
       for (int c = 0; c < dimension; ++c) {
-        q[c] += entries[j].weight * entries[j].point[c];
-        n[c] += entries[j].weight * entries[j].normal[c];
+        q[c] += entries[j].weight * entries[j].numbers[c];
+        n[c] += entries[j].weight * entries[j].numbers[dimension + c];
       }
     }
     sums.squared_length = n[0] * n[0];
@@ -144,27 +141,21 @@ private:
   }
 
   // the roundness of the entries is added
-  template <class Stored_value>
   CGAL_PN_SUBDIVISION_3_AVX2_INLINE void gather(const Entry* const (&row)[width], std::size_t j,
-                                                const Stored_value* old, Old& entry,
+                                                const Value* old, Old& entry,
                                                 [[maybe_unused]] Packed& roundness)
   {
-    const void* at[width];
-    for (std::size_t i = 0; i < width; ++i) at[i] = row[i] + j;
-    entry.weight = Lanes::pairs(at).second; // of a (vertex, weight)
-    const Stored_value* v[width];
-    for (std::size_t i = 0; i < width; ++i) v[i] = old + row[i][j].vertex;
-    for (int c = 0; c < dimension; ++c) {
-      for (std::size_t i = 0; i < width; ++i) at[i] = &v[i]->pairs[c];
-      const typename Lanes::Pairs pairs = Lanes::pairs(at);
-      entry.point[c] = pairs.first;
-      entry.normal[c] = pairs.second;
+    const FT* at[width];
+    for (std::size_t i = 0; i < width; ++i) at[i] = reinterpret_cast<const FT*>(row[i] + j);
+    entry.weight = Lanes::pairs(at, 0).second; // of a (vertex, weight)
+    for (std::size_t i = 0; i < width; ++i)
+      at[i] = reinterpret_cast<const FT*>(old + row[i][j].vertex);
+    for (int k = 0; k < 2 * dimension; k += 2) {
+      const typename Lanes::Pairs pairs = Lanes::pairs(at, k);
+      entry.numbers[k] = pairs.first;
+      entry.numbers[k + 1] = pairs.second;
     }
-    if constexpr (has_roundness) {
-      const FT* numbers[width];
-      for (std::size_t i = 0; i < width; ++i) numbers[i] = &v[i]->roundness;
-      roundness += entry.weight * Lanes::numbers(numbers);
-    }
+    if constexpr (has_roundness) roundness += entry.weight * Lanes::numbers(at, 2 * dimension);
   }
 
   // returns the lanes that fail
@@ -205,11 +196,11 @@ private:
                                                            const Packed (&n)[dimension],
                                                            Packed& least_denominator)
   {
-    Packed s = entry.normal[0] + n[0];
-    Packed numerator = s * (entry.point[0] - q[0]), denominator = s * n[0];
+    Packed s = entry.numbers[dimension] + n[0];
+    Packed numerator = s * (entry.numbers[0] - q[0]), denominator = s * n[0];
     for (int c = 1; c < dimension; ++c) {
-      s = entry.normal[c] + n[c];
-      numerator += s * (entry.point[c] - q[c]);
+      s = entry.numbers[dimension + c] + n[c];
+      numerator += s * (entry.numbers[c] - q[c]);
       denominator += s * n[c];
     }
     least_denominator = Lanes::lesser(denominator, least_denominator);
