@@ -150,14 +150,14 @@ private:
     centers.erase(std::unique(centers.begin(), centers.end()), centers.end());
     const Sub_level cut(level, centers, cut_rings(scheme_));
     std::vector<Index> edge(level.number_of_edges());
-    for (Index e = 0; e < cut.edge_origin().size(); ++e) edge[cut.edge_origin()[e]] = e;
+    for (Index e = 0; e < cut.edges.size(); ++e) edge[cut.edges[e]] = e;
     typename Refiner::Values old;
-    for (const Index v : cut.origin()) old.emplace_back(values[v]);
-    Refiner refiner(scheme_, Level_connectivity(cut.level()), std::move(old), for_chunks_, rounds);
+    for (const Index v : cut.vertices) old.emplace_back(values[v]);
+    Refiner refiner(scheme_, Level_connectivity(cut.level), std::move(old), for_chunks_, rounds);
     refiner.refine();
     for (Foot& f : feet)
       f.center =
-        nearest_child(cut.level(), refiner.level(), 2 * edge[f.base / 2] + f.base % 2, f.in_face);
+        nearest_child(cut.level, refiner.level(), 2 * edge[f.base / 2] + f.base % 2, f.in_face);
     values.assign(refiner.values().begin(), refiner.values().end());
     level = refiner.take_level();
   }

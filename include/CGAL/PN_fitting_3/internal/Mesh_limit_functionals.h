@@ -192,9 +192,9 @@ private:
         "PN_subdivision_3: the scheme does not settle about its vertices: "
         "it has no limit masks");
     const Sub_level cut(stage.level, unsettled, cut_rings(scheme_));
-    const One_round round(scheme_, cut.level(), next_round);
+    const One_round round(scheme_, cut.level, next_round);
     const auto [fine, fine_values] = refined(stage, cut, round);
-    evaluate(Stage{fine, fine_values, &stage, &cut, &round}, cut.centers(), unsettled_positions,
+    evaluate(Stage{fine, fine_values, &stage, &cut, &round}, cut.centers, unsettled_positions,
              next_round + 1, depth + 1, result);
   }
 
@@ -267,7 +267,7 @@ private:
   // through the round that has made the stage's level
   std::vector<Entry> pulled_back(const Stage& stage, const std::vector<Entry>& entries) const
   {
-    const std::vector<Index>& origin = stage.cut->origin();
+    const std::vector<Index>& origin = stage.cut->vertices;
     std::vector<Entry> result;
     std::unordered_map<Index, std::size_t> place;
     PN_row_blocks<3> row_blocks;
@@ -336,7 +336,7 @@ private:
   refined(const Stage& stage, const Sub_level& cut, const One_round& round) const
   {
     std::vector<Value> old;
-    for (const Index v : cut.origin()) old.emplace_back(stage.values[v]);
+    for (const Index v : cut.vertices) old.emplace_back(stage.values[v]);
     Level_connectivity fine = child_level(round, for_chunks_);
     std::vector<Value> values(fine.number_of_vertices());
     const auto transfers = round.transfers(old.data(), for_chunks_);

@@ -27,7 +27,6 @@
 #include <cstddef>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -98,8 +97,6 @@ private:
   using Vector = Coordinates<FT, 3>;
   using Crease_limit = Crease_vertex_limit<FT, is_pn>;
   using Dart = Dart_class<Scheme, FT>;
-
-  using Sub = Creased_sub_level<FT, Value>;
 
   // open while it lives
   struct Cut
@@ -234,18 +231,33 @@ private:
     return rest;
   }
 
+  struct Part
+  {
+    Level_connectivity level;
+    Creases<FT> creases;
+    std::vector<Value> values;
+    std::vector<Index> centers;
+  };
+  // of a level that is not cut open; at the rim the rules are those of a smooth border
+  Part part_about(const Level& level, const Creases<FT>& creases,
+                  const std::vector<Index>& vertices) const
+  {
+    Sub_level cut(level.level, vertices, cut_rings(scheme_), Sub_level::Keeps::walks);
+    auto [of_part, slots] = cut.creases_and_slots(level.level, creases);
+    return {std::move(cut.level), std::move(of_part), values_of_part(level.values, slots),
+            std::move(cut.centers)};
+  }
+
   // Refines the level about the vertices only, and is then left with those that are not settled there.
   void refine(const Level& level, const Creases<FT>& creases, Creases<FT>& limits,
               std::vector<Index>&& vertices, unsigned next_round, std::vector<Result>& results)
   {
-    std::optional<Sub> part(std::in_place, level.level, creases, level.values, vertices,
-                            cut_rings(scheme_));
+    Part part = part_about(level, creases, vertices);
     for (unsigned depth = 0;;) {
       evaluation_.require_depth(depth, next_round);
-      const std::vector<Index> here = part->centers();
-      Refiner refiner(scheme_, Level_connectivity(part->level()), Creases<FT>(part->creases()),
-                      {part->values().begin(), part->values().end()}, for_chunks_, next_round - 1);
-      part.reset();
+      const std::vector<Index> here = std::move(part.centers);
+      Refiner refiner(scheme_, std::move(part.level), std::move(part.creases),
+                      {part.values.begin(), part.values.end()}, for_chunks_, next_round - 1);
       refiner.refine(); // old vertices keep their numbers
       ++depth;
       ++next_round;
@@ -258,8 +270,7 @@ private:
       }
       if (rest.empty()) return;
       vertices = selected(vertices, rest);
-      part.emplace(refined.level, refiner.creases(), refined.values, selected(here, rest),
-                   cut_rings(scheme_));
+      part = part_about(refined, refiner.creases(), selected(here, rest));
     }
   }
 

@@ -132,21 +132,21 @@ private:
     constexpr auto nothing =
       Sub_level::Keeps::nothing; // so that it is the same at all vertices of the kind
     Sub_level around(level, {v}, 2, nothing);
-    const Level_connectivity fine = refined(refined(around.level()));
+    const Level_connectivity fine = refined(refined(around.level));
     const bool at_border = level.is_border_vertex(v);
     Kind kind;
     for (kind.rings = 1; kind.rings <= most_rings; ++kind.rings) {
-      const Sub_level cut(fine, around.centers(), kind.rings + 3, nothing);
-      const Index c = cut.centers().front();
+      const Sub_level cut(fine, around.centers, kind.rings + 3, nothing);
+      const Index c = cut.centers.front();
       Ring_pair rings;
-      Vertex_ring::append(cut.level(), c, kind.rings, rings.ring);
-      Vertex_ring::append(refined(cut.level()), c, kind.rings, rings.next_ring);
+      Vertex_ring::append(cut.level, c, kind.rings, rings.ring);
+      Vertex_ring::append(refined(cut.level), c, kind.rings, rings.next_ring);
       Ring_layout layout;
-      layout.number = cut.level().valence(c);
+      layout.number = cut.level.valence(c);
       layout.at_border = at_border;
       layout.has_diagonals = Host::refined_degree == 4;
       kind.ring_class = std::make_unique<Class>(
-        scheme_, std::vector<Ring_round>{{cut.level(), any_round_, rings}}, layout);
+        scheme_, std::vector<Ring_round>{{cut.level, any_round_, rings}}, layout);
       if (kind.ring_class->is_valid()) return kind;
     }
     throw std::invalid_argument("PN_subdivision_3: the scheme has no limit mask on " +

@@ -273,23 +273,22 @@ private:
     // the same rows whichever vertices are asked for
     const Sub_level cut(level.level, vertices, cut_rings(scheme_), Sub_level::Keeps::walks);
     std::vector<Value> values;
-    values.reserve(cut.origin().size());
-    for (const Index v : cut.origin()) values.emplace_back(level.values[v]);
-    vertices = cut.centers();
+    values.reserve(cut.vertices.size());
+    for (const Index v : cut.vertices) values.emplace_back(level.values[v]);
+    vertices = cut.centers;
     if constexpr (is_sqrt3)
       if (Sqrt3_host::refines_border(round)) {
-        Level_connectivity closed = cut.level();
+        Level_connectivity closed = cut.level;
         close_rim(level.level, cut, closed, values);
         return refined(closed, values, round);
       }
-    return refined(cut.level(), values, round);
+    return refined(cut.level, values, round);
   }
   // A round that refines the border would take the rim for it.
   static void close_rim(const Level_connectivity& whole, const Sub_level& cut,
                         Level_connectivity& level, std::vector<Value>& values)
   {
-    const Rim_closure closure(level,
-                              [&](Index b) { return !whole.is_border(cut.halfedge_origin(b)); });
+    const Rim_closure closure(level, [&](Index b) { return !whole.is_border(cut.halfedge(b)); });
     for (const Index v : closure.neighbors_of_new_vertices()) {
       const Value value = values[v];
       values.push_back(value);

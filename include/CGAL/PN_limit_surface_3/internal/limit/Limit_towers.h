@@ -117,9 +117,9 @@ struct Crease_curve_weights
                                  Level_connectivity::Index v, unsigned round)
   {
     const Sub_level around(level, {v}, 1);
-    const Level_connectivity::Index center = around.centers().front();
+    const Level_connectivity::Index center = around.centers.front();
     Entry_row<FT> row;
-    scheme.template mask<FT>(around.level(), round).vertex(center, row);
+    scheme.template mask<FT>(around.level, round).vertex(center, row);
     Crease_curve_weights result{FT(0), FT(0)};
     for (const auto* e = row.begin(); e != row.end(); ++e)
       if (e->vertex == center) result.vertex += e->weight;

@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -88,55 +87,33 @@ public:
 };
 
 // Leaves those faces that are marked, and some rings around them.
-template <class FT, class Level>
-class Cut_adaptive_level
+template <class Level>
+void cut_adaptive_level(Level& level, Face_marks kept, unsigned rings)
 {
-public:
-  using Index = Level_connectivity::Index;
-
-  Cut_adaptive_level(Level& level, Face_marks kept, unsigned rings)
-    : level_(level)
-  {
-    const Level_connectivity& whole = level.level.level;
-    for (unsigned r = 0; r < rings; ++r) add_ring(whole, kept);
-    const auto number = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), char(1)));
-    if (10 * number > 9 * kept.size()) return; // it would save little
-    const All_candidates candidates(whole, kept);
-    Piece_extraction<All_candidates> extraction(whole, candidates, false);
-    Level_part part(extraction, true);
-    Level left{{},
-               std::decay_t<decltype(level.creases)>(static_cast<Index>(part.vertices.size())),
-               {},
-               values_of_part(level.edges, part.edges),
-               values_of_part(level.faces, part.faces),
-               {},
-               {}};
-    const Level_part::Origins origins = take_creases(part, left.creases);
-    left.level.values = values_of_part(level.level.values, origins);
-    left.slot_ids = values_of_part(level.slot_ids, origins);
-    for (const auto& plane : level.planes) left.planes.push_back(values_of_part(plane, origins));
-    if (!level.corners.empty())
-      for (const Index f : part.faces) left.corners.push_back(std::move(level.corners[f]));
-    left.level.level = std::move(part.level);
-    level = std::move(left);
-  }
-
-private:
-  // tells the slots of the level for those that are left
-  template <class Level_creases>
-  Level_part::Origins take_creases(const Level_part& part,
-                                   [[maybe_unused]] Level_creases& creases) const
-  {
-    if constexpr (are_creases_v<Level_creases>)
-      if (!level_.creases.empty()) {
-        creases = part.creases(level_.creases);
-        return part.slot_origins(creases, Corner_slots<FT>(level_.level.level, level_.creases));
-      }
-    return part.vertices;
-  }
-
-  Level& level_;
-};
+  const Level_connectivity& whole = level.level.level;
+  for (unsigned r = 0; r < rings; ++r) add_ring(whole, kept);
+  const auto number = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), char(1)));
+  if (10 * number > 9 * kept.size()) return; // it would save little
+  const All_candidates candidates(whole, kept);
+  Piece_extraction<All_candidates> extraction(whole, candidates, false);
+  Level_part part(extraction, true);
+  auto [creases, slots] = part.creases_and_slots(whole, level.creases);
+  Level left{{},
+             std::move(creases),
+             {},
+             values_of_part(level.edges, part.edges),
+             values_of_part(level.faces, part.faces),
+             {},
+             {}};
+  left.level.values = values_of_part(level.level.values, slots);
+  left.slot_ids = values_of_part(level.slot_ids, slots);
+  for (const auto& plane : level.planes) left.planes.push_back(values_of_part(plane, slots));
+  if (!level.corners.empty())
+    for (const Level_part::Index f : part.faces)
+      left.corners.push_back(std::move(level.corners[f]));
+  left.level.level = std::move(part.level);
+  level = std::move(left);
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3

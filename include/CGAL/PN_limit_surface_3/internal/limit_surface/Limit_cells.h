@@ -208,22 +208,18 @@ private:
       centers.push_back(level.target(h));
       h = level.next(h);
     } while (h != base);
-    const Sub_level sub(level, distinct(centers), rings(creases), Sub_level::Keeps::walks);
-    Cell cell{{sub.level(), {}}, Level_creases(sub.level().number_of_vertices()), 0, rounds};
-    if constexpr (are_creases_v<Level_creases>)
-      cell.creases = creases_of_part(
-        creases, sub.level(), [&](Index e) { return sub.edge_origin()[e]; },
-        [&](Index v) { return sub.origin()[v]; });
-    cell.level.values.resize(cell.creases.number_of_slots);
-    if constexpr (are_creases_v<Level_creases>)
-      take_slot_values(
-        sub.level(), cell.creases, [&](Index g) { return sub.halfedge_origin(g); }, slot_of, values,
-        cell.level.values);
-    else
-      for (Index v = 0; v < sub.origin().size(); ++v)
-        cell.level.values[v] = values[sub.origin()[v]];
-    for (Index g = 0; g < sub.level().number_of_halfedges(); ++g)
-      if (sub.halfedge_origin(g) == base) cell.base = g;
+    Sub_level part(level, distinct(centers), rings(creases), Sub_level::Keeps::walks);
+    Cell cell{{{}, {}}, Level_creases(static_cast<Index>(part.vertices.size())), 0, rounds};
+    std::vector<Index> slots = part.vertices;
+    if constexpr (are_creases_v<Level_creases>) {
+      cell.creases = part.creases(creases);
+      slots = part.slot_origins(cell.creases, slot_of);
+    }
+    cell.level.values.reserve(slots.size());
+    for (const Index i : slots) cell.level.values.push_back(values[i]);
+    for (Index g = 0; g < part.level.number_of_halfedges(); ++g)
+      if (part.halfedge(g) == base) cell.base = g;
+    cell.level.level = std::move(part.level);
     return cell;
   }
 

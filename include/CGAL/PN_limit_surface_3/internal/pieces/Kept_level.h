@@ -99,7 +99,8 @@ public:
     if constexpr (!std::is_empty_v<Carried>)
       if (attributes)
         out.put_attributes(
-          attributes.part(part, slot_origins(part, level, creases), level)->put_part(part));
+          attributes.part(part, part.creases_and_slots(level, creases).second, level)
+            ->put_part(part));
     out.begin(part.level, vertices, faces);
     vertices_ = std::move(part.vertices);
     if constexpr (are_creases_v<Level_creases>) list_corners(extraction, level, creases);
@@ -138,15 +139,6 @@ public:
 
 private:
   using Extraction = Piece_extraction<All_candidates>;
-
-  static std::vector<Index> slot_origins(const Level_part& part, const Level_connectivity& level,
-                                         const Level_creases& creases)
-  {
-    if constexpr (are_creases_v<Level_creases>)
-      if (!creases.empty())
-        return part.slot_origins(part.creases(creases), Corner_slots<FT>(level, creases));
-    return part.vertices;
-  }
 
   struct Corner
   {

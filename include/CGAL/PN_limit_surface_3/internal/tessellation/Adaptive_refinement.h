@@ -440,7 +440,7 @@ private:
     Face_marks marks;
     marks.reserve(level.faces.size());
     for (const Adaptive_face& face : level.faces) marks.push_back(face.is_split ? 1 : 0);
-    Cut_adaptive_level<FT, Level>(level, std::move(marks), rings(level));
+    cut_adaptive_level(level, std::move(marks), rings(level));
   }
   // what a round needs to come out right in the rings that the next one needs, and the limits of the new vertices
   unsigned rings(const Level& level) const

@@ -72,6 +72,20 @@ struct Level_part
     return result;
   }
 
+  // Both, empty and the vertices if nothing is sharp.
+  template <class Level_creases>
+  std::pair<Level_creases, Origins> creases_and_slots(const Level_connectivity& whole,
+                                                      const Level_creases& of_whole) const
+  {
+    if constexpr (are_creases_v<Level_creases>)
+      if (!of_whole.empty()) {
+        Level_creases cut = creases(of_whole);
+        Origins slots = slot_origins(cut, Corner_slots(whole, of_whole));
+        return {std::move(cut), std::move(slots)};
+      }
+    return {Level_creases(static_cast<Index>(vertices.size())), vertices};
+  }
+
 private:
   struct Itself
   {

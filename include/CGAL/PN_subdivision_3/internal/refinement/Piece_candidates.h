@@ -128,7 +128,10 @@ public:
   Index edge(Index i) const { return i; }
   Index face(Index i) const { return i; }
   Index place_of_edge(Index e) const { return e; }
-  Index place_of_face(Index f) const { return f; }
+  // the half-edges that those elements begin with, and which half of its edge a half-edge becomes
+  Index halfedge_of_vertex(Index i) const { return level_.halfedge_of_vertex(i); }
+  Index halfedge_of_face(Index i) const { return level_.halfedge_of_face(i); }
+  static Index side(Index /*place*/, Index h) { return h & 1u; }
 
 private:
   const Level_connectivity& level_;
@@ -226,7 +229,9 @@ public:
   Index edge(Index i) const { return edges_.elements()[i]; }
   Index face(Index i) const { return faces_.elements()[i]; }
   Index place_of_edge(Index e) const { return edges_.place(e); }
-  Index place_of_face(Index f) const { return faces_.place(f); }
+  Index halfedge_of_vertex(Index i) const { return level_.halfedge_of_vertex(vertex(i)); }
+  Index halfedge_of_face(Index i) const { return level_.halfedge_of_face(face(i)); }
+  static Index side(Index /*place*/, Index h) { return h & 1u; }
 
 private:
   template <class Function>

@@ -57,9 +57,9 @@ struct Piece_elements
   Numbered_elements vertices, edges, faces;
 };
 
-// Some faces of a level as a level of their own. Elements keep their order, edges their orientation, faces
-// their first half-edge; so do vertices if all their faces are taken. Where faces are missing there is a
-// border, the rim; a vertex between whose faces some are missing is there several times.
+// Some faces of a level as a level of their own. Elements have the order of the candidates, which also tell the orientation
+// of edges, the first half-edge of faces, and that of vertices if all their faces are taken: those of the whole in a piece.
+// Where faces are missing there is a border, the rim; a vertex between whose faces some are missing is there several times.
 template <class Candidates>
 class Piece_extraction
 {
@@ -79,7 +79,7 @@ public:
     for (Index i = 0; i < candidates.number_of_vertices(); ++i) {
       const Index v = candidates.vertex(i);
       if (!whole.is_isolated(v))
-        add_vertex(v);
+        add_vertex(v, candidates.halfedge_of_vertex(i));
       else if (takes_isolated_vertices) {
         add_copy(v, Level_connectivity::null);
         ++size_.isolated_vertices;
@@ -115,7 +115,8 @@ public:
   }
   Index new_halfedge(Index h) const
   {
-    return 2 * new_edge_[candidates_.place_of_edge(Level_connectivity::edge(h))] + (h & 1u);
+    const Index place = candidates_.place_of_edge(Level_connectivity::edge(h));
+    return 2 * new_edge_[place] + candidates_.side(place, h);
   }
 
   // of a vertex that is there several times the first one may be owned
@@ -188,9 +189,8 @@ private:
     return static_cast<Index>(old_vertex_.size() - 1);
   }
 
-  void add_vertex(Index v)
+  void add_vertex(Index v, Index first)
   {
-    const Index first = whole_.halfedge_of_vertex(v);
     bool any_inside = false;
     Index outside = null;
     Index h = first;
@@ -233,20 +233,19 @@ private:
 
   void connect_faces()
   {
-    for (Index i = 0; i < new_edge_.size(); ++i)
-      for (const Index h : {2 * candidates_.edge(i), 2 * candidates_.edge(i) + 1})
-        if (is_inside(h)) connect(h);
-    for (Index i = 0; i < new_face_.size(); ++i)
-      if (new_face_[i] != null)
-        piece_.set_halfedge_of_face(new_face_[i],
-                                    new_halfedge(whole_.halfedge_of_face(candidates_.face(i))));
-  }
-
-  void connect(Index h)
-  {
-    const Index n = new_halfedge(h);
-    piece_.set_next(n, new_halfedge(whole_.next(h)));
-    piece_.set_face(n, new_face_[candidates_.place_of_face(whole_.face(h))]);
+    for (Index i = 0; i < new_face_.size(); ++i) {
+      if (new_face_[i] == null) continue;
+      const Index first = candidates_.halfedge_of_face(i);
+      Index h = first, n = new_halfedge(h);
+      piece_.set_halfedge_of_face(new_face_[i], n);
+      do {
+        h = whole_.next(h);
+        const Index next = new_halfedge(h);
+        piece_.set_next(n, next);
+        piece_.set_face(n, new_face_[i]);
+        n = next;
+      } while (h != first);
+    }
   }
 
   void finish_vertices()
