@@ -57,7 +57,7 @@ function(pn_use_precompiled_in_command name)
   pn_join(pn_subdivide_command curves curve/curve_command curve/curve_corners curve/curve_picture curve/curve_schemes
           curve/level_masks)
   pn_join(pn_subdivide_command output surface/Crease_plan surface/Output_normals surface/Surface_table surface/attributes
-          surface/control_mesh surface/mesh_origin surface/output_mesh)
+          surface/control_mesh surface/output_mesh)
   pn_join(pn_subdivide_command parts surface/Planes_from_rims surface/Planes_of_part surface/Recognized_part
           surface/common_curves surface/cut_vertices surface/part_borders surface/part_choice)
   pn_join(pn_subdivide_command pieces pieces/Finished_pieces pieces/Output_lock pieces/Output_names pieces/Piece_count

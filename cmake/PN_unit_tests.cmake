@@ -226,7 +226,7 @@ if(TARGET pn_subdivide)
     pn_left_out(pvtp_in_vtk "VTK not found, the tests that read .pvtp with it are left out"
                 " (Debian packages python3-vtk9, python3-numpy)")
   else()
-    foreach(scheme catmull-clark doo-sabin)
+    foreach(scheme catmull-clark modified-catmull-clark)
       add_test(NAME pvtp_in_vtk_${scheme}
                COMMAND ${PN_PYTHON_WITH_VTK} -B ${PN_subdivision_3_SOURCE_DIR}/scripts/check_pvtp.py
                        $<TARGET_FILE:pn_subdivide>

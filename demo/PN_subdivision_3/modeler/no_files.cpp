@@ -6,24 +6,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// What files of the command ask for, and the page has no use for: it reads no files of masks, and numbers the half-edges of
-// what the command has refined as those of any other mesh.
+// What files of the command ask for, and the page has no use for: it reads no files of masks.
 
 #include "curve/level_masks.h"
 
 #include "io/Error.h"
-#include "surface/replayed_rounds.h"
 
 namespace pn_subdivide {
 
 Curve_scheme read_level_masks(const std::string& file)
 {
   throw Error("masks cannot be read from " + file + " here");
-}
-
-std::optional<Surface> replayed_rounds(const Mesh_data&)
-{
-  return std::nullopt;
 }
 
 } // namespace pn_subdivide
