@@ -164,7 +164,18 @@ private:
   bool step(Shape& s) const
   {
     recenter(s);
-    return facts_of(s.kind).turns_about_axis ? step_of_revolution(s) : step_of_sphere(s);
+    switch (s.kind) {
+    case Kind::unknown:
+    case Kind::plane:
+      break;
+    case Kind::sphere:
+      return step_of_sphere(s);
+    case Kind::cylinder:
+    case Kind::cone:
+    case Kind::torus:
+      return step_of_revolution(s);
+    }
+    return false;
   }
 
   bool step_of_sphere(Shape& s) const
