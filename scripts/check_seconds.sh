@@ -31,20 +31,26 @@ int main()
   CGAL::Subdivision_method_3::CatmullClark_subdivision(mesh, CGAL::parameters::number_of_iterations(2));
 }
 TEXT
-# as many at a time as there are processors, as in a build; seconds of processor time of one
-times >"$work/times" # of what this process did before it became this script, too
-for _ in 1 2 3 4 5; do
-  for job in $(seq "$(nproc)"); do
-    "$compiler" -std=c++17 -O0 -w -c "$work/unit.cpp" -o "$work/$job.o" &
+# as many at a time as there are processors, as in a build; sets unit, the seconds of processor time of one, and ratio
+measure() {
+  times >"$work/times" # of what this process did before
+  for _ in 1 2 3 4 5; do
+    for job in $(seq "$(nproc)"); do
+      "$compiler" -std=c++17 -O0 -w -c "$work/unit.cpp" -o "$work/$job.o" &
+    done
+    wait
   done
-  wait
+  times >>"$work/times"
+  unit=$(awk -v n="$((5 * $(nproc)))" '{ gsub(/[ms]/, " "); t = $1 * 60 + $2 + $3 * 60 + $4 } NR == 2 { before = t } NR == 4 { print (t - before) / n }' "$work/times")
+  ratio=$(awk -v t="$(cat "$taken")" -v u="$unit" 'BEGIN { printf "%.0f", t / u }')
+}
+
+# the unit differs by more than a tenth from minute to minute where others use the machine: too slow three times is too slow
+for _ in 1 2 3; do
+  measure
+  [[ ${1:-} != --write ]] || echo "$ratio" >"$budget"
+  echo "scripts/test.sh: $(cat "$taken") s of processor time, $ratio times a program of CGAL's ($unit s); budget $(cat "$budget")"
+  awk -v r="$ratio" -v b="$(cat "$budget")" 'BEGIN { exit r > 1.1 * b }' && exit 0
 done
-times >>"$work/times"
-unit=$(awk -v n="$((5 * $(nproc)))" '{ gsub(/[ms]/, " "); t = $1 * 60 + $2 + $3 * 60 + $4 } NR == 2 { before = t } NR == 4 { print (t - before) / n }' "$work/times")
-ratio=$(awk -v t="$(cat "$taken")" -v u="$unit" 'BEGIN { printf "%.0f", t / u }')
-if [[ ${1:-} == --write ]]; then
-  echo "$ratio" >"$budget"
-fi
-echo "scripts/test.sh: $(cat "$taken") s of processor time, $ratio times a program of CGAL's ($unit s); budget $(cat "$budget")"
-awk -v r="$ratio" -v b="$(cat "$budget")" 'BEGIN { exit r > 1.1 * b }' ||
-  { echo "check_seconds.sh: more than a tenth above the budget: make the tests smaller, or move what catches little to long_tests.txt" >&2; exit 1; }
+echo "check_seconds.sh: more than a tenth above the budget: make the tests smaller, or move what catches little to long_tests.txt" >&2
+exit 1
