@@ -189,6 +189,19 @@ def check_links() -> list[str]:
     return wrong
 
 
+MACROS = "near far small interface emit slots signals foreach Bool Status None True False Success".split()
+
+
+def check_macros() -> list[str]:
+    """Words of our headers that <windows.h>, Qt and <X11/Xlib.h> define; pn_headers_alone compiles them, which takes longer."""
+    wrong = []
+    for path in sorted(p for p in (ROOT / "include").rglob("*.*") if p.suffix in COMMENTS):
+        code = re.sub(r"(?s)/\*.*?\*/|//[^\n]*|\"(?:[^\"\\]|\\.)*\"|^ *# *include[^\n]*", "", path.read_text())
+        wrong += [f"{path.relative_to(ROOT)} has the name {word}, which is a macro of others"
+                  for word in MACROS if re.search(rf"\b{word}\b", code)]
+    return wrong
+
+
 MANUAL = ROOT / "doc" / "PN_subdivision_3" / "PN_subdivision_3.txt"
 
 
@@ -222,7 +235,7 @@ def main() -> int:
                         help="the compiler with the options that it needs to find CGAL and Eigen")
     parser.add_argument("--fix", action="store_true", help="write what can be derived")
     arguments = parser.parse_args()
-    wrong = check_notices(arguments.fix) + check_version() + check_links() + check_names() + check_lengths()
+    wrong = check_notices(arguments.fix) + check_version() + check_links() + check_macros() + check_names() + check_lengths()
     wrong += check_moves(arguments.fix) + check_dependencies(arguments.compiler, arguments.fix)
     for line in wrong:
         print(line, file=sys.stderr)

@@ -219,7 +219,7 @@ private:
       size.segment(first, n).setConstant(std::sqrt(matrix.diagonal().segment(first, n).sum() / n));
     if (!(size.minCoeff() > 0)) return false;
     const Eigen::LLT<Square> factors(matrix);
-    if (factors.info() != Eigen::Success) return false;
+    if (int(factors.info()) != 0) return false; // Eigen's name of 0 is a macro of X11
     Eigen::Matrix<double, unknowns, unknowns, Eigen::RowMajor> inverse; // of the lower triangle
     for (int i = 0; i < unknowns; ++i) {
       inverse.row(i) = Square::Identity().row(i);

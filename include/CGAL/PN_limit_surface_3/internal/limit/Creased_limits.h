@@ -243,8 +243,8 @@ private:
                   const std::vector<Index>& vertices) const
   {
     Sub_level cut(level.level, vertices, cut_rings(scheme_), Sub_level::Keeps::walks);
-    auto [of_part, slots] = cut.creases_and_slots(level.level, creases);
-    return {std::move(cut.level), std::move(of_part), values_of_part(level.values, slots),
+    auto [of_part, origins] = cut.creases_and_slots(level.level, creases);
+    return {std::move(cut.level), std::move(of_part), values_of_part(level.values, origins),
             std::move(cut.centers)};
   }
 

@@ -97,7 +97,7 @@ void cut_adaptive_level(Level& level, Face_marks kept, unsigned rings)
   const All_candidates candidates(whole, kept);
   Piece_extraction<All_candidates> extraction(whole, candidates, false);
   Level_part part(extraction, true);
-  auto [creases, slots] = part.creases_and_slots(whole, level.creases);
+  auto [creases, origins] = part.creases_and_slots(whole, level.creases);
   Level left{{},
              std::move(creases),
              {},
@@ -105,9 +105,9 @@ void cut_adaptive_level(Level& level, Face_marks kept, unsigned rings)
              values_of_part(level.faces, part.faces),
              {},
              {}};
-  left.level.values = values_of_part(level.level.values, slots);
-  left.slot_ids = values_of_part(level.slot_ids, slots);
-  for (const auto& plane : level.planes) left.planes.push_back(values_of_part(plane, slots));
+  left.level.values = values_of_part(level.level.values, origins);
+  left.slot_ids = values_of_part(level.slot_ids, origins);
+  for (const auto& plane : level.planes) left.planes.push_back(values_of_part(plane, origins));
   if (!level.corners.empty())
     for (const Level_part::Index f : part.faces)
       left.corners.push_back(std::move(level.corners[f]));

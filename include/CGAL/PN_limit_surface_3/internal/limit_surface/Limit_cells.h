@@ -210,13 +210,13 @@ private:
     } while (h != base);
     Sub_level part(level, distinct(centers), rings(creases), Sub_level::Keeps::walks);
     Cell cell{{{}, {}}, Level_creases(static_cast<Index>(part.vertices.size())), 0, rounds};
-    std::vector<Index> slots = part.vertices;
+    std::vector<Index> origins = part.vertices;
     if constexpr (are_creases_v<Level_creases>) {
       cell.creases = part.creases(creases);
-      slots = part.slot_origins(cell.creases, slot_of);
+      origins = part.slot_origins(cell.creases, slot_of);
     }
-    cell.level.values.reserve(slots.size());
-    for (const Index i : slots) cell.level.values.push_back(values[i]);
+    cell.level.values.reserve(origins.size());
+    for (const Index i : origins) cell.level.values.push_back(values[i]);
     for (Index g = 0; g < part.level.number_of_halfedges(); ++g)
       if (part.halfedge(g) == base) cell.base = g;
     cell.level.level = std::move(part.level);

@@ -80,8 +80,8 @@ struct Level_part
     if constexpr (are_creases_v<Level_creases>)
       if (!of_whole.empty()) {
         Level_creases cut = creases(of_whole);
-        Origins slots = slot_origins(cut, Corner_slots(whole, of_whole));
-        return {std::move(cut), std::move(slots)};
+        Origins origins = slot_origins(cut, Corner_slots(whole, of_whole));
+        return {std::move(cut), std::move(origins)};
       }
     return {Level_creases(static_cast<Index>(vertices.size())), vertices};
   }
