@@ -221,6 +221,14 @@ def check_lengths() -> list[str]:
     return wrong + sentences.misses([s for page in sentences.pages() for s in sentences.sentences(page)])
 
 
+def check_conflicts() -> list[str]:
+    """Lines that a merge with conflicts leaves."""
+    texts = [path for folder in (*FOLDERS, "package_info") for path in (ROOT / folder).rglob("*")
+             if path.suffix in (*COMMENTS, ".txt", ".md", ".toml", ".tsv", ".cmake") and NOT_OURS.isdisjoint(path.parts)]
+    return [f"{path.relative_to(ROOT)} has the rest of a conflict" for path in texts
+            if re.search(r"(?m)^(<{7}|>{7})( |$)", path.read_text(errors="replace"))]
+
+
 def check_moves(fix: bool) -> list[str]:
     page, text = ROOT / "doc" / NAME / "moving.txt", moves.page()
     if fix:
@@ -236,7 +244,7 @@ def main() -> int:
     parser.add_argument("--fix", action="store_true", help="write what can be derived")
     arguments = parser.parse_args()
     wrong = check_notices(arguments.fix) + check_version() + check_links() + check_macros() + check_names() + check_lengths()
-    wrong += check_moves(arguments.fix) + check_dependencies(arguments.compiler, arguments.fix)
+    wrong += check_conflicts() + check_moves(arguments.fix) + check_dependencies(arguments.compiler, arguments.fix)
     for line in wrong:
         print(line, file=sys.stderr)
     if wrong:

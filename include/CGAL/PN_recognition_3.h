@@ -11,11 +11,11 @@
 
 /*!
 \file PN_recognition_3.h
-Surfaces of mechanical parts that a mesh approximates, triangulation of their planes, and arcs of curves.
+Surfaces of mechanical parts that a mesh approximates, and arcs of curves. Not included is `triangulate_planes.h`, which is under
+the GPL.
 */
 
 #include <CGAL/PN_recognition_3/recognize_arcs.h>
 #include <CGAL/PN_recognition_3/recognize_surfaces.h>
-#include <CGAL/PN_recognition_3/triangulate_planes.h>
 
 #endif // CGAL_PN_RECOGNITION_3_H
