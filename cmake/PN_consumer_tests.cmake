@@ -1,14 +1,9 @@
 # The package as its users get it: installed without having been built, as a subfolder, and with parts
-# of what it needs missing; and the README's example is the one that is built here.
+# of what it needs missing.
 
 set(pn_readme_example ${PN_subdivision_3_SOURCE_DIR}/examples/PN_subdivision_3/readme_example.cpp)
 set(pn_consumer_dir ${PN_subdivision_3_BINARY_DIR}/consumer)
 set(pn_prefix ${pn_consumer_dir}/prefix)
-
-add_test(
-  NAME readme_shows_the_example
-  COMMAND ${CMAKE_COMMAND} -DREADME=${PN_subdivision_3_SOURCE_DIR}/README.md
-          -DEXAMPLE=${pn_readme_example} -P ${CMAKE_CURRENT_LIST_DIR}/PN_compare_readme.cmake)
 
 # --- configuring the package where something is missing ---
 function(pn_configure_without package expected)
@@ -77,9 +72,9 @@ set_tests_properties(tests_by_themselves PROPERTIES PASS_REGULAR_EXPRESSION
 # Configures with the default options and installs, without a build in between.
 add_test(
   NAME install_without_building
-  COMMAND ${CMAKE_COMMAND} -DSOURCE=${PN_subdivision_3_SOURCE_DIR} -DFOLDER=${pn_consumer_dir}
+  COMMAND ${CMAKE_COMMAND} -DTEST=install_without_building -DSOURCE=${PN_subdivision_3_SOURCE_DIR} -DFOLDER=${pn_consumer_dir}
           -DPREFIX=${pn_prefix} -DGENERATOR=${CMAKE_GENERATOR} -DCOMPILER=${CMAKE_CXX_COMPILER}
-          -P ${CMAKE_CURRENT_LIST_DIR}/PN_install_without_building.cmake)
+          -P ${CMAKE_CURRENT_LIST_DIR}/PN_installed_package.cmake)
 set_tests_properties(install_without_building PROPERTIES FIXTURES_SETUP pn_installed)
 
 set(pn_components)
@@ -120,9 +115,9 @@ if(UNIX)
   endforeach()
   add_test(
     NAME pkg_config_consumer
-    COMMAND ${CMAKE_COMMAND} -DPREFIX=${pn_prefix} -DFOLDER=${pn_consumer_dir}/pkg_config_consumer
+    COMMAND ${CMAKE_COMMAND} -DTEST=pkg_config_consumer -DPREFIX=${pn_prefix} -DFOLDER=${pn_consumer_dir}/pkg_config_consumer
             -DVERSION=${PN_subdivision_3_VERSION} -DCOMPILER=${CMAKE_CXX_COMPILER} "-DCGAL_FLAGS=${pn_cgal_flags}"
-            -DSOURCE=${pn_readme_example} -P ${CMAKE_CURRENT_LIST_DIR}/PN_pkg_config_test.cmake)
+            -DSOURCE=${pn_readme_example} -P ${CMAKE_CURRENT_LIST_DIR}/PN_installed_package.cmake)
   set_tests_properties(pkg_config_consumer PROPERTIES SKIP_REGULAR_EXPRESSION "^left out: "
                                                       FIXTURES_REQUIRED pn_installed)
 endif()

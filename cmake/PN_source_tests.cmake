@@ -72,10 +72,10 @@ if(Python3_FOUND)
   if(TARGET pn_subdivide)
     add_test(NAME diagrams_of_stencils
              COMMAND Python3::Interpreter -B ${pn_scripts}/make_diagrams.py --check
-                     --command $<TARGET_FILE:pn_subdivide>)
+                     --command $<TARGET_FILE:${pn_tested_command}>)
     add_test(NAME documented_commands
              COMMAND Python3::Interpreter -B ${pn_scripts}/run_documented_commands.py
-                     $<TARGET_FILE:pn_subdivide>)
+                     $<TARGET_FILE:${pn_tested_command}>)
     set_tests_properties(documented_commands PROPERTIES TIMEOUT 600)
   endif()
 
@@ -88,4 +88,19 @@ if(Python3_FOUND)
 else()
   pn_left_out(sources "Python 3.11 not found, the tests of data/, figures and documented commands are left out"
               " (Debian package python3)")
+endif()
+
+# The test of demo/PN_subdivision_3, where everything that the page needs is there: it builds the page, which
+# takes some minutes unless nothing has changed.
+find_program(PN_EMCMAKE emcmake)
+find_program(PN_CHROMIUM chromium)
+find_program(PN_NODE node)
+find_program(PN_BASH bash)
+if(PN_EMCMAKE AND PN_CHROMIUM AND PN_NODE AND PN_BASH AND TARGET pn_subdivide
+   AND EXISTS ${PN_subdivision_3_SOURCE_DIR}/demo/PN_subdivision_3/node_modules/playwright-core)
+  add_test(NAME page COMMAND ${PN_BASH} ${PN_subdivision_3_SOURCE_DIR}/scripts/test_page.sh --offline
+                             --command $<TARGET_FILE:pn_subdivide>)
+  set_tests_properties(page PROPERTIES TIMEOUT 3000 ENVIRONMENT "CHROMIUM=${PN_CHROMIUM}")
+else()
+  pn_left_out(page "the tools of the page not found (scripts/test_page.sh installs them and tests it)" OPTIONAL)
 endif()

@@ -1,6 +1,5 @@
 # The GoogleTest programs: real meshes, the precompiled headers that they share, pn_add_test().
 include(${CMAKE_CURRENT_LIST_DIR}/PN_joined_tests.cmake)
-include(${CMAKE_CURRENT_LIST_DIR}/PN_precompiled_tests.cmake)
 
 set(PN_TEST_EXTRA_MESH_DIR "" CACHE PATH "Folder with further control meshes for the tests (or empty)")
 
@@ -64,7 +63,7 @@ function(pn_test_settings target)
     target_compile_definitions(${target} PRIVATE PN_TEST_WITH_OPENMESH)
   endif()
   if(TARGET pn_subdivide)
-    target_compile_definitions(${target} PRIVATE PN_SUBDIVIDE_COMMAND="$<TARGET_FILE:pn_subdivide>")
+    target_compile_definitions(${target} PRIVATE PN_SUBDIVIDE_COMMAND="$<TARGET_FILE:${pn_tested_command}>")
   endif()
   if(PN_TEST_FULL)
     target_compile_definitions(${target} PRIVATE PN_TEST_FULL)
@@ -198,10 +197,10 @@ endforeach()
 get_property(programs DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
 foreach(name ${programs})
   if(name MATCHES "^test_(pn_subdivide|joined_command|long_command)")
-    target_link_libraries(${name} PRIVATE pn_subdivide_command nlohmann_json::nlohmann_json)
+    target_link_libraries(${name} PRIVATE pn_subdivide_command pn_subdivide_one_rank nlohmann_json::nlohmann_json)
     target_compile_definitions(
       ${name} PRIVATE PN_SUBDIVIDE_MANUAL="${PN_subdivision_3_SOURCE_DIR}/src/pn_subdivide/pn_subdivide.1")
-    add_dependencies(${name} pn_subdivide)
+    add_dependencies(${name} ${pn_tested_command})
   endif()
 endforeach()
 
@@ -209,7 +208,9 @@ endforeach()
 if(TARGET test_pn_subdivide_pieces AND NOT PN_SUBDIVISION_3_WITH_MPI STREQUAL "OFF")
   find_program(PN_MPIRUN mpirun)
   if(PN_MPIRUN AND PN_MPI_FOUND)
-    target_compile_definitions(test_pn_subdivide_pieces PRIVATE PN_TEST_MPIRUN="${PN_MPIRUN}")
+    target_compile_definitions(test_pn_subdivide_pieces PRIVATE PN_TEST_MPIRUN="${PN_MPIRUN}"
+                               PN_TEST_COMMAND_OF_RANKS="$<TARGET_FILE:pn_subdivide>")
+    add_dependencies(test_pn_subdivide_pieces pn_subdivide)
   else()
     pn_left_out(ranks "MPI or mpirun not found, the tests of ranks are left out"
                 " (Debian packages libopenmpi-dev, openmpi-bin)")
@@ -236,8 +237,55 @@ if(TARGET pn_subdivide)
   endif()
 endif()
 
+# pn_unpack_cgal_examples(target): the custom mask of CGAL's manual for a test, from the archive with
+# CGAL's examples. A system include folder, since it is not our code to mend.
+function(pn_unpack_cgal_examples target)
+  find_file(PN_CGAL_EXAMPLES_ARCHIVE examples.tar.gz
+            PATHS /usr/share/doc/libcgal-dev ${PN_subdivision_3_SOURCE_DIR}/build/debian
+            NO_DEFAULT_PATH
+            DOC "Archive with CGAL's examples")
+  set(folder examples/Subdivision_method_3)
+  set(example ${folder}/Customized_subdivision.cpp)
+  set(unpacked ${PN_subdivision_3_BINARY_DIR}/cgal_examples)
+  if(PN_CGAL_EXAMPLES_ARCHIVE AND NOT EXISTS ${unpacked}/${example})
+    file(MAKE_DIRECTORY ${unpacked})
+    execute_process(COMMAND ${CMAKE_COMMAND} -E tar xzf ${PN_CGAL_EXAMPLES_ARCHIVE} ${example}
+                    WORKING_DIRECTORY ${unpacked})
+  endif()
+  if(EXISTS ${unpacked}/${example})
+    target_include_directories(${target} SYSTEM PRIVATE ${unpacked}/${folder})
+  else()
+    message(STATUS "PN_subdivision_3: the custom mask of CGAL's manual was not found, its test is"
+                   " skipped (examples.tar.gz of Debian package libcgal-dev)")
+  endif()
+endfunction()
+
+# pn_change_cgal_examples(target): the examples of CGAL's Subdivision_method_3 for a test, as they are in cgal_examples and with
+# this package's include and namespace in changed_cgal_examples, both in the build folder.
+function(pn_change_cgal_examples target)
+  set(names CatmullClark_subdivision Customized_subdivision DooSabin_subdivision Loop_subdivision Sqrt3_subdivision)
+  set(folder ${PN_subdivision_3_BINARY_DIR}/cgal_examples/all)
+  set(changed ${PN_subdivision_3_BINARY_DIR}/changed_cgal_examples)
+  if(PN_CGAL_EXAMPLES_ARCHIVE AND NOT EXISTS ${folder})
+    file(MAKE_DIRECTORY ${folder})
+    execute_process(COMMAND ${CMAKE_COMMAND} -E tar xzf ${PN_CGAL_EXAMPLES_ARCHIVE} examples/Subdivision_method_3
+                    WORKING_DIRECTORY ${folder})
+  endif()
+  foreach(name ${names})
+    set(example ${folder}/examples/Subdivision_method_3/${name}.cpp)
+    if(NOT EXISTS ${example})
+      message(STATUS "PN_subdivision_3: the examples of CGAL were not found, ${target} is skipped (examples.tar.gz of"
+                     " Debian package libcgal-dev)")
+      return()
+    endif()
+    file(READ ${example} text)
+    string(REPLACE "CGAL/subdivision_method_3.h" "CGAL/PN_cgal_masks_3/Subdivision_method_3.h" text "${text}")
+    string(REPLACE " Subdivision_method_3::" " PN_subdivision_3::Subdivision_method_3::" text "${text}")
+    file(CONFIGURE OUTPUT ${changed}/changed/${name}.cpp CONTENT "${text}" @ONLY)
+  endforeach()
+  target_include_directories(${target} SYSTEM PRIVATE ${folder}/examples ${changed})
+endfunction()
 if(TARGET test_PN_mask_3_custom)
-  include(${CMAKE_CURRENT_LIST_DIR}/PN_manual_masks.cmake)
   pn_unpack_cgal_examples(test_PN_mask_3_custom)
   pn_change_cgal_examples(test_Subdivision_method_3_examples)
 endif()

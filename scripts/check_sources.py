@@ -212,6 +212,14 @@ def check_names() -> list[str]:
     return [f"{MANUAL.relative_to(ROOT)} names {name}, which is not there" for name in named if name not in there]
 
 
+def check_example() -> list[str]:
+    """The README shows the code of an example."""
+    example = ROOT / "examples" / NAME / "readme_example.cpp"
+    code = example.read_text()
+    shown = "```cpp\n" + code[code.index("#include"):] + "```" in (ROOT / "README.md").read_text()
+    return [] if shown else [f"README.md does not show the code of {example.relative_to(ROOT)}: copy it there"]
+
+
 def check_lengths() -> list[str]:
     words = len((ROOT / "README.md").read_text().split())
     wrong = [f"README.md has {words} words, more than {WORDS_OF_README}"] if words > WORDS_OF_README else []
@@ -243,7 +251,7 @@ def main() -> int:
                         help="the compiler with the options that it needs to find CGAL and Eigen")
     parser.add_argument("--fix", action="store_true", help="write what can be derived")
     arguments = parser.parse_args()
-    wrong = check_notices(arguments.fix) + check_version() + check_links() + check_macros() + check_names() + check_lengths()
+    wrong = check_notices(arguments.fix) + check_version() + check_links() + check_macros() + check_names() + check_example() + check_lengths()
     wrong += check_conflicts() + check_moves(arguments.fix) + check_dependencies(arguments.compiler, arguments.fix)
     for line in wrong:
         print(line, file=sys.stderr)

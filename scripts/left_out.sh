@@ -7,7 +7,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
 #
-# Says what tests were left out because something is missing (cmake/PN_left_out.cmake): a line for each, and a
+# Says what tests were left out because something is missing (cmake/PN_tiers.cmake): a line for each, and a
 # last one that counts and names them. With --strict the exit code is 1 if there are any but optional ones.
 #
 #   scripts/left_out.sh [--strict] BUILD_FOLDER...       folders in which ctest has run

@@ -34,8 +34,7 @@ protected:
   {
     const std::string out = work.file("out"), err = work.file("err");
     const int status = std::system(
-      (before + "'" PN_SUBDIVIDE_COMMAND "' " + arguments + " >'" + out + "' 2>'" + err + "'")
-        .c_str());
+      (before + "'" + program + "' " + arguments + " >'" + out + "' 2>'" + err + "'").c_str());
 #ifdef __unix__
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 #else
@@ -53,6 +52,7 @@ protected:
     EXPECT_EQ(outcome.out, "");
   }
 
+  std::string program = PN_SUBDIVIDE_COMMAND;
   Temporary_folder folder; // of the user
   Temporary_folder work;   // of these tests
 };

@@ -331,6 +331,8 @@ namespace {
 class Ranks : public Pieces
 {
 protected:
+  Ranks() { program = PN_TEST_COMMAND_OF_RANKS; }
+
   // hwloc looks for graphics cards on the display :0, which other tests open and close: Xlib then ends
   // the rank. Of networks only the one within the machine is there for certain.
   static std::string with_ranks(int number)
@@ -409,7 +411,7 @@ TEST_F(Ranks, AKilledRank)
     // rank 1 kills itself after a while
     const std::string script =
       "if [ $OMPI_COMM_WORLD_RANK = 1 ]; then (sleep 0.3; kill -9 $$) & fi; "
-      "exec '" PN_SUBDIVIDE_COMMAND "' " +
+      "exec '" PN_TEST_COMMAND_OF_RANKS "' " +
       in_out("loop", out) + "--levels 8 --pieces 40";
     folder.write("script.sh", script);
     const std::string command = with_ranks(2) + "sh '" + folder.file("script.sh") + "' 2>/dev/null";
