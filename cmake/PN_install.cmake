@@ -18,9 +18,10 @@ install(FILES ${PROJECT_BINARY_DIR}/PN_subdivision_3Config.cmake
               ${PROJECT_BINARY_DIR}/PN_subdivision_3ConfigVersion.cmake
         DESTINATION ${pn_config_dir} ${pn_component})
 
-# a library that is compiled where it is used
-install(FILES ${CMAKE_CURRENT_LIST_DIR}/PN_subdivision_3_double.cmake DESTINATION ${pn_config_dir} ${pn_component})
-install(DIRECTORY src/PN_subdivision_3_double DESTINATION ${CMAKE_INSTALL_DATADIR}/PN_subdivision_3/src ${pn_component})
+# libraries that are compiled where they are used
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/PN_libraries.cmake DESTINATION ${pn_config_dir} ${pn_component})
+install(DIRECTORY src/PN_subdivision_3_double src/PN_subdivision_3_recognition
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/PN_subdivision_3/src ${pn_component})
 
 # found from its own place, so that the installed package can be moved
 file(RELATIVE_PATH pn_includedir_from_pc ${CMAKE_INSTALL_FULL_DATADIR}/pkgconfig

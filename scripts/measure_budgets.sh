@@ -13,7 +13,7 @@
 #
 # One source, benchmark/PN_subdivision_3/compile_time/call.cpp, is compiled for each call of the table below and for CGAL's own
 # Catmull-Clark subdivision by turns (g++ -O2, or $CXX), 5 times unless told otherwise: medians of the user time over that of CGAL's
-# own, and the memory of the compiler; with the headers alone, and as a program linked to PN_subdivision_3_double.
+# own, and the memory of the compiler; with the headers alone, and as a program linked to the libraries.
 # --command: also the processor time of compiling the command and what it is linked with, from nothing, one at a time.
 # Speed of the package itself is measured by scripts/compare_speed.py, memory by scripts/compare_memory.py.
 set -euo pipefail
@@ -71,7 +71,7 @@ for ((i = 0; i < repetitions; ++i)); do
     [[ $chosen == "  " || $chosen == *" $name "* ]] || continue
     for kind in alone linked; do
       option=()
-      [[ $kind == alone ]] || option=(-DCGAL_PN_SUBDIVISION_3_DOUBLE)
+      [[ $kind == alone ]] || option=(-DCGAL_PN_SUBDIVISION_3_DOUBLE -DCGAL_PN_SUBDIVISION_3_RECOGNITION)
       read -r user memory < <(compile "$name" "$header" "$call" "${option[@]}")
       awk "BEGIN { print $user / $base, $memory / 1e6 }" >>"$work/$name.$kind"
     done

@@ -60,7 +60,7 @@ inline bool has_decimal_form(double x, const char* format, int digits)
   return std::strtod(text, nullptr) == x;
 }
 
-inline double file_rounding(const std::vector<double>& x)
+CGAL_PN_RECOGNITION_3_INLINE double file_rounding(const std::vector<double>& x)
 {
   double largest = 0;
   bool are_floats = true;

@@ -21,8 +21,8 @@ namespace PN_subdivision_3 {
 namespace internal {
 namespace recognition {
 
-inline void Plane_of_polygon::set(std::vector<Vec3> p, bool is_in_space, bool closed,
-                                  double tolerance)
+CGAL_PN_RECOGNITION_3_INLINE void Plane_of_polygon::set(std::vector<Vec3> p, bool is_in_space,
+                                                        bool closed, double tolerance)
 {
   std::vector<double> coordinates;
   for (const Vec3& q : p) {
@@ -35,18 +35,20 @@ inline void Plane_of_polygon::set(std::vector<Vec3> p, bool is_in_space, bool cl
   for (const Vec3& q : p) points_.push_back({dot(u_, q), dot(v_, q)});
 }
 
-inline std::array<double, 3> Plane_of_polygon::in_space(const Point& p) const
+CGAL_PN_RECOGNITION_3_INLINE std::array<double, 3> Plane_of_polygon::in_space(const Point& p) const
 {
   return as_array(origin_ + scale_ * (p[0] * u_ + p[1] * v_ + height_ * cross(u_, v_)));
 }
 
-inline Plane_of_polygon::Point Plane_of_polygon::in_plane(const std::array<double, 3>& p) const
+CGAL_PN_RECOGNITION_3_INLINE Plane_of_polygon::Point
+Plane_of_polygon::in_plane(const std::array<double, 3>& p) const
 {
   const Vec3 d = (1 / scale_) * (as_vec3(p) - origin_);
   return {dot(u_, d), dot(v_, d)};
 }
 
-inline std::array<double, 3> Plane_of_polygon::direction_in_space(const Point& d) const
+CGAL_PN_RECOGNITION_3_INLINE std::array<double, 3>
+Plane_of_polygon::direction_in_space(const Point& d) const
 {
   return as_array(d[0] * u_ + d[1] * v_);
 }

@@ -13,7 +13,8 @@ namespace PN_subdivision_3 {
 namespace internal {
 namespace recognition {
 
-inline Cylindrical cylindrical(const Vec3& p, const Vec3& center, const Vec3& axis)
+CGAL_PN_RECOGNITION_3_INLINE Cylindrical cylindrical(const Vec3& p, const Vec3& center,
+                                                     const Vec3& axis)
 {
   const Vec3 q = p - center;
   const double z = dot(q, axis);
@@ -22,14 +23,14 @@ inline Cylindrical cylindrical(const Vec3& p, const Vec3& center, const Vec3& ax
   return {rho, z, rho > 0 ? (1 / rho) * w : Vec3()};
 }
 
-inline void Shape::set_angle(double x)
+CGAL_PN_RECOGNITION_3_INLINE void Shape::set_angle(double x)
 {
   angle = x;
   cosine = std::cos(x);
   sine = std::sin(x);
 }
 
-inline double Shape::distance(const Vec3& p, Cylindrical& q) const
+CGAL_PN_RECOGNITION_3_INLINE double Shape::distance(const Vec3& p, Cylindrical& q) const
 {
   if (facts_of(kind).turns_about_axis) q = local(p);
   switch (kind) {
@@ -49,7 +50,7 @@ inline double Shape::distance(const Vec3& p, Cylindrical& q) const
   return 0;
 }
 
-inline Vec3 Shape::normal(const Vec3& p, const Cylindrical& q) const
+CGAL_PN_RECOGNITION_3_INLINE Vec3 Shape::normal(const Vec3& p, const Cylindrical& q) const
 {
   switch (kind) {
   case Kind::unknown:
@@ -68,13 +69,14 @@ inline Vec3 Shape::normal(const Vec3& p, const Cylindrical& q) const
   return {};
 }
 
-inline double Shape::meridian_angle(const Vec3& p) const
+CGAL_PN_RECOGNITION_3_INLINE double Shape::meridian_angle(const Vec3& p) const
 {
   const Cylindrical q = local(p);
   return std::atan2(q.z, q.rho - radius);
 }
 
-inline Recognized_surface as_surface(const Shape& s, double scale, const Vec3& shift)
+CGAL_PN_RECOGNITION_3_INLINE Recognized_surface as_surface(const Shape& s, double scale,
+                                                           const Vec3& shift)
 {
   Recognized_surface result;
   result.kind = s.kind;
@@ -99,7 +101,8 @@ inline Recognized_surface as_surface(const Shape& s, double scale, const Vec3& s
   return result;
 }
 
-inline Shape as_shape(const Recognized_surface& surface, double scale, const Vec3& shift)
+CGAL_PN_RECOGNITION_3_INLINE Shape as_shape(const Recognized_surface& surface, double scale,
+                                            const Vec3& shift)
 {
   Shape s;
   s.kind = surface.kind;

@@ -402,8 +402,9 @@ private:
   std::vector<Arc_run> found_, chosen_;
 };
 
-inline std::vector<Arc_run> find_arcs(std::vector<std::array<double, 2>> points, bool closed,
-                                      double tolerance, unsigned min_facets)
+CGAL_PN_RECOGNITION_3_INLINE std::vector<Arc_run>
+find_arcs(std::vector<std::array<double, 2>> points, bool closed, double tolerance,
+          unsigned min_facets)
 {
   Arc_finder find(std::move(points), closed, tolerance, min_facets);
   return find();

@@ -8,8 +8,8 @@
 #ifndef CGAL_PN_RECOGNITION_3_INTERNAL_RECOGNITION_H
 #define CGAL_PN_RECOGNITION_3_INTERNAL_RECOGNITION_H
 
-// Recognition is ordinary code, in double whatever the kernel. Its sources are compiled where they are included, here and nowhere
-// else; sources of recognition include the interface, or Part.h.
+// Recognition is ordinary code, in double whatever the kernel. Its sources are included here and nowhere else, but in
+// the library; they include the interface, or Part.h.
 
 #include <CGAL/PN_recognition_3/internal/recognition_interface.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
@@ -19,19 +19,21 @@
 
 #include <stdexcept>
 
-#include <CGAL/PN_recognition_3/internal/Evidence.cpp>
-#include <CGAL/PN_recognition_3/internal/Found_regions.cpp>
-#include <CGAL/PN_recognition_3/internal/Part.cpp>
-#include <CGAL/PN_recognition_3/internal/Patches.cpp>
-#include <CGAL/PN_recognition_3/internal/Plane_of_polygon.cpp>
-#include <CGAL/PN_recognition_3/internal/Prism_filter.cpp>
-#include <CGAL/PN_recognition_3/internal/Region.cpp>
-#include <CGAL/PN_recognition_3/internal/Region_borders.cpp>
-#include <CGAL/PN_recognition_3/internal/Segments.cpp>
-#include <CGAL/PN_recognition_3/internal/Shape.cpp>
-#include <CGAL/PN_recognition_3/internal/arcs.cpp>
-#include <CGAL/PN_recognition_3/internal/guess_shapes.cpp>
-#include <CGAL/PN_recognition_3/internal/surfaces.cpp>
+#ifndef CGAL_PN_SUBDIVISION_3_RECOGNITION
+#  include <CGAL/PN_recognition_3/internal/Evidence.cpp>
+#  include <CGAL/PN_recognition_3/internal/Found_regions.cpp>
+#  include <CGAL/PN_recognition_3/internal/Part.cpp>
+#  include <CGAL/PN_recognition_3/internal/Patches.cpp>
+#  include <CGAL/PN_recognition_3/internal/Plane_of_polygon.cpp>
+#  include <CGAL/PN_recognition_3/internal/Prism_filter.cpp>
+#  include <CGAL/PN_recognition_3/internal/Region.cpp>
+#  include <CGAL/PN_recognition_3/internal/Region_borders.cpp>
+#  include <CGAL/PN_recognition_3/internal/Segments.cpp>
+#  include <CGAL/PN_recognition_3/internal/Shape.cpp>
+#  include <CGAL/PN_recognition_3/internal/arcs.cpp>
+#  include <CGAL/PN_recognition_3/internal/guess_shapes.cpp>
+#  include <CGAL/PN_recognition_3/internal/surfaces.cpp>
+#endif
 
 namespace CGAL {
 namespace PN_subdivision_3 {

@@ -18,6 +18,14 @@
 #include <utility>
 #include <vector>
 
+// Recognition is compiled where it is included, or once in the library CGAL::PN_subdivision_3_recognition. What is declared
+// here is inline or not, the rest of its sources always.
+#ifdef CGAL_PN_SUBDIVISION_3_RECOGNITION
+#  define CGAL_PN_RECOGNITION_3_INLINE
+#else
+#  define CGAL_PN_RECOGNITION_3_INLINE inline
+#endif
+
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {

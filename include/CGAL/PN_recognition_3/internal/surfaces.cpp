@@ -50,8 +50,9 @@ inline std::vector<Recognized_surface> surfaces_of(const Part& part, const Segme
   return result;
 }
 
-inline Found_surfaces find_surfaces(const Level_connectivity& level, const Points& points,
-                                    double tolerance, unsigned min_facets)
+CGAL_PN_RECOGNITION_3_INLINE Found_surfaces find_surfaces(const Level_connectivity& level,
+                                                          const Points& points, double tolerance,
+                                                          unsigned min_facets)
 {
   const Part part = make_part(level, points, tolerance);
   const Segments segments = recognize_part(part, min_facets);
@@ -63,9 +64,10 @@ inline Found_surfaces find_surfaces(const Level_connectivity& level, const Point
 
 // --- tags ---
 
-inline Surface_tags::Surface_tags(const Level_connectivity& level, const Points& points,
-                                  double tolerance, const std::vector<Recognized_surface>& surfaces,
-                                  std::vector<std::size_t> patches, double sharp_angle)
+CGAL_PN_RECOGNITION_3_INLINE
+Surface_tags::Surface_tags(const Level_connectivity& level, const Points& points, double tolerance,
+                           const std::vector<Recognized_surface>& surfaces,
+                           std::vector<std::size_t> patches, double sharp_angle)
   : level_(level)
   , patch_(std::move(patches))
   , sharp_angle_(sharp_angle)
@@ -80,7 +82,7 @@ inline Surface_tags::Surface_tags(const Level_connectivity& level, const Points&
   set_sides(part);
 }
 
-inline bool Surface_tags::is_crease(Index e) const
+CGAL_PN_RECOGNITION_3_INLINE bool Surface_tags::is_crease(Index e) const
 {
   if (level_.is_border_edge(e)) return false;
   const Index f = level_.face(2 * e), g = level_.face(2 * e + 1);
@@ -88,7 +90,7 @@ inline bool Surface_tags::is_crease(Index e) const
   return angle_between(normal_[f], normal_[g]) > sharp_angle_;
 }
 
-inline bool Surface_tags::is_corner(Index v) const
+CGAL_PN_RECOGNITION_3_INLINE bool Surface_tags::is_corner(Index v) const
 {
   bool result = false;
   if (!level_.is_isolated(v))
@@ -97,7 +99,7 @@ inline bool Surface_tags::is_corner(Index v) const
   return result;
 }
 
-inline bool Surface_tags::is_unknown(Index v) const
+CGAL_PN_RECOGNITION_3_INLINE bool Surface_tags::is_unknown(Index v) const
 {
   bool has_unknown = false, has_known = false;
   if (!level_.is_isolated(v))
@@ -107,7 +109,7 @@ inline bool Surface_tags::is_unknown(Index v) const
   return has_unknown && !has_known;
 }
 
-inline Vec3 Surface_tags::normal(Index h) const
+CGAL_PN_RECOGNITION_3_INLINE Vec3 Surface_tags::normal(Index h) const
 {
   if (level_.is_border(h) || !is_known(level_.face(h)) || is_apex(h)) return {};
   const std::size_t patch = patch_[level_.face(h)];
