@@ -9,7 +9,7 @@
 """Checks the sources: that each file says whose it is, that package_info/.../dependencies lists the
 CGAL packages whose headers the package's headers include, directly or not, that version.h,
 CMakeLists.txt, vcpkg.json, conanfile.py, CHANGES.md and CITATION.cff agree on the version, that links of pages in Markdown
-lead to files and headings that are there, that README and manual are short, and that sentences of the manual are (sentences.py).
+lead to files and headings that are there, that README and manual are short, and that sentences of the manual and of public headers are (sentences.py).
 
 With --fix the headers of files and the dependencies are written anew; else the exit code is 1 if
 something is wrong. Needs Python 3.11 and, for the dependencies, a C++ compiler and CGAL.
@@ -218,7 +218,9 @@ def check_lengths() -> list[str]:
     if MANUAL.stat().st_size > BYTES_OF_MANUAL:
         wrong.append(f"{MANUAL.relative_to(ROOT)} has {MANUAL.stat().st_size} bytes, more than {BYTES_OF_MANUAL}: "
                      "details go to the pages beside it")
-    return wrong + sentences.misses([s for page in sentences.pages() for s in sentences.sentences(page)])
+    for whose, paths in (("the manual", sentences.pages()), ("the public headers", sentences.headers())):
+        wrong += sentences.misses(whose, [s for path in paths for s in sentences.sentences(path)])
+    return wrong
 
 
 def check_conflicts() -> list[str]:
