@@ -8,8 +8,9 @@
 # Author(s): PN_subdivision_3 developers
 """What CGAL's documentation build does around Doxygen, for the manual that is built outside of CGAL.
 
-  manual_pages.py prepare OUT    writes the bibliography that PN_subdivision_3.bib makes, and which function reads which
-                                 named parameters of this package, by its check_are_read<...>()
+  manual_pages.py prepare OUT    writes the pages that are made of other files: the bibliography (PN_subdivision_3.bib), which
+                                 function reads which named parameters of this package (its check_are_read<...>()), wrong
+                                 changes (mutate.py), and what has moved since 0.1 (moves.py)
   manual_pages.py finish HTML    numbers figures and citations in Doxygen's pages, and turns formulas
                                  into MathML, which browsers show without a script and a network
 
@@ -25,6 +26,9 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+
+import moves
+import mutate
 
 ROOT = Path(__file__).resolve().parent.parent
 DOC = ROOT / "doc" / "PN_subdivision_3"
@@ -129,6 +133,8 @@ def prepare(out: Path) -> None:
     out.mkdir(parents=True, exist_ok=True)
     (out / "bibliography.txt").write_text(bibliography())
     (out / "parameters.txt").write_text(parameter_page())
+    (out / "moving.txt").write_text(moves.page())
+    mutate.write_table(out / "mutations.txt")
 
 
 # --- the pages ---
