@@ -24,7 +24,7 @@ if(Python3_FOUND)
                        PASS_REGULAR_EXPRESSION "make_release.sh: no-such-tag: there is no such tag or commit")
   # no TeX is needed
   add_test(NAME preprint_has_tables_of_manual
-           COMMAND Python3::Interpreter -B ${pn_scripts}/fill_tables.py --preprint --check)
+           COMMAND Python3::Interpreter -B ${pn_scripts}/fill_tables.py --check)
   add_test(NAME package_does_not_grow
            COMMAND Python3::Interpreter -B ${pn_scripts}/check_budgets.py)
   add_test(NAME headers_lie_in_layers
