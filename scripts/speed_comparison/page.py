@@ -89,14 +89,6 @@ class Page:
             lines += table(header, self.rows_of_sizes(scheme, [j for j in NAMES if j not in AGAIN]))
         return lines
 
-    def tables_of_evaluation(self) -> list[str]:
-        lines = []
-        for scheme in self.schemes:
-            rows = self.rows_of_sizes(scheme, list(AGAIN))
-            if rows:
-                lines += table([TITLES[scheme]] + [size_name(s) for s in self.sizes], rows)
-        return lines
-
     def table_of_meshes(self, size: int) -> list[str]:
         """the other control meshes, fresh processes and huge pages"""
         columns = (("regular", "warm"), ("irregular", "warm"), ("real", "warm"),
@@ -133,11 +125,8 @@ class Page:
         lines += ["## Whole jobs on regular control meshes", "", "Nanoseconds a refined face.", ""]
         lines += self.tables_of_sizes()
         lines += ["## Other control meshes, fresh processes, huge pages", "",
-                  "Nanoseconds a refined face, one thread.", ""]
-        lines += self.table_of_meshes(max((r.size for r in self.medians if r.kind == "irregular"), default=0))
-        lines += ["## Evaluation once more", "", "Nanoseconds a refined face, all control points and "
-                  "normals being set again.", ""]
-        return lines + self.tables_of_evaluation()
+                  "Nanoseconds a refined face, one thread. A `Surface_refiner` and tables of stencils get all control points again.", ""]
+        return lines + self.table_of_meshes(max((r.size for r in self.medians if r.kind == "irregular"), default=0))
 
 
 BEGIN, END = "<!-- begin of the tables -->", "<!-- end of the tables -->"
