@@ -12,8 +12,8 @@
   fill_tables.py --check            the exit code is 1 if tables of both have other numbers in one of them (LaTeX is not needed)
 
 A program prints a line `#table NAME` before the rows of each table, in HTML. In the page they take the place of the
-lines between `<!-- table NAME -->` and `<!-- end of NAME -->`, in the preprint between `% table NAME` and `% end of NAME`. It
-is an error if a table has no place in either, or no table fills a place of the page.
+lines between `<!-- table NAME -->` and `<!-- end of NAME -->`, in the preprint between `% table NAME` and `% end of NAME`. A table
+without a place is left out, and named; it is an error if no table fills a place of the page.
 """
 
 import html
@@ -85,8 +85,10 @@ def fill(page: Path, programs: list[str]) -> None:
     found = {name: rows for program in programs for name, rows in printed_by(program).items()}
     text, preprint = page.read_text(), PREPRINT.read_text()
     of_page = places(text, IN_HTML).keys()
-    if of_page - found.keys() or found.keys() - of_page - places(preprint, IN_TEX).keys():
+    if of_page - found.keys():
         sys.exit(f"fill_tables.py: {page.name} has places for {sorted(of_page)}, but there are {sorted(found)}")
+    for name in sorted(found.keys() - of_page - places(preprint, IN_TEX).keys()):
+        print(f"left out: {name}", file=sys.stderr)
     page.write_text(filled(text, found, IN_HTML))
     PREPRINT.write_text(filled(preprint, {name: rows_in_tex(rows) for name, rows in found.items()}, IN_TEX))
 
