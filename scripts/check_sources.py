@@ -8,7 +8,7 @@
 # Author(s): PN_subdivision_3 developers
 """Checks the sources: that each file says whose it is, that package_info/.../dependencies lists the
 CGAL packages whose headers the package's headers include, directly or not, that version.h,
-CMakeLists.txt, vcpkg.json, conanfile.py, CHANGES.md and CITATION.cff agree on the version, that links of pages in Markdown
+CMakeLists.txt, vcpkg.json, conanfile.py, the npm package, CHANGES.md and CITATION.cff agree on the version, that links of pages in Markdown
 lead to files and headings that are there, that README and manual are short, and that sentences of the manual and of public headers are (sentences.py).
 
 With --fix the headers of files and the dependencies are written anew; else the exit code is 1 if
@@ -154,6 +154,7 @@ def check_version() -> list[str]:
     expect(header, r"^#define CGAL_PN_SUBDIVISION_3_VERSION_NR (\d+)$", number)
     expect("vcpkg.json", r'^ *"version": "(.*)",$', text)
     expect("conanfile.py", r'^ *version = "(.*)"$', text)
+    expect("demo/PN_subdivision_3/library/package.json", r'^ *"version": "(.*)",$', text)
     if top != text:
         wrong.append(f"CHANGES.md begins with {top}, but CMakeLists.txt names {text}")
     if any(later for _, later in changes[1:]):
