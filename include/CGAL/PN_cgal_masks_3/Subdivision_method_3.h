@@ -70,8 +70,8 @@ inline auto iterations(int number)
 The functions of `CGAL::Subdivision_method_3`, with the same signatures, by this package: a program changes an
 `#include` and a namespace. The connectivity and the order of the vertices are the same. Points differ from those of
 \cgal by not more than 8 &middot; 2<sup>-52</sup> of the box of the points. (`DooSabin_subdivision()` and `DQQ()` have
-the order of a `Polyhedron_3` whose border vertices have a half-edge on the border. In a `Surface_mesh` \cgal's own
-functions fill removed slots again from the second round on, and leave others behind.)
+the order of a `Polyhedron_3` whose border vertices have a half-edge on the border. In a `Surface_mesh` \cgal's own functions use the places of removed vertices again from the second round
+on, and leave others behind.)
 
 With a `vertex_normal_map` the point-normal schemes are applied, without it the linear ones: no normals are estimated. All other
 named parameters of `PN_subdivision_3::subdivide()` serve here as there, sharp edges by `edge_is_constrained_map` among them.
