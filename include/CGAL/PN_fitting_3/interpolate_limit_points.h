@@ -58,10 +58,9 @@ borders the limit control normal stands for the surface normal. Each component i
 <em>Iterative procedures for nonlinear integral equations</em>, 1965), no control point moves by more than the mean
 edge at it, and the best control net is kept. The report has the distance of the points from the surface.
 
-<b>`Limit_interpolation::Mode::strict`.</b> The limit point of each vertex is the data point, up to
-the tolerance. Control normals are the given ones, or with `Limit_interpolation::Normals::solved` those
-whose limits are the given ones; vertices where these cannot be found keep the given ones and are counted
-in `left_out`.
+<b>`Limit_interpolation::Mode::strict`.</b> The limit point of each vertex is the data point, up to the tolerance.
+Control normals are the given ones, or with `Limit_interpolation::Normals::solved` those whose limits are the given
+ones; vertices where these cannot be found keep the given ones and are counted in `left_out`.
 
 With `linear()` schemes the same code does classic linear interpolation; `slide` then moves points along
 the given normals, or estimated ones. Schemes that interpolate return the net as it is.

@@ -143,9 +143,8 @@ prescribe(const Access& access, const Level_connectivity& level, const Interpola
 changes the control points of a mesh so that the limit surface has prescribed points and unit normals at
 some vertices, and curvatures.
 
-<b>Points and normals.</b> Control normals stay. Both kinds of conditions are linear in the control
-points, so that there is nothing to iterate: one system with the conditions and the smoothest change of
-the net is solved,
+<b>Points and normals.</b> Control normals stay. Both kinds of conditions are linear in the control points, so that
+there is nothing to iterate: one system with the conditions and the smoothest change of the net is solved,
 
   minimize &sum; |U &delta;<sub>v</sub>|<sup>2</sup> + 10<sup>-6</sup> |&delta;<sub>v</sub>|<sup>2</sup>
 
@@ -178,10 +177,9 @@ Computed in `double`, whatever the number type.
   `prescribed_normal_map` and `prescribed_curvature_map` have the data; `tolerance`, `max_depth`, `rings`,
   `curvature_tolerance` and `max_curvature_steps` control the method
 
-\returns what was reached: `residual` for the points, `normal_residual` for the normals,
-  `curvature_residual` and `curvature_steps` for the curvatures. The control net is never further from
-  what is prescribed than it was; with curvatures, points and normals may miss it by up to four times
-  their tolerances.
+\returns what was reached: `residual` for the points, `normal_residual` for the normals, `curvature_residual` and
+  `curvature_steps` for the curvatures. The control net is never further from what is prescribed than it was; with
+  curvatures, points and normals may miss it by up to four times their tolerances.
 
 \throws std::invalid_argument as `interpolate_limit_points()` does, with the mesh unchanged, and with the name of the
   vertex if

@@ -205,13 +205,12 @@ with linear schemes the one-sided normals of the surface, where it has them. Lim
 mesh if it still has their normals by half-edges and their tangents, see `parameters::crease_tangent_map()`.
 `Limit_point` has the mean of the normals of a vertex.
 
-Interpolatory schemes keep the points. Weights are computed from the scheme's own masks, for each
-valence once, to the precision of the number type. Surface normals, curvatures and errors are computed in `double`,
-from differences in the number type. `Limit_point::normal_error` includes the effect of rounded coordinates in the
-small rings of many rounds, and rounds in which it would grow are not used for normals. In exact number types the
-limit masks sum to 1 exactly and are exact where they are rational, and one round is done at most, so that the
-tolerance may be missed. Intervals contain the limits of linear and of interpolatory schemes; those of others are
-estimated, and refused.
+Interpolatory schemes keep the points. Weights are computed from the scheme's own masks, for each valence once, to the
+precision of the number type. Surface normals, curvatures and errors are computed in `double`, from differences in the
+number type. `Limit_point::normal_error` includes the effect of rounded coordinates in the small rings of many rounds,
+and rounds in which it would grow are not used for normals. In exact number types the limit masks sum to 1 exactly and
+are exact where they are rational, and one round is done at most, so that the tolerance may be missed. Intervals
+contain the limits of linear and of interpolatory schemes; those of others are estimated, and refused.
 
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
   `Parallel_if_available_tag`. The result is the same, bit for bit; maps are read and written by one
@@ -227,12 +226,11 @@ estimated, and refused.
 \param scheme the scheme
 \param limits the map to write; it may be left out where `limit_point_map`, `limit_normal_map` or `limit_error_map` of
   `CGAL::PN_subdivision_3::parameters` are given, which are then written
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
-  `vertex_normal_map` with the control normals (without it they are estimated), `edge_is_constrained_map`,
-  `vertex_is_constrained_map` and `geom_traits`, as in `subdivide()`. All its other parameters but `visitor` and
-  `attributes` count, too. The maps are read only. Precision and kinds of results are set by `tolerance`,
-  `normal_tolerance`, `max_depth`, `points`, `surface_normals`, `curvatures` and `rounds_done`, all of
-  `CGAL::PN_subdivision_3::parameters`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `vertex_normal_map`
+  with the control normals (without it they are estimated), `edge_is_constrained_map`, `vertex_is_constrained_map` and
+  `geom_traits`, as in `subdivide()`. All its other parameters but `visitor` and `attributes` count, too. The maps are
+  read only. Precision and kinds of results are set by `tolerance`, `normal_tolerance`, `max_depth`, `points`,
+  `surface_normals`, `curvatures` and `rounds_done`, all of `CGAL::PN_subdivision_3::parameters`
 
 \returns what was reached. A tolerance that cannot be met is not an error.
 

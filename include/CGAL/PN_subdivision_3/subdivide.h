@@ -33,24 +33,22 @@ Points and unit control normals are refined together by the rule that `PN_averag
 sampled from a sphere, a circular cylinder or a circle stay on it up to rounding. If all control normals are equal or
 zero, the result is that of the linear scheme (not if they are equal and the scheme transfers curvature).
 
-The vertex normal map holds the control normals. A zero vector means "no control normal here";
-vectors of other lengths are normalized once. After the call it holds the refined normals. Without a
-vertex normal map, control normals are estimated as by `estimate_control_normals()` and dropped
-afterwards.
+The vertex normal map holds the control normals. A zero vector means "no control normal here"; vectors of other
+lengths are normalized once. After the call it holds the refined normals. Without a vertex normal map, control normals
+are estimated as by `estimate_control_normals()` and dropped afterwards.
 
-<b>Creases.</b> Sharp edges and vertices are given by `edge_is_constrained_map` and
-`vertex_is_constrained_map`. Runs of faces around a vertex between sharp edges are its wedges; points
-are shared by all wedges, normals belong to them. A vertex with two sharp edges is on a crease. A vertex that is sharp
-itself or has more sharp edges is a corner and stays where it is. At a vertex with a single sharp edge the crease
-fades out. Along creases `Crease_average` holds: rims of spheres, cylinders and all surfaces of revolution stay exact
-circles, straight edges straight, and each surface beside them stays what it is up to the crease. Normals per wedge
-come with a normal map whose keys are half-edges. A half-edge that has a face has the normal of that face's surface at
-the target of the half-edge. If normals differ within a wedge their sum counts. With a map of vertices, or none, the
-normals of vertices with several wedges are estimated wedge by wedge. Afterwards a map of vertices holds the mean
-normal of the wedges. All boundaries between different surfaces should be creases, also where the surfaces are
-tangent. A sharpness s that is finite holds for s rounds: edges lose 1 in each round, and where less than 1 is left
-the sharp and the smooth rule are mixed. The border is a crease by `border`, and the tangents of creases are given and
-got by `crease_tangent_map`.
+<b>Creases.</b> Sharp edges and vertices are given by `edge_is_constrained_map` and `vertex_is_constrained_map`. Runs
+of faces around a vertex between sharp edges are its wedges; points are shared by all wedges, normals belong to them.
+A vertex with two sharp edges is on a crease. A vertex that is sharp itself or has more sharp edges is a corner and
+stays where it is. At a vertex with a single sharp edge the crease fades out. Along creases `Crease_average` holds:
+rims of spheres, cylinders and all surfaces of revolution stay exact circles, straight edges straight, and each
+surface beside them stays what it is up to the crease. Normals per wedge come with a normal map whose keys are
+half-edges. A half-edge that has a face has the normal of that face's surface at the target of the half-edge. If
+normals differ within a wedge their sum counts. With a map of vertices, or none, the normals of vertices with several
+wedges are estimated wedge by wedge. Afterwards a map of vertices holds the mean normal of the wedges. All boundaries
+between different surfaces should be creases, also where the surfaces are tangent. A sharpness s that is finite holds
+for s rounds: edges lose 1 in each round, and where less than 1 is left the sharp and the smooth rule are mixed. The
+border is a crease by `border`, and the tangents of creases are given and got by `crease_tangent_map`.
 
 <b>Order.</b> The new mesh has the old vertices first, then the new ones in the order documented
 with the host of the scheme. An old face's descriptor stays on one of its children and an old edge's on one of its
@@ -69,12 +67,11 @@ no ids yet, so that a map which goes through `vertex->id()` would be written out
 dynamic property maps, and call `CGAL::set_halfedgeds_items_id()` afterwards. A mask of your own must
 not read properties of the mesh, which grows at the same time: let the scheme hold a copy of them.
 
-<b>Floating point.</b> Results in `float` and `double` are the same, bit for bit, on all processors
-and for all compilers that round as IEEE 754 says. If the compiler may fuse products and sums (on all processors with
-FMA that it generates code for, hence aarch64 by default), pass `-ffp-contract=off`; results differ in their last bits
-otherwise. With `-ffast-math` the checks of the input remain, but bits are not promised. If
-`CGAL_PN_SUBDIVISION_3_NO_AVX2` is defined, the form of the average for processors with AVX2, which gives the same
-bits, is left out.
+<b>Floating point.</b> Results in `float` and `double` are the same, bit for bit, on all processors and for all
+compilers that round as IEEE 754 says. If the compiler may fuse products and sums (on all processors with FMA that it
+generates code for, hence aarch64 by default), pass `-ffp-contract=off`; results differ in their last bits otherwise.
+With `-ffast-math` the checks of the input remain, but bits are not promised. If `CGAL_PN_SUBDIVISION_3_NO_AVX2` is
+defined, the form of the average for processors with AVX2, which gives the same bits, is left out.
 
 <b>Strong guarantee.</b> If an exception leaves the function, the mesh and its maps are as they
 were. Beyond it is a property map of the user's whose `put()` throws also while old values are put
