@@ -105,20 +105,18 @@ class Page:
         return table(header, rows) if rows else []
 
     def table_of_ratios(self) -> list[str]:
-        """point-normal subdivision to CGAL's linear functions, and to the floor"""
+        """point-normal subdivision to CGAL's linear functions"""
         rows = []
         for scheme in self.schemes:
             for threads in (1, 2):
                 row = [TITLES[scheme] + (", 2 threads" if threads == 2 else "")]
-                for base in ("cgal/surface-mesh", "floor/fresh"):
-                    for size in self.sizes:
-                        pn = self.find(scheme, "pn/surface-mesh", size, threads)
-                        other = self.find(scheme, base, size)
-                        row.append(f"{pn.ns_per_face() / other.ns_per_face():.2f}"
-                                   if pn and other else "")
-                rows.append(row)
-        sizes = [size_name(s) for s in self.sizes]
-        return table([""] + [f"{s}, / CGAL" for s in sizes] + [f"{s}, / floor" for s in sizes], rows)
+                for size in self.sizes:
+                    pn = self.find(scheme, "pn/surface-mesh", size, threads)
+                    other = self.find(scheme, "cgal/surface-mesh", size)
+                    row.append(f"{pn.ns_per_face() / other.ns_per_face():.2f}" if pn and other else "")
+                if any(row[1:]):
+                    rows.append(row)
+        return table([""] + [f"{size_name(s)}, / CGAL" for s in self.sizes], rows)
 
     def lines(self) -> list[str]:
         lines = ["", "## Ratios", ""] + self.table_of_ratios()
