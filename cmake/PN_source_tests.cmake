@@ -24,7 +24,7 @@ if(Python3_FOUND)
                        PASS_REGULAR_EXPRESSION "make_release.sh: no-such-tag: there is no such tag or commit")
   # no TeX is needed
   add_test(NAME preprint_has_tables_of_manual
-           COMMAND Python3::Interpreter -B ${pn_scripts}/fill_tables.py --preprint --check)
+           COMMAND Python3::Interpreter -B ${pn_scripts}/fill_tables.py --check)
   add_test(NAME package_does_not_grow
            COMMAND Python3::Interpreter -B ${pn_scripts}/check_budgets.py)
   add_test(NAME headers_lie_in_layers
@@ -32,10 +32,6 @@ if(Python3_FOUND)
                    ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/headers/test_layers.py)
   add_test(NAME short_tests_catch_nearly_all
            COMMAND Python3::Interpreter -B ${pn_scripts}/mutate.py --tiers)
-  if(PN_TEST_JOINED AND NOT PN_TEST_FULL)
-    add_test(NAME table_has_all_tests
-             COMMAND Python3::Interpreter -B ${pn_scripts}/test_table.py --check ${PN_subdivision_3_BINARY_DIR})
-  endif()
 
   # skipped, with the reason, where VTK is not installed
   add_test(NAME render_draws

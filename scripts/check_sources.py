@@ -8,8 +8,8 @@
 # Author(s): PN_subdivision_3 developers
 """Checks the sources: that each file says whose it is, that package_info/.../dependencies lists the
 CGAL packages whose headers the package's headers include, directly or not, that version.h,
-CMakeLists.txt, vcpkg.json, conanfile.py, CHANGES.md and CITATION.cff agree on the version, that links of pages in Markdown
-lead to files and headings that are there, that README and manual are short, and that sentences of the manual are (sentences.py).
+CMakeLists.txt, vcpkg.json, conanfile.py, the npm package, CHANGES.md and CITATION.cff agree on the version, that links of pages in Markdown
+lead to files and headings that are there, that README and manual are short, and that sentences of the manual and of public headers are (sentences.py).
 
 With --fix the headers of files and the dependencies are written anew; else the exit code is 1 if
 something is wrong. Needs Python 3.11 and, for the dependencies, a C++ compiler and CGAL.
@@ -154,6 +154,7 @@ def check_version() -> list[str]:
     expect(header, r"^#define CGAL_PN_SUBDIVISION_3_VERSION_NR (\d+)$", number)
     expect("vcpkg.json", r'^ *"version": "(.*)",$', text)
     expect("conanfile.py", r'^ *version = "(.*)"$', text)
+    expect("demo/PN_subdivision_3/library/package.json", r'^ *"version": "(.*)",$', text)
     if top != text:
         wrong.append(f"CHANGES.md begins with {top}, but CMakeLists.txt names {text}")
     if any(later for _, later in changes[1:]):
@@ -226,7 +227,9 @@ def check_lengths() -> list[str]:
     if MANUAL.stat().st_size > BYTES_OF_MANUAL:
         wrong.append(f"{MANUAL.relative_to(ROOT)} has {MANUAL.stat().st_size} bytes, more than {BYTES_OF_MANUAL}: "
                      "details go to the pages beside it")
-    return wrong + sentences.misses([s for page in sentences.pages() for s in sentences.sentences(page)])
+    for whose, paths in (("the manual", sentences.pages()), ("the public headers", sentences.headers())):
+        wrong += sentences.misses(whose, [s for path in paths for s in sentences.sentences(path)])
+    return wrong
 
 
 def check_conflicts() -> list[str]:
@@ -237,12 +240,8 @@ def check_conflicts() -> list[str]:
             if re.search(r"(?m)^(<{7}|>{7})( |$)", path.read_text(errors="replace"))]
 
 
-def check_moves(fix: bool) -> list[str]:
-    page, text = ROOT / "doc" / NAME / "moving.txt", moves.page()
-    if fix:
-        page.write_text(text)
-    wrong = [f"scripts/moves.tsv: {new} is not there" for _, new in moves.table("moves.tsv") if not (ROOT / new).is_file()]
-    return wrong + ([] if page.read_text() == text else [f"{page.relative_to(ROOT)} is not what scripts/moves.py --page prints"])
+def check_moves() -> list[str]:
+    return [f"scripts/moves.tsv: {new} is not there" for _, new in moves.table("moves.tsv") if not (ROOT / new).is_file()]
 
 
 def main() -> int:
@@ -252,7 +251,7 @@ def main() -> int:
     parser.add_argument("--fix", action="store_true", help="write what can be derived")
     arguments = parser.parse_args()
     wrong = check_notices(arguments.fix) + check_version() + check_links() + check_macros() + check_names() + check_example() + check_lengths()
-    wrong += check_conflicts() + check_moves(arguments.fix) + check_dependencies(arguments.compiler, arguments.fix)
+    wrong += check_conflicts() + check_moves() + check_dependencies(arguments.compiler, arguments.fix)
     for line in wrong:
         print(line, file=sys.stderr)
     if wrong:

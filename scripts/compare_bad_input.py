@@ -47,9 +47,12 @@ def page(rows):
                 f"OpenSubdiv {version('opensubdiv/version.h', 'OPENSUBDIV_VERSION').lstrip('v').replace('_', '.')}")
     peers = rows[0][2::2]
     lines = [f"| input | {' | '.join(peers)} |", "| :-- " + "| :-: " * len(peers) + "|"]
+    alike = {}
     for row in rows[1:]:
-        cells = [f"<b>{c}</b>" if c in ("crash", "garbage", "hangs") else c for c in row[2::2]]
-        lines.append(f"| {row[0]} | {' | '.join(cells)} |")
+        alike.setdefault(tuple(row[2::2]), []).append(row[0])
+    for verdicts, inputs in alike.items():
+        cells = [f"<b>{c}</b>" if c in ("crash", "garbage", "hangs") else c for c in verdicts]
+        lines.append(f"| {'; '.join(inputs)} | {' | '.join(cells)} |")
     counts = {p: [row[2 + 2 * i] for row in rows[1:]] for i, p in enumerate(peers)}
     words = ("right", "accepts", "refusal", "garbage", "crash", "hangs")
     summary = ["| | " + " | ".join(words) + " |", "| :-- " + "| :-: " * len(words) + "|"]

@@ -6,15 +6,14 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""Puts the tables that programs print into the pages of the manual, and those of the manual into the preprint.
+"""Puts the tables that programs print into the pages of the manual and into the preprint.
 
-  fill_tables.py PAGE PROGRAM...         runs the programs, and writes doc/PN_subdivision_3/PAGE
-  fill_tables.py --preprint [--check]    writes doc/PN_subdivision_3/approximation_order.tex; with --check the exit code is 1
-                                         if its numbers are not those of the manual (LaTeX is not needed)
+  fill_tables.py PAGE PROGRAM...    runs the programs, and writes doc/PN_subdivision_3/PAGE and approximation_order.tex
+  fill_tables.py --check            the exit code is 1 if tables of both have other numbers in one of them (LaTeX is not needed)
 
 A program prints a line `#table NAME` before the rows of each table, in HTML. In the page they take the place of the
-lines between `<!-- table NAME -->` and `<!-- end of NAME -->`, in the preprint between `% table NAME` and `% end of NAME`. It
-is an error if there is no place for a table, or a place that no table fills.
+lines between `<!-- table NAME -->` and `<!-- end of NAME -->`, in the preprint between `% table NAME` and `% end of NAME`. A table
+without a place is left out, and named; it is an error if no table fills a place of the page.
 """
 
 import html
@@ -25,7 +24,6 @@ from pathlib import Path
 
 DOC = Path(__file__).resolve().parent.parent / "doc" / "PN_subdivision_3"
 PREPRINT = DOC / "approximation_order.tex"
-PAGES_OF_PREPRINT = ("approximation.txt", "curvature.txt")
 IN_HTML, IN_TEX = ("<!-- ", " -->"), ("% ", "")
 NAMES = {"kobbelt": "Kobbelt", "doo-sabin": "Doo--Sabin", "butterfly": "Butterfly", "sqrt3": r"$\sqrt3$", "loop": "Loop",
          "catmull-clark": "Catmull--Clark"}
@@ -38,13 +36,10 @@ def places(text: str, marks: tuple[str, str]) -> dict[str, str]:
 
 
 def filled(text: str, found: dict[str, str], marks: tuple[str, str]) -> str:
-    old = places(text, marks)
-    if sorted(old) != sorted(found):
-        sys.exit(f"fill_tables.py: places for {sorted(old)}, but there are {sorted(found)}")
     begin, end = marks
-    for name, rows in old.items():
+    for name, rows in places(text, marks).items():
         frame = f"{begin}table {name}{end}\n%s{begin}end of {name}{end}"
-        text = text.replace(frame.replace("%s", rows), frame.replace("%s", found[name]))
+        text = text.replace(frame.replace("%s", rows), frame.replace("%s", found.get(name, rows)))
     return text
 
 
@@ -73,28 +68,37 @@ def in_tex(cell: str) -> str:
     return text.replace("Catmull-Clark", "Catmull--Clark").replace("%", r"\%").replace("&", r"\&")
 
 
-def of_manual() -> dict[str, str]:
-    found = {}
-    for page in PAGES_OF_PREPRINT:
-        for name, rows in places((DOC / page).read_text(), IN_HTML).items():
-            cells = ([text.strip() for text in row.split("<td>")[1:]] for row in rows.splitlines())
-            found[name] = "".join(" & ".join(map(in_tex, row)) + r" \\" + "\n" for row in cells)
-    return found
+def rows_in_tex(rows: str) -> str:
+    cells = ([text.strip() for text in row.split("<td>")[1:]] for row in rows.splitlines())
+    return "".join(" & ".join(map(in_tex, row)) + r" \\" + "\n" for row in cells)
+
+
+def check() -> None:
+    preprint = places(PREPRINT.read_text(), IN_TEX)
+    wrong = [f"{PREPRINT.name} has another table {name} than {page.name}: scripts/fill_tables.py {page.name} PROGRAM writes both"
+             for page in sorted(DOC.glob("*.txt")) for name, rows in places(page.read_text(), IN_HTML).items()
+             if name in preprint and preprint[name] != rows_in_tex(rows)]
+    sys.exit("\n".join(wrong) or 0)
+
+
+def fill(page: Path, programs: list[str]) -> None:
+    found = {name: rows for program in programs for name, rows in printed_by(program).items()}
+    text, preprint = page.read_text(), PREPRINT.read_text()
+    of_page = places(text, IN_HTML).keys()
+    if of_page - found.keys():
+        sys.exit(f"fill_tables.py: {page.name} has places for {sorted(of_page)}, but there are {sorted(found)}")
+    for name in sorted(found.keys() - of_page - places(preprint, IN_TEX).keys()):
+        print(f"left out: {name}", file=sys.stderr)
+    page.write_text(filled(text, found, IN_HTML))
+    PREPRINT.write_text(filled(preprint, {name: rows_in_tex(rows) for name, rows in found.items()}, IN_TEX))
 
 
 def main() -> None:
     arguments = sys.argv[1:]
-    if arguments in (["--preprint"], ["--preprint", "--check"]):
-        old = PREPRINT.read_text()
-        new = filled(old, of_manual(), IN_TEX)
-        if "--check" not in arguments:
-            PREPRINT.write_text(new)
-        elif new != old:
-            sys.exit(f"{PREPRINT.name} has other numbers than the manual: scripts/fill_tables.py --preprint writes them anew")
+    if arguments == ["--check"]:
+        check()
     elif len(arguments) > 1:
-        page = DOC / arguments[0]
-        found = {name: rows for program in arguments[1:] for name, rows in printed_by(program).items()}
-        page.write_text(filled(page.read_text(), found, IN_HTML))
+        fill(DOC / arguments[0], arguments[1:])
     else:
         sys.exit(__doc__)
 

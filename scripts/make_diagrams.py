@@ -6,8 +6,8 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""Draws the diagrams of the manual: what a round of each host makes of faces, the stencils of the schemes, and arcs that
-are recognized.
+"""Draws the diagrams of the manual: what a round of each host makes of faces, the stencils of the schemes, arcs that
+are recognized, and the packages with their arrows, which are those of scripts/check_layers.py.
 
 The weights are not written down here: the command pn_subdivide refines a mesh whose vertices carry one
 number each, 1 at one vertex and 0 elsewhere, by the linear scheme, and the numbers that come out are the
@@ -21,6 +21,7 @@ import tempfile
 from fractions import Fraction
 from pathlib import Path
 
+import check_layers
 from refinery import COMMAND, ROOT, run
 
 FIG = ROOT / "doc" / "PN_subdivision_3" / "fig"
@@ -119,6 +120,17 @@ class Drawing:
     def polygon(self, points: list[Point], color: str, width: float) -> None:
         numbers = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
         self.items.append(f'<polygon points="{numbers}" fill="none" stroke="{color}" stroke-width="{width}"/>')
+
+    def arrow(self, a: Point, b: Point, color: str, width: float) -> None:
+        length = math.dist(a, b)
+        x, y = (b[0] - a[0]) / length, (b[1] - a[1]) / length
+        self.line(a, (b[0] - 8 * x, b[1] - 8 * y), color, width)
+        ends = [b, *((b[0] - 11 * x + s * 5 * y, b[1] - 11 * y - s * 5 * x) for s in (1, -1))]
+        self.items.append(f'<polygon points="{" ".join(f"{u:.1f},{v:.1f}" for u, v in ends)}" fill="{color}"/>')
+
+    def box(self, left: float, top: float, width: float, height: float) -> None:
+        self.items.append(f'<rect x="{left:.1f}" y="{top:.1f}" width="{width:.1f}" height="{height:.1f}" rx="6" '
+                          f'fill="#f2f6fa" stroke="{FINE}" stroke-width="1.4"/>')
 
     def text(self, p: Point, text: str, size: float = 12, color: str = TEXT, bold: bool = False) -> None:
         weight = ' font-weight="bold"' if bold else ""
@@ -361,6 +373,58 @@ def recognized_arcs() -> Drawing:
     return drawing
 
 
+# --- the packages ---
+
+PACKAGES = {  # row from below, left and right end in columns, content
+    "PN_subdivision_3": (0, 0, 3, "average, schemes, hosts, creases, attributes, estimates of normals, refiner, files"),
+    "PN_limit_surface_3": (1, 0, 1, "limits, tessellation, curvature, pieces"),
+    "PN_cgal_masks_3": (1, 2, 3, "masks and functions of CGAL"),
+    "PN_curves": (2, 1, 2, "curves in the plane and in space"),
+    "PN_fitting_3": (3, 0, 1, "interpolation, prescribed data; by Eigen"),
+    "PN_recognition_3": (3, 1, 2, "surfaces of parts, arcs of drawings"),
+    "PN_certificates_3": (3, 2, 3, "proofs that shapes are kept"),
+}
+
+
+def included_packages() -> dict[str, set[str]]:
+    layers = check_layers.layers()
+    found: dict[str, set[str]] = {name: set() for name in PACKAGES}
+    for layer in layers.values():
+        if layer.package in found:
+            found[layer.package] |= {layers[other].package for other in layer.allowed} - {layer.package}
+        elif layer.package != "umbrellas":
+            raise SystemExit(f"make_diagrams.py: {layer.package} has no place in the picture of the packages")
+    core = next(iter(PACKAGES))
+    # all stand on the core, and an arrow to it only from those that include nothing else
+    return {name: included - {core} or included for name, included in found.items()}
+
+
+def packages() -> Drawing:
+    drawing, column, gap, row, height = Drawing(), 272.0, 24.0, 104.0, 58.0
+    drawing.width, drawing.height = 3 * column + 4 * gap, 3 * row + height + 2 * gap
+
+    def place(name: str) -> tuple[float, float, float]:
+        level, left, right, _ = PACKAGES[name]
+        return gap + left * (column + gap), gap + (3 - level) * row, (right - left) * (column + gap) - gap
+
+    for name, included in included_packages().items():
+        left, top, width = place(name)
+        for other in sorted(included):
+            of_left, of_top, of_width = place(other)
+            if of_left <= left and left + width <= of_left + of_width:  # straight down
+                drawing.arrow((left + width / 2, top + height), (left + width / 2, of_top), OLD, 1.6)
+            else:
+                side = 1 if of_left > left else -1
+                drawing.arrow((left + width * (0.5 + 0.35 * side), top + height),
+                              (of_left + of_width * (0.5 - 0.35 * side), of_top), OLD, 1.6)
+    for name, (*_, content) in PACKAGES.items():
+        left, top, width = place(name)
+        drawing.box(left, top, width, height)
+        drawing.text((left + width / 2, top + 25), name, 15, FINE, bold=True)
+        drawing.text((left + width / 2, top + 45), content, 13)
+    return drawing
+
+
 def main() -> int:
     global COMMAND
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -370,7 +434,7 @@ def main() -> int:
     COMMAND = arguments.command.resolve()
     wrong = []
     for name, make in (("refinements", refinements), ("stencils_quads", quad_stencils),
-                       ("stencils_triangles", triangle_stencils), ("recognized_arcs", recognized_arcs)):
+                       ("stencils_triangles", triangle_stencils), ("recognized_arcs", recognized_arcs), ("packages", packages)):
         path = FIG / f"{name}.svg"
         text = make().svg()
         if not arguments.check:

@@ -22,7 +22,7 @@ from paper_figures.numbers import OF_EXAMPLES, OF_REFINED
 from refinery import ROOT, Refinery, run
 
 PAGE = ROOT / "doc/PN_subdivision_3/Paper_figures.md"
-PLACE = re.compile(r"<!--(\d+_\w+)-->([^<]*)<!---->")
+PLACE = re.compile(r"<!--(\d+_\w+)-->(-?\d+(?:\.\d+)?(?:e[-+]?\d+)?)")
 ROUNDING = 2e-15  # below: what is exact but for rounding, whose last digit may be another elsewhere
 NUMBER = re.compile(r"(?<![\w-])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w-])")
 
@@ -43,7 +43,7 @@ def numbers_of(figure: int, refinery: Refinery, folder: Path) -> dict[str, float
     return {}
 
 
-# --- the numbers of the page: `<!--NAME-->value<!---->` ---
+# --- the numbers of the page: `<!--NAME-->value` ---
 
 
 def shown(value: float) -> str:
@@ -59,7 +59,7 @@ def shown(value: float) -> str:
 def with_numbers(page: str, numbers: dict[str, float]) -> str:
     def put(place: re.Match[str]) -> str:
         name = place[1]
-        return f"<!--{name}-->{shown(numbers[name])}<!---->" if name in numbers else place[0]
+        return f"<!--{name}-->{shown(numbers[name])}" if name in numbers else place[0]
 
     return PLACE.sub(put, page)
 

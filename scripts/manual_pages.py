@@ -8,8 +8,10 @@
 # Author(s): PN_subdivision_3 developers
 """What CGAL's documentation build does around Doxygen, for the manual that is built outside of CGAL.
 
-  manual_pages.py prepare OUT    writes the bibliography that PN_subdivision_3.bib makes, and which function reads which
-                                 named parameters of this package, by its check_are_read<...>()
+  manual_pages.py prepare OUT BUILD
+                                 writes the pages that are made of other files: the bibliography (PN_subdivision_3.bib), which
+                                 function reads which named parameters of this package (its check_are_read<...>()), wrong
+                                 changes (mutate.py), what has moved since 0.1 (moves.py), tests of a build folder (test_table.py)
   manual_pages.py finish HTML    numbers figures and citations in Doxygen's pages, and turns formulas
                                  into MathML, which browsers show without a script and a network
 
@@ -25,6 +27,10 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+
+import moves
+import mutate
+import test_table
 
 ROOT = Path(__file__).resolve().parent.parent
 DOC = ROOT / "doc" / "PN_subdivision_3"
@@ -125,10 +131,22 @@ def parameter_page() -> str:
                       "| function | parameters of this package |", "|---|---|", *map(row, sorted(found, key=str.lower)), "*/", "}", ""])
 
 
-def prepare(out: Path) -> None:
+def tests_page(build: Path) -> str:
+    listed = test_table.table(build)
+    if listed.count("\n") == 1:
+        listed = "This page was built in a folder without tests."
+    return "\n".join(["/*!", "\\page PN_subdivision_3_tests All Tests", "",
+                      "Each is an entry of `ctest`. `scripts/test.sh` runs the short ones, `--full` all. Seconds are those of one core in the folder "
+                      "that built this page, if they are known.", "", listed, "*/", ""])
+
+
+def prepare(out: Path, build: Path) -> None:
     out.mkdir(parents=True, exist_ok=True)
     (out / "bibliography.txt").write_text(bibliography())
     (out / "parameters.txt").write_text(parameter_page())
+    (out / "moving.txt").write_text(moves.page())
+    mutate.write_table(out / "mutations.txt")
+    (out / "tests.txt").write_text(tests_page(build))
 
 
 # --- the pages ---
@@ -283,9 +301,10 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("step", choices=("prepare", "finish"))
     parser.add_argument("folder", type=Path)
+    parser.add_argument("build", nargs="?", type=Path, default=ROOT / "build" / "tests")
     arguments = parser.parse_args()
     if arguments.step == "prepare":
-        prepare(arguments.folder)
+        prepare(arguments.folder, arguments.build)
         return 0
     wrong = finish(arguments.folder)
     for line in wrong:

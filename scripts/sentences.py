@@ -6,13 +6,13 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""Counts the long sentences of the manual, and those that begin with What, Of, Where or That.
+"""Counts the long sentences of the manual and of the documentation in public headers, and those that begin with What, Of, Where or That.
 
-  sentences.py [PAGE...]            a line for each page, and its worst twenty sentences
-  sentences.py --check [PAGE...]    only the shares of all pages; exit code 1 if they are above the goals
+  sentences.py [PAGE...]            a line for each page or header, and its worst twenty sentences
+  sentences.py --check [PAGE...]    only the shares; exit code 1 if they are above the goals
 
-PAGE may be a header; without PAGE all pages of doc/PN_subdivision_3 are read. Code, tables, formulas and headings are no sentences; an item of a
-list begins one. A formula, a name in backquotes and a link count as a word.
+Without PAGE all pages of doc/PN_subdivision_3 and all public headers are read, each kind with its shares. Code, tables, formulas and headings are no sentences; an
+item of a list begins one. A formula, a name in backquotes and a link count as a word.
 """
 
 import argparse
@@ -33,10 +33,15 @@ def pages() -> list[Path]:
     return sorted(path for path in DOC.iterdir() if path.suffix in (".txt", ".md"))
 
 
+def headers() -> list[Path]:
+    return sorted(path for path in (ROOT / "include").rglob("*.h") if "internal" not in path.parts)
+
+
 def prose(path: Path) -> str:
     """The text of a page; an empty line stands where a sentence cannot go on."""
     text = path.read_text()
     if path.suffix != ".md":
+        text = re.sub(r"(?m)^((?:[ \t]*///[^\n]*\n)+)", r"/*!\n\1*/\n", text)
         text = "\n\n".join(re.findall(r"(?s)/\*!(.*?)\*/", text))
         text = re.sub(r"(?ms)^\\(?:code|verbatim).*?^\\end(?:code|verbatim)$", "\n", text)
     else:
@@ -86,10 +91,10 @@ def shares(found: list[str]) -> tuple[float, float]:
     return sum(map(is_long, found)) / number, sum(map(begins_badly, found)) / number
 
 
-def misses(found: list[str]) -> list[str]:
-    """The goals that the sentences of all pages miss."""
+def misses(whose: str, found: list[str]) -> list[str]:
+    """The goals that sentences miss."""
     goals = (LONG_SHARE, f"have more than {WORDS} words"), (OPENING_SHARE, f"begin with one of {OPENINGS}")
-    return [f"{share:.1%} of the manual's sentences {what}, at most {most:.0%} may: see scripts/sentences.py"
+    return [f"{share:.1%} of the sentences of {whose} {what}, at most {most:.0%} may: see scripts/sentences.py"
             for share, (most, what) in zip(shares(found), goals) if share > most]
 
 
@@ -104,16 +109,20 @@ def main() -> int:
     parser.add_argument("--check", action="store_true", help="compare with the goals, and print no sentences")
     parser.add_argument("page", nargs="*", type=Path)
     options = parser.parse_args()
-    everything = []
-    for path in options.page or pages():
-        found = sentences(path)
-        everything += found
-        if not options.check:
-            print(line(path.name, found))
-            worst = sorted(filter(lambda s: is_long(s) or begins_badly(s), found), key=lambda s: len(words(s)), reverse=True)
-            print("".join(f"  {len(words(sentence))}: {sentence}\n" for sentence in worst[:WORST]), end="")
-    print(line("all", everything))
-    return 1 if options.check and misses(everything) else 0
+    kinds = {"all": options.page} if options.page else {"the manual": pages(), "the public headers": headers()}
+    missed = False
+    for whose, paths in kinds.items():
+        everything = []
+        for path in paths:
+            found = sentences(path)
+            everything += found
+            if not options.check:
+                print(line(path.name, found))
+                worst = sorted(filter(lambda s: is_long(s) or begins_badly(s), found), key=lambda s: len(words(s)), reverse=True)
+                print("".join(f"  {len(words(sentence))}: {sentence}\n" for sentence in worst[:WORST]), end="")
+        print(line(whose, everything))
+        missed |= bool(misses(whose, everything))
+    return 1 if options.check and missed else 0
 
 
 if __name__ == "__main__":

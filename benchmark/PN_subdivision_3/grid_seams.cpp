@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 // How smooth `CatmullClark_scheme::Grid` is where its grid lines meet the rules of Catmull-Clark subdivision about an irregular
-// vertex: n sectors of 4 x 4 quads, without and with noise of points and normals. Prints rows of the manual's page "Rules of the Schemes".
+// vertex: n sectors of 4 x 4 quads, without and with noise of points and normals. The page "Rules of the Schemes" has a summary.
 //
 //   grid_seams
 

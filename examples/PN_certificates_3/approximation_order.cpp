@@ -7,7 +7,7 @@
 // Author(s): PN_subdivision_3 developers
 
 // How fast limit surfaces and curves approach the one that control points and normals are sampled from:
-// for all schemes, point-normal beside linear, on several layouts. Prints the tables of the manual
+// for all schemes, point-normal beside linear, on several layouts. Prints the tables of manual and preprint
 // (scripts/fill_tables.py puts them there), and draws the error against the number of control points of a
 // closed surface.
 //

@@ -89,14 +89,6 @@ class Page:
             lines += table(header, self.rows_of_sizes(scheme, [j for j in NAMES if j not in AGAIN]))
         return lines
 
-    def tables_of_evaluation(self) -> list[str]:
-        lines = []
-        for scheme in self.schemes:
-            rows = self.rows_of_sizes(scheme, list(AGAIN))
-            if rows:
-                lines += table([TITLES[scheme]] + [size_name(s) for s in self.sizes], rows)
-        return lines
-
     def table_of_meshes(self, size: int) -> list[str]:
         """the other control meshes, fresh processes and huge pages"""
         columns = (("regular", "warm"), ("irregular", "warm"), ("real", "warm"),
@@ -113,31 +105,26 @@ class Page:
         return table(header, rows) if rows else []
 
     def table_of_ratios(self) -> list[str]:
-        """point-normal subdivision to CGAL's linear functions, and to the floor"""
+        """point-normal subdivision to CGAL's linear functions"""
         rows = []
         for scheme in self.schemes:
             for threads in (1, 2):
                 row = [TITLES[scheme] + (", 2 threads" if threads == 2 else "")]
-                for base in ("cgal/surface-mesh", "floor/fresh"):
-                    for size in self.sizes:
-                        pn = self.find(scheme, "pn/surface-mesh", size, threads)
-                        other = self.find(scheme, base, size)
-                        row.append(f"{pn.ns_per_face() / other.ns_per_face():.2f}"
-                                   if pn and other else "")
-                rows.append(row)
-        sizes = [size_name(s) for s in self.sizes]
-        return table([""] + [f"{s}, / CGAL" for s in sizes] + [f"{s}, / floor" for s in sizes], rows)
+                for size in self.sizes:
+                    pn = self.find(scheme, "pn/surface-mesh", size, threads)
+                    other = self.find(scheme, "cgal/surface-mesh", size)
+                    row.append(f"{pn.ns_per_face() / other.ns_per_face():.2f}" if pn and other else "")
+                if any(row[1:]):
+                    rows.append(row)
+        return table([""] + [f"{size_name(s)}, / CGAL" for s in self.sizes], rows)
 
     def lines(self) -> list[str]:
         lines = ["", "## Ratios", ""] + self.table_of_ratios()
         lines += ["## Whole jobs on regular control meshes", "", "Nanoseconds a refined face.", ""]
         lines += self.tables_of_sizes()
         lines += ["## Other control meshes, fresh processes, huge pages", "",
-                  "Nanoseconds a refined face, one thread.", ""]
-        lines += self.table_of_meshes(max((r.size for r in self.medians if r.kind == "irregular"), default=0))
-        lines += ["## Evaluation once more", "", "Nanoseconds a refined face, all control points and "
-                  "normals being set again.", ""]
-        return lines + self.tables_of_evaluation()
+                  "Nanoseconds a refined face, one thread. A `Surface_refiner` and tables of stencils get all control points again.", ""]
+        return lines + self.table_of_meshes(max((r.size for r in self.medians if r.kind == "irregular"), default=0))
 
 
 BEGIN, END = "<!-- begin of the tables -->", "<!-- end of the tables -->"

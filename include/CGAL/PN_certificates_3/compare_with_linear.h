@@ -180,10 +180,9 @@ Comparison_with_linear compare_levels(const Access& access, Level_with_points<FT
 \ingroup PkgPNSubdivision3Functions
 
 checks whether point-normal subdivision of a mesh is worse than linear subdivision: refines it by the scheme and by its
-`linear()` twin, without touching it, and measures both results. What normals are made for, spheres and all that is
-round, becomes larger than the linear result, and closer to the control mesh in volume. Where they bend what is not
-round, parts swell or their surfaces fold: `Comparison_with_linear::is_swollen()`,
-`Comparison_with_linear::is_folded()`.
+`linear()` twin, without touching it, and measures both results. Normals make spheres and other round shapes larger
+than the linear result, and closer to the control mesh in volume. If they bend shapes that are not round, parts swell
+or their surfaces fold: `Comparison_with_linear::is_swollen()`, `Comparison_with_linear::is_folded()`.
 
 The volume of a closed mesh is \f$ V = \frac{1}{6} \sum \det(m, p_i, p_{i+1}) \f$ over the edges of its faces, each taken
 as triangles round the mean \f$ m \f$ of its corners. The angle of a fold is that of the area vectors of its
@@ -254,9 +253,9 @@ measures the same of results that are there already.
 \param np_result the same of the result: `vertex_point_map`, `edge_is_constrained_map`
 \param np_linear the same of the linear result: `vertex_point_map`, `edge_is_constrained_map`
 
-\throws std::invalid_argument if a mesh is not an oriented 2-manifold with border or a point is not finite, or if the results
-  differ in their numbers of vertices
-<br><b>Cost:</b> linear in the size of the results
+\throws std::invalid_argument if a mesh is not an oriented 2-manifold with border, a point is not finite, or the results
+  differ in their numbers of vertices.
+<br><b>Cost:</b> Linear in the size of the results
 */
 template <class ControlMesh, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters,

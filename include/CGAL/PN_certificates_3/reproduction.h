@@ -35,10 +35,10 @@ namespace PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3Reproduction
 
-The number type of the deviations of coordinates in `FT`: `FT` itself for exact numbers and
-intervals; `CGAL::Exact_rational` for floating point types, `Gmpfr` and all types that round and have the
-radix 2 by their `std::numeric_limits`, whose numbers it holds as they are. So deviations are never
-rounded. Other types that round are refused when they are compiled.
+The number type of the deviations of coordinates in `FT`. It is `FT` itself for exact numbers and intervals.
+It is `CGAL::Exact_rational` for floating point types, `Gmpfr` and all types that round and have the radix 2 by their
+`std::numeric_limits`, since it holds their numbers as they are. So deviations are never rounded. Other types that
+round are refused when they are compiled.
 */
 #ifdef DOXYGEN_RUNNING
 template <class FT>
@@ -117,9 +117,8 @@ roots and without rounding:
   radius 1.1<sup>2</sup> has no exact `double`. Shapes of intervals go with points of intervals.
 \returns a `Deviation_number<FT>` for the number type `FT` of the point; an interval number type
   gives an interval around the deviation
-\throws std::invalid_argument if the point is not finite, if a floating point coordinate is out of
-  the range of `double`, if the shape is not finite, if its squared radius is not positive, or if its
-  direction is zero
+\throws std::invalid_argument if the point or the shape is not finite, a floating point coordinate is out of the range
+  of `double`, the squared radius of the shape is not positive, or its direction is zero
 */
 template <class Point, class Shape>
 auto squared_deviation(const Point& p, const Shape& shape)
@@ -176,8 +175,8 @@ Interval_nt<> distance_interval(const Point& p, const Shape& shape)
 /*!
 \ingroup PkgPNSubdivision3Reproduction
 
-returns an interval around the distance of a point from a shape in units of the last place: relative to
-the radius, for planes and lines as it is, and divided by the epsilon of the point's number type: that of its
+returns an interval around the distance of a point from a shape in units of the last place. The distance is relative to
+the radius, for planes and lines as it is, and divided by the epsilon of the point's number type. The epsilon is that of
 `std::numeric_limits`, that of the default precision of `Gmpfr` and `Gmpfi`, and 2<sup>-52</sup> for exact types.
 
 \tparam Point, Shape as for `squared_deviation()`

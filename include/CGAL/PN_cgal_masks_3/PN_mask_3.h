@@ -27,9 +27,9 @@ namespace PN_subdivision_3 {
 Turns a geometry mask of `CGAL::Subdivision_method_3` into a point-normal mask for CGAL's own hosts
 `PQQ()`, `PTQ()`, `DQQ()` and `Sqrt3()`, without its source being touched.
 
-For each new vertex the mask runs three times: on the points, which gives the linear point q; on the
-normals read as points, which after normalization gives the new normal n; and on the heights, over q
-along n, of the arcs from the old vertices, which gives the height of the new point. This is slow,
+For each new vertex the mask runs three times. On the points it gives the linear point q, on the normals read as points,
+after normalization, the new normal n. On the heights, over q along n, of the arcs from the old vertices it gives the
+height of the new point. This is slow,
 and independent of how this package evaluates its own schemes; to subdivide a mesh with one of
 these, use `subdivide()`.
 

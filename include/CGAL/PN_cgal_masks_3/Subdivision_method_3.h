@@ -68,16 +68,16 @@ inline auto iterations(int number)
 \ingroup PkgPNSubdivision3Functions
 
 The functions of `CGAL::Subdivision_method_3`, with the same signatures, by this package: a program changes an
-`#include` and a namespace. The connectivity is the same, the order of the vertices, too, and points are by not more than
-8 &middot; 2<sup>-52</sup> of the box of the points away from those of \cgal. (Of `DooSabin_subdivision()` and `DQQ()` the order is that in a
-`Polyhedron_3` whose border vertices have a half-edge on the border; in a `Surface_mesh` \cgal's own fills removed slots again from the
-second round on, and leaves others behind.)
+`#include` and a namespace. The connectivity and the order of the vertices are the same. Points differ from those of
+\cgal by not more than 8 &middot; 2<sup>-52</sup> of the box of the points. (`DooSabin_subdivision()` and `DQQ()` have
+the order of a `Polyhedron_3` whose border vertices have a half-edge on the border. In a `Surface_mesh` \cgal's own functions use the places of removed vertices again from the second round
+on, and leave others behind.)
 
 With a `vertex_normal_map` the point-normal schemes are applied, without it the linear ones: no normals are estimated. All other
 named parameters of `PN_subdivision_3::subdivide()` serve here as there, sharp edges by `edge_is_constrained_map` among them.
 
-Where \cgal crashes or writes NaN, these do not: vertices without edges stay (of dual schemes they vanish), and what cannot be refined
-is a `std::invalid_argument` that names the element, and leaves the mesh as it was.
+\cgal crashes or writes NaN on some meshes. These functions keep vertices without edges (dual schemes drop them).
+Faces that cannot be refined are a `std::invalid_argument` that names the element, and leaves the mesh as it was.
 */
 namespace Subdivision_method_3 {
 

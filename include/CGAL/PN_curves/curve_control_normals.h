@@ -34,28 +34,25 @@ namespace PN_subdivision_3 {
 
 estimates the control normals of a polygon.
 
-<b>In the plane</b> it is at each vertex the unit normal of the circle through the vertex and its two
-neighbors, to the right of the direction of travel, hence outwards if the polygon runs
-counterclockwise. With the edges e, f before and after a vertex, the tangent of that circle has the
-direction e/|e| weighted by |f| plus f/|f| weighted by |e|: the shorter edge counts more. Hence
-samples of a circle get its exact normals, however uneven they are. An end of an open polygon takes
-the normal of the circle through its last three points: the mirror image of its neighbor's.
+<b>In the plane</b> it is at each vertex the unit normal of the circle through the vertex and its two neighbors. It
+points to the right of the direction of travel, hence outwards if the polygon runs counterclockwise. With the edges e,
+f before and after a vertex, the tangent of that circle has the direction e/|e| weighted by |f| plus f/|f| weighted by
+|e|: the shorter edge counts more. Hence samples of a circle get its exact normals, however uneven they are. An end of
+an open polygon takes the normal of the circle through its last three points: the mirror image of its neighbor's.
 
 <b>In space</b> it is the unit normal of that circle away from its center, where the radius is below
-10<sup>6</sup> times the longer edge. Vertices in between, where the polygon is nearly straight,
-have the normal of the vertex before carried along (by the smallest rotations from tangent to edge to
-tangent) and turned about the tangent, in proportion to the length, to meet that of the vertex
-after. The same rotations say which of two normals point to the same side: past an inflection the
-normals point to the center, so that they do not flip. Altogether more turns have their normals
-outside than inside; if as many, the first one has it outside. Round a closed polygon the sides may
-not match (as on a Moebius strip); then the normals flip at one edge, where they differ most anyway.
-The signs, the carried normals and what is nearly straight are computed in `double`; at the other
-vertices normals of exact number types have their exact direction. A straight polygon in space gets
-zero vectors.
+10<sup>6</sup> times the longer edge. Vertices in between, where the polygon is nearly straight, have the normal of
+the vertex before, carried along by the smallest rotations from tangent to edge to tangent. It is turned about the
+tangent, in proportion to the length, to meet the normal of the vertex after. The same rotations say which of two
+normals point to the same side: past an inflection the normals point to the center, so that they do not flip.
+Altogether more turns have their normals outside than inside; if as many, the first one has it outside. Round a closed
+polygon the sides may not match (as on a Moebius strip); then the normals flip at one edge, where they differ most
+anyway. The signs, the carried normals and what is nearly straight are computed in `double`; at the other vertices
+normals of exact number types have their exact direction. A straight polygon in space gets zero vectors.
 
 Neighbors are the nearest points that differ, so that repeated points share a normal; in the plane
-an open polygon of two points gets the normal of its edge. Where a tangent is not defined, for a
-single point or if both neighbors are the same point, the result is zero, "no control normal".
+an open polygon of two points gets the normal of its edge. If a tangent is not defined, for a single point or if both
+neighbors are the same point, the result is zero: no control normal.
 
 \tparam Range a model of `ConstRange` whose items are points, `Point_2` or `Point_3`, pairs with a
   point first, or anything that the named parameter `point_map` makes a point of
@@ -98,9 +95,10 @@ auto estimate_control_normals(const Range& polygon, Curve_end end,
 /*!
 \ingroup PkgPNSubdivision3Curves
 
-takes the control normals of a polygon in space from a curve on the unit sphere: from the image of the polygon under the
-projection from a center, (p - c)/|p - c| for a point p (Yang, Section 4.1 with Corollary 4.4: normals need not be those of
-the curve, and the curve is as smooth as the less smooth one of the scheme and the spherical curve).
+takes the control normals of a polygon in space from a curve on the unit sphere. The curve is the image of the polygon
+under the projection from a center, (p - c)/|p - c| for a point p. By Yang, Section 4.1 with Corollary 4.4, normals
+need not be those of the curve, and the curve is as smooth as the less smooth one of the scheme and the spherical
+curve.
 
 A curve from points on a sphere about the center stays on the sphere, for every mask whose normals have the same weights as
 its points. A point at the center gets the zero vector, "no control normal".

@@ -63,9 +63,8 @@ splits a control polygon at corners into open polygons, each from one corner to 
 `Curve_end::reflect` and a primal mask they keep their end points, and `join_at_corners()` makes one
 curve of them again, with a sharp corner.
 
-A control normal given at a corner serves the parts on both sides. Where the items of the polygon have
-no normals, they are estimated part by part as by `estimate_control_normals()`: a corner then has a
-normal for each side.
+A control normal given at a corner serves the parts on both sides. If the items of the polygon have no normals, these
+are estimated part by part as by `estimate_control_normals()`: a corner then has a normal for each side.
 
 \tparam Range a model of `ConstRange` with random access, as for `subdivide_curve()` or, without
   normals, for `estimate_control_normals()`

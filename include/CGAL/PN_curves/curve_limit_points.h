@@ -197,29 +197,29 @@ computes the points of the limit curve of a mask that belong to the vertices of 
 would come to lie after infinitely many rounds. With a dual mask, such as `B_spline_mask` of an even degree,
 they belong to the edges. The polygon may be of any level.
 
-All is as in `limit_points()`. The limit mask l is a left eigenvector of the matrix that maps the points next to
-a vertex to those of the next round; its point-normal average over them is exact on circles, on circular
-cylinders and with linear masks, and otherwise the neighborhood is refined by itself until the averages no
-longer change: their differences fall by 1/16 a round. The ends of an open polygon have matrices of their own.
+All is as in `limit_points()`. The limit mask l is a left eigenvector of the matrix that maps the points next to a
+vertex to those of the next round. Its point-normal average over them is exact on circles, on circular cylinders and
+with linear masks. Otherwise the neighborhood is refined by itself until the averages stay: their differences fall by
+1/16 a round. The ends of an open polygon have matrices of their own.
 
 <b>Tangents.</b> The left eigenvector of the eigenvalue 1/2 applied to the parts of the neighbors perpendicular
 to the limit control normal and to their point-normal heights over the limit is the derivative. Its error falls
 by 1/4 a round. B-splines of degree 2 and more and masks on 4 points and more have tangents; degree 1 and 2
 points have none.
 
-<b>Curvature</b> is computed where the eigenvalue 1/4 is simple and all after it are much smaller: with B-splines of
-degree 3 and more, but for the ends of dual ones, and Dubuc-Deslauriers masks on 6 points and more. Quadratic B-splines have another curvature on either
-side of their limit points, and that of 4 points does not converge. Its error is not estimated; ten rounds
-are done.
+<b>Curvature</b> is computed if the eigenvalue 1/4 is simple and all after it are much smaller. This holds for
+B-splines of degree 3 and more, but for the ends of dual ones, and for Dubuc-Deslauriers masks on 6 points and more.
+Quadratic B-splines have another curvature on either side of their limit points, and that of 4 points does not
+converge. Its error is not estimated; ten rounds are done.
 
 Limit masks have the precision of the number type. Intervals contain the limits of linear and of interpolatory masks; others
-are refused. In exact number types limit masks are exact, the limit points of `linear()` masks, too; with normals one round is
-done at most about a vertex that is not near an end, so that the tolerance may be missed. Tangents, curvatures
-and errors are computed in `double`, from differences in the number type.
+are refused. In exact number types limit masks and the limit points of `linear()` masks are exact. With normals one
+round is done at most about a vertex that is not near an end, so that the tolerance may be missed. Tangents,
+curvatures and errors are computed in `double`, from differences in the number type.
 
-<b>Masks that differ from round to round.</b> Where the last of them is that of all further rounds, as of
-`level_dependent_mask()` of a vector of masks, the polygon is refined by the others, and the limits of the last one are those
-of the curve. The masks are all primal or all dual.
+<b>Masks that differ from round to round.</b> If the last mask is that of all further rounds, as of
+`level_dependent_mask()` of a vector of masks, the polygon is refined by the others. The limits of the last one are
+those of the curve. The masks are all primal or all dual.
 
 \tparam Range a model of `ConstRange`, as for `subdivide_curve()`
 
@@ -231,15 +231,15 @@ of the curve. The masks are all primal or all dual.
 \param end whether the polygon is closed, and if not, what happens at its ends. With `Curve_end::none` only
   vertices and edges have limits whose neighborhoods do not leave the polygon.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map`,
-   `geom_traits` and `roundness`, as for `subdivide_curve()`; normals of points that have none are estimated. What is
-   computed, and how well, is said by `tolerance`, `normal_tolerance`, `max_depth`, `curve_normals` and `curvatures` of
-   `CGAL::PN_subdivision_3::parameters`
+   `geom_traits` and `roundness`, as for `subdivide_curve()`; normals of points that have none are estimated.
+   Precision and kinds of results are set by `tolerance`, `normal_tolerance`, `max_depth`, `curve_normals` and
+   `curvatures` of `CGAL::PN_subdivision_3::parameters`
 
 \returns a pair: a `std::vector` with a `Curve_limit_point` for each vertex or edge that has one, in their order,
   and a `Limit_report`. A tolerance that cannot be met is no error.
 
-\throws std::invalid_argument as `subdivide_curve()` does, if a tolerance is negative or not a number, if an interval number type is
-  to contain an estimate, and if the powers of the mask's matrix do not converge
+\throws std::invalid_argument as `subdivide_curve()` does. Further reasons are a tolerance that is negative or not a
+  number, an interval number type that is to contain an estimate, and powers of the mask's matrix that do not converge
 \throws std::overflow_error if a limit point is out of the range of a floating point type
 \throws std::domain_error if an interval number type leaves a comparison undecided
 

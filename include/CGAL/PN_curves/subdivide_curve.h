@@ -150,16 +150,15 @@ here"; vectors of other lengths are normalized once.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\returns the points and normals of the curve. From n points one round makes 2n points if the polygon
-  is closed; 2n - 1 (primal masks) or 2n - 2 (dual masks) with `Curve_end::reflect`; with
-  `Curve_end::none` as many as have a whole stencil, 2n - m for B-splines of degree m and 2n - 4k + 3
-  for 2k-point masks. Primal masks on a closed polygon begin with the new point of the first vertex,
-  dual ones with the first new point on the first edge.
+\returns the points and normals of the curve. From n points one round makes 2n points if the polygon is closed,
+  and 2n - 1 (primal masks) or 2n - 2 (dual masks) with `Curve_end::reflect`. With `Curve_end::none` it makes as many as have
+  a whole stencil, 2n - m for B-splines of degree m and 2n - 4k + 3 for 2k-point masks. Primal masks on a closed
+  polygon begin with the new point of the first vertex, dual ones with the first new point on the first edge.
 
-\throws std::invalid_argument if a point or normal is not finite (the message gives its position), if the roundness is not from 0 to 1,
-  if an open polygon is too short for `Curve_end::none`, if the coefficients of a mask do not sum to 1
-  for each parity, or if the masks of points and normals are not both primal or both dual with the
-  same center
+\throws std::invalid_argument if a point or normal is not finite (the message gives its position), the roundness is
+  not from 0 to 1, or an open polygon is too short for `Curve_end::none`. Masks are refused if their coefficients do
+  not sum to 1 for each parity, or if those of points and normals are not both primal or both dual with the same
+  center
 \throws std::length_error if a round would make more than 2<sup>32</sup> - 2 points, before the first one
 \throws std::overflow_error if a new point is out of the range of a floating point type
 \throws std::domain_error if an interval number type leaves a comparison undecided

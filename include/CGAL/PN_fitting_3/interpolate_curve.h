@@ -163,12 +163,11 @@ Interpolation_data<dimension> curve_data(const std::vector<std::pair<Point, Vect
 /*!
 \ingroup PkgPNSubdivision3Interpolation
 
-returns a control polygon whose limit curve passes through the points of a polygon. The method is
-that of `interpolate_limit_points()`: in mode `slide` control points move along the normals, in space along the
-binormals, too, so that samples of circles with exact normals, however uneven, are their own control
-polygon; in mode `strict` each point is the limit of its vertex. In space `slide` leaves a point off the
-curve, by the square of its slip times the curvature and the sine of the angle between its normal and the
-principal normal: use `strict` if that matters.
+returns a control polygon whose limit curve passes through the points of a polygon. The method is that of
+`interpolate_limit_points()`. In mode `slide` control points move along the normals, in space along the binormals,
+too. Samples of circles with exact normals, however uneven, are their own control polygon. In mode `strict` each point
+is the limit of its vertex. In space `slide` leaves a point off the curve: by the square of its slip times the
+curvature and the sine of the angle between its normal and the principal normal. Use `strict` if that matters.
 
 For corners split the polygon by `split_at_corners()` and interpolate part by part.
 

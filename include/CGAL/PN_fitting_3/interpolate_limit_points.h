@@ -51,45 +51,44 @@ normals the limit points of point-normal subdivision are linear in the control p
 
 <b>`Limit_interpolation::Mode::slide`.</b> The normals of the data become the control normals, and the
 control point of a vertex moves along its normal, until the data point lies on the limit surface. This
-is one unknown a vertex. The data point is not the limit point of the vertex then: that has slipped along
-the surface, by a tenth of an edge or so, and between the two the surface is taken to be the circular
-arc with their normals. Samples of spheres and circular cylinders with exact normals are their own control
-net: nothing is solved. On borders the limit control normal stands for the surface normal. Each component is
-solved on its own (D. G. Anderson, <em>Iterative procedures for nonlinear integral equations</em>, 1965), no control point moves by more than
-the mean edge at it, and the best control net is kept. The report has the distance of the points from the surface.
+is one unknown a vertex. The data point is not the limit point of the vertex then: the limit point has slipped along
+the surface, by a tenth of an edge or so. Between the two the surface is taken to be the circular arc with their
+normals. Samples of spheres and circular cylinders with exact normals are their own control net: nothing is solved. On
+borders the limit control normal stands for the surface normal. Each component is solved on its own (D. G. Anderson,
+<em>Iterative procedures for nonlinear integral equations</em>, 1965), no control point moves by more than the mean
+edge at it, and the best control net is kept. The report has the distance of the points from the surface.
 
-<b>`Limit_interpolation::Mode::strict`.</b> The limit point of each vertex is the data point, up to
-the tolerance. Control normals are the given ones, or with `Limit_interpolation::Normals::solved` those
-whose limits are the given ones; vertices where these cannot be found keep the given ones and are counted
-in `left_out`.
+<b>`Limit_interpolation::Mode::strict`.</b> The limit point of each vertex is the data point, up to the tolerance.
+Control normals are the given ones, or with `Limit_interpolation::Normals::solved` those whose limits are the given
+ones; vertices where these cannot be found keep the given ones and are counted in `left_out`.
 
 With `linear()` schemes the same code does classic linear interpolation; `slide` then moves points along
 the given normals, or estimated ones. Schemes that interpolate return the net as it is.
 
-<b>Normals.</b> The `vertex_normal_map` holds normals of the data, and control normals afterwards. Where
-it is zero, `slide` estimates a normal, and `strict` does as linear subdivision does.
+<b>Normals.</b> The `vertex_normal_map` holds normals of the data, and control normals afterwards. For a zero vector
+`slide` estimates a normal, and `strict` does as linear subdivision does.
 
 <b>Only points.</b> With `Limit_interpolation::Normals::natural` the map of normals is written only: its normals become those that the surface has at the points
 along which it slides. The estimate of `estimate_control_normals()` comes first, then the normals at the points of the
-surface that slides along it, up to ten times, as long as the change falls by a fifth. Where no solve is needed the
-estimate is kept: spheres, and cylinders in grids. On borders the estimate stays. Modified schemes have
-curvature everywhere, and are the better choice. On uneven samples of smooth surfaces the errors are a tenth to a
-fiftieth of those of the estimate.
+surface that slides along it, up to ten times, as long as the change falls by a fifth. If no solve is needed, for
+spheres, and cylinders in grids, the estimate is kept. On borders the estimate stays. Modified schemes have curvature
+everywhere, and are the better choice. On uneven samples of smooth surfaces the errors are a tenth to a fiftieth of
+those of the estimate.
 
 <b>Without a map of normals</b> the control normals, and the roundness if it is not given, are those that further calls without
-one estimate from the control points, and in either mode the limit point of each vertex is the data point: an iteration of at
-most `max_steps` evaluations, by Anderson's method too, finds the points.
-Smoother surfaces are those with a map and `Limit_interpolation::Normals::natural`.
+a map estimate from the control points. In either mode the limit point of each vertex is the data point. An iteration
+of at most `max_steps` evaluations, by Anderson's method too, finds the points. Smoother surfaces are those with a map
+and `Limit_interpolation::Normals::natural`.
 
 <b>Roundness.</b> It is 1 unless it is given or there is no map of normals, and stays as it is: pass it to the calls that
 refine the result. `estimate_control_normals()` returns it.
 
-<b>Creases</b> that are sharp forever are for `Limit_interpolation::Mode::strict` with given normals: the normals of
+<b>Creases</b> that are sharp forever are for `Limit_interpolation::Mode::strict` with given normals. The normals of
 the wedges and the tangents of the creases are made from the data once, as `subdivide()` makes them, so that the limit
-points stay linear in the control points; the limit points of corners are these themselves. Both have to reach
-the calls that refine the result: a point-normal scheme takes them in a `vertex_normal_map` of half-edges, where vertices
-have several wedges, and in a `crease_tangent_map`, which are written. The limits are evaluated, about ten times a step, and
-each step reduces the error to a ten-thousandth.
+points stay linear in the control points. Corners are their own limit points. Normals and tangents have to reach the
+calls that refine the result: a point-normal scheme takes them in a `vertex_normal_map` of half-edges, where vertices
+have several wedges, and in a `crease_tangent_map`, which are written. The limits are evaluated, about ten times a
+step, and each step reduces the error to a ten-thousandth.
 
 Everything is computed in `double`, whatever the number type of the mesh; what does not change is not
 written. Weights of PN averages that fade, and vanishing normals, are treated as in `PN_average`.
@@ -106,21 +105,22 @@ the user's whose `put()` throws also while old values are put back.
 \param mesh an oriented 2-manifold with border
 \param scheme the scheme
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
-  `vertex_normal_map`, `parameters::control_normal_estimate()` if there is none, `vertex_roundness_map`, which is only read, `roundness` and
-  `geom_traits` as in `subdivide()`;
-  `edge_is_constrained_map` and `vertex_is_constrained_map`, in which sharpness is infinite, `border` and
-  `crease_tangent_map`.
-  The method is set by `interpolation_mode`, `interpolation_normals`, `free_vertices`, `vertex_is_interpolated_map`,
-  `tolerance`, `max_depth` and `max_steps` of `CGAL::PN_subdivision_3::parameters`
+  `vertex_normal_map`, `parameters::control_normal_estimate()` if there is none, `vertex_roundness_map`, which is only
+  read, `roundness` and `geom_traits` as in `subdivide()`. Creases are given by `edge_is_constrained_map` and
+  `vertex_is_constrained_map`, in which sharpness is infinite, `border` and `crease_tangent_map`. The method is set by
+  `interpolation_mode`, `interpolation_normals`, `free_vertices`, `vertex_is_interpolated_map`, `tolerance`,
+  `max_depth` and `max_steps` of `CGAL::PN_subdivision_3::parameters`
 
 \returns what was reached. A tolerance that cannot be met is not an error: the best control net is the result.
 
-\throws std::invalid_argument as `subdivide()` does, if the tolerance is negative or not a number, if
-  an edge, a vertex or the border is sharp in mode `slide` or with natural normals, by a finite sharpness, or without what takes its normals and
-  tangents (the message names it), or if `Limit_interpolation::Free::smooth`
-  is asked for in mode `slide` or without a map of normals, or natural normals of a linear scheme or without a map; nothing has been written then
-<br><b>Cost:</b> linear in the size of the mesh except for the factor of a sparse matrix with one row per vertex; about
-  2 kB of memory per vertex
+\throws std::invalid_argument as `subdivide()` does, with nothing written, and if
+  - the tolerance is negative or not a number;
+  - an edge, a vertex or the border is sharp in mode `slide`, with natural normals or by a finite sharpness;
+  - it is sharp without a map that takes its normals and tangents (the message names it);
+  - `Limit_interpolation::Free::smooth` is asked for in mode `slide` or without a map of normals;
+  - natural normals are asked for with a linear scheme or without a map
+<br><b>Cost:</b> Linear in the size of the mesh except for the factor of a sparse matrix with one row per vertex. It
+  takes about 2 kB of memory per vertex
 
 \sa `prescribe_limit_data()`, `interpolate_curve()`
 */

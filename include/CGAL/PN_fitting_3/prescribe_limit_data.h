@@ -143,30 +143,29 @@ prescribe(const Access& access, const Level_connectivity& level, const Interpola
 changes the control points of a mesh so that the limit surface has prescribed points and unit normals at
 some vertices, and curvatures.
 
-<b>Points and normals.</b> Control normals stay. Both kinds of conditions are linear in the control
-points, so that there is nothing to iterate: one system with the conditions and the smoothest change of
-the net is solved,
+<b>Points and normals.</b> Control normals stay. Both kinds of conditions are linear in the control points, so that
+there is nothing to iterate: one system with the conditions and the smoothest change of the net is solved,
 
   minimize &sum; |U &delta;<sub>v</sub>|<sup>2</sup> + 10<sup>-6</sup> |&delta;<sub>v</sub>|<sup>2</sup>
 
 with the umbrella Laplacian U, over the vertices within `parameters::rings()` rings of faces about those with
-prescribed data; all others stay. Where conditions contradict each other, or are more than there are
-control points to move, the least-squares solution results, and the report says what is left: with all
-points and all normals prescribed, subdivide once before, and prescribe at the old vertices.
+prescribed data; all others stay. If conditions contradict each other, or are more than there are control points to
+move, the least-squares solution results, and the report says how far it is off. With all points and all normals
+prescribed, subdivide once before, and prescribe at the old vertices.
 
 Normals can be prescribed where the scheme has a tangent plane, see `limit_points()`: at interior
 vertices, and on the border at valence 3 (Catmull-Clark) or 3 to 6 (Loop). Two patches that prescribe the
 same points and normals along a common border meet with common tangent planes at its vertices.
 
-<b>Curvatures.</b> The quadratic form that the surface lacks at a vertex is added to the control points and
-the control normals of its 1-ring together, which keeps the limit point and the tangent plane up to terms
-of higher order; these are then restored by the system above. That is repeated while the curvature comes
-closer: by a factor of a thousand a step where the surface is smooth against its edges, of 3 to 10 on coarse
-nets. Where a curvature but no point or no normal is prescribed, limit point and normal stay.
-Curvature can be prescribed where the scheme has it as a limit: at regular vertices, and at extraordinary ones with the
-modified schemes. The faces about the vertex have to be those that the scheme makes, the rules of the scheme
-settled there (no other extraordinary vertex next to it, with the modified schemes), and no two of these
-vertices may have a vertex of their faces in common: subdivide the mesh first where that is not so.
+<b>Curvatures.</b> The quadratic form that the surface lacks at a vertex is added to the control points and the
+control normals of its 1-ring together. This keeps the limit point and the tangent plane up to terms of higher order,
+which the system above restores. Both steps are repeated while the curvature comes closer: by a factor of a thousand a
+step if the surface is smooth against its edges, of 3 to 10 on coarse nets. If a curvature but no point or no normal
+is prescribed, limit point and normal stay. Curvature can be prescribed where the scheme has it as a limit: at regular
+vertices, and at extraordinary ones with the modified schemes. The faces about the vertex have to be those that the
+scheme makes, and the rules of the scheme have to be settled there: with the modified schemes no other extraordinary
+vertex is next to it. No two of these vertices may have a vertex of their faces in common. Subdivide the mesh first if
+one of these conditions fails.
 
 Computed in `double`, whatever the number type.
 
@@ -174,21 +173,22 @@ Computed in `double`, whatever the number type.
 \param scheme as for `interpolate_limit_points()`; no linear one for curvatures
 \param np as for `interpolate_limit_points()`. Without curvatures the `vertex_normal_map` is read only, and
   without it control normals are estimated from the given points; curvatures need it, and write the
-  control normals of the 1-rings. What is prescribed is said by `prescribed_point_map`, `prescribed_normal_map` and
-  `prescribed_curvature_map` of `CGAL::PN_subdivision_3::parameters`, how it proceeds by `tolerance`, `max_depth`, `rings`,
-  `curvature_tolerance` and `max_curvature_steps`
+  control normals of the 1-rings. Of `CGAL::PN_subdivision_3::parameters`, `prescribed_point_map`,
+  `prescribed_normal_map` and `prescribed_curvature_map` have the data; `tolerance`, `max_depth`, `rings`,
+  `curvature_tolerance` and `max_curvature_steps` control the method
 
-\returns what was reached: `residual` for the points, `normal_residual` for the normals,
-  `curvature_residual` and `curvature_steps` for the curvatures. The control net is never further from
-  what is prescribed than it was; with curvatures, points and normals may miss it by up to four times
-  their tolerances.
+\returns what was reached: `residual` for the points, `normal_residual` for the normals, `curvature_residual` and
+  `curvature_steps` for the curvatures. The control net is never further from what is prescribed than it was; with
+  curvatures, points and normals may miss it by up to four times their tolerances.
 
-\throws std::invalid_argument as `interpolate_limit_points()` does, and with the name of the vertex if what
-  is prescribed is not finite, a normal is prescribed where the scheme has no tangent plane, or a
-  curvature where it cannot be, see above, or where control normals of the 1-ring are zero or more than 60
-  degrees from their limit, or with a direction that is zero or that of the normal; the mesh has not been
-  changed then
-<br><b>Cost:</b> that of a sparse factorization over the control points that may move, in every step; a vertex of
+\throws std::invalid_argument as `interpolate_limit_points()` does, with the mesh unchanged, and with the name of the
+  vertex if
+  - prescribed data are not finite;
+  - a normal is prescribed at a vertex without a tangent plane of the scheme;
+  - a curvature is prescribed at a vertex that cannot have it, see above, or whose control normals on the 1-ring are
+    zero or more than 60 degrees from their limit;
+  - the direction of a curvature is zero or that of the normal
+<br><b>Cost:</b> That of a sparse factorization over the control points that may move, in every step. A vertex of
   valence n alone fills n<sup>2</sup> of its entries
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,

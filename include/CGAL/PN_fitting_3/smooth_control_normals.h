@@ -97,35 +97,37 @@ inline Normal_smoothing_report smooth(const Level_connectivity& level,
 /*!
 \ingroup PkgPNSubdivision3Functions
 
-smooths given control normals against the points of a mesh: measured normals have noise, that of a scan a degree or more,
-which shows in the curvature of the surface, while the points often have far less of it.
+smooths given control normals against the points of a mesh. Measured normals have noise, those of a scan a degree or
+more, which shows in the curvature of the surface, while the points often have far less noise.
 
-The arc of points i and j with an edge e between them exists if \f$ (n_i + n_j) \cdot e = 0 \f$; spheres, cylinders and
-the lines of curvature of tori fulfil it, smooth surfaces up to terms of second order in the edges. With the given normals m,
-a share A of the area at each vertex, relative to the mean, and a strength &lambda;,
+The arc of points i and j with an edge e between them exists if \f$ (n_i + n_j) \cdot e = 0 \f$. Spheres, cylinders
+and the lines of curvature of tori fulfil this condition, smooth surfaces up to terms of second order in the edges.
+With the given normals m, a share A of the area at each vertex, relative to the mean, and a strength &lambda;,
 
 \f[ \sum_v A_v |n_v - m_v|^2 + \lambda \sum_e \left( (n_i + n_j) \cdot e \right)^2 / |e|^2 \f]
 
 is minimized, which takes one sparse linear solve. Its solution, made of unit length, is the result.
 
 <b>Strength.</b> On a smooth surface with exact normals the defects \f$ r = (n_i + n_j) \cdot e / |e| \f$ about a vertex are
-a cubic form of the edges over their lengths, up to terms of third order. Such a form is fitted to the edges of the faces of each vertex, and what it leaves
-is noise; its mean square \f$ \sigma^2 \f$ comes from the median over the N vertices that have enough edges, as does that of r, \f$ \rho^2 \f$.
-Then, with \f$ \epsilon = \min(2/\sqrt N, 1/5) \f$ for what both may be off by chance,
+a cubic form of the edges over their lengths, up to terms of third order. Such a form is fitted to the edges of the
+faces of each vertex, and the rest is noise. The mean square \f$ \sigma^2 \f$ of the noise comes from the median over
+the N vertices that have enough edges, as does that of r, \f$ \rho^2 \f$. Then, with \f$ \epsilon = \min(2/\sqrt N,
+1/5) \f$ for what both may be off by chance,
 
 \f[ \lambda = \frac{\sigma^2 - \rho^2 / 10}{2 \max(\rho^2 - (1 + \epsilon) \sigma^2, \sigma^2/1000)}, \f]
 
-the ratio of the variances of a normal in a direction and of the defects that the shape itself has. Where noise is less than a tenth of \f$ \rho^2 \f$, as
-with exact normals, nothing is changed.
+the ratio of the variances of a normal in a direction and of the defects that the shape itself has. If noise is less
+than a tenth of \f$ \rho^2 \f$, as with exact normals, nothing is changed.
 
-<b>Noise of points</b> shows in the arcs, too, and no normals take it off. It is told by the mean of \f$ |\nabla H| \f$, the change of
-the mean curvature, over the surface after two rounds of Catmull-Clark or, for triangles, Loop subdivision: if this does not become
-less by the new normals, it is compared with what it is by these and a smaller roundness, down to 0, the linear scheme, for which normals
-do not count and stay. If that is no better either, shape, not noise, is what it is about, as on triangles with long edges in all directions, and nothing is changed.
+<b>Noise of points</b> shows in the arcs, too, and no normals take it off. It is measured by the mean of \f$ |\nabla
+H| \f$, the change of the mean curvature, over the surface after two rounds of Catmull-Clark or, for triangles, Loop
+subdivision. If the new normals do not lessen this mean, smaller values of the roundness are tried with them, down to
+0, the linear scheme, for which normals do not count and stay. If the mean is no less then either, it is due to the
+shape and not to noise, as on triangles with long edges in all directions, and nothing is changed.
 
 Normals all of whose arcs have defects of at most 10<sup>-9</sup> are not changed by a bit, nor are those without arcs and
 zero ones. There is no arc between normals that are 90 degrees or more apart, so that a reversed one stays and does nothing to its
-neighbors. What is not changed is not written. On creases every wedge has arcs
+neighbors. Unchanged normals are not written. On creases every wedge has arcs
 and a normal of its own.
 
 <b>Strong guarantee.</b> If an exception leaves the function, the normals are as they were, except for maps of the user's

@@ -25,14 +25,14 @@ namespace PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3LimitSurface
 
-A curved patch over a triangle or quadrilateral, of the points and surface normals at its corners alone: their point-normal
-average `PN_average` with weights \f$ a_j(u,v) \f$, barycentric ones \f$ 1-u-v, u, v \f$ in a triangle, and bilinear ones
-\f$ (1-u)(1-v), u(1-v), uv, (1-u)v \f$ in a quadrilateral,
+A curved patch over a triangle or quadrilateral, of the points and surface normals at its corners alone. It is their
+point-normal average `PN_average` with weights \f$ a_j(u,v) \f$. These are barycentric, \f$ 1-u-v, u, v \f$, in a
+triangle, and bilinear, \f$ (1-u)(1-v), u(1-v), uv, (1-u)v \f$, in a quadrilateral:
 \f[ q=\sum a_jp_j, \quad n=\frac{\sum a_jn_j}{|\sum a_jn_j|}, \quad p=q+\Bigl(\sum a_j\frac{(n_j+n)\cdot(p_j-q)}{1+n_j\cdot n}\Bigr)n. \f]
-It is exact on spheres, and on circular cylinders, whatever the face is. With limit points and the normals of the limit surface at the corners, as
-`subdivide_to_limit()` gives them, it stands for the limit surface between them: the patches of two faces with a common edge meet
-along it without a gap, since an edge depends on its two ends only, but their tangent planes differ a little.
-A renderer evaluates it in a shader, see \ref PN_subdivision_3_limit_surface.
+It is exact on spheres, and on circular cylinders, whatever the face is. With limit points and the normals of the
+limit surface at the corners, as `subdivide_to_limit()` gives them, it stands for the limit surface between them. The
+patches of two faces with a common edge meet along the edge without a gap, since it depends on its two ends only, but
+their tangent planes differ a little. A renderer evaluates it in a shader, see \ref PN_subdivision_3_limit_surface.
 
 All is computed in `double`.
 

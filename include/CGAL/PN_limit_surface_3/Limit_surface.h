@@ -42,24 +42,30 @@ namespace PN_subdivision_3 {
 The limit surface of a control mesh as a surface with parameters: points, normals and derivatives between limit points.
 
 <b>Parameters.</b> Corner 0 of a face is the target of `halfedge(face, mesh)`, and corners follow in the order of the face.
-- Of a quadrilateral (of schemes that split faces as Catmull-Clark does) they are those of the unit square, with the corners (0,0), (1,0), (1,1) and (0,1).
-- Of a triangle of schemes that split faces as Loop does they are \f$ u, v\ge0, u+v\le1 \f$, with the corners (0,0), (1,0) and (0,1).
-- Any other face with \f$ n \f$ corners becomes \f$ n \f$ quadrilaterals in the first round, one at each corner. In that of corner \f$ i \f$ the parameters are
-  \f$ u-2i \f$ and \f$ v \f$, from 0 to 1: \f$ u=2i, v=0 \f$ is the corner, \f$ u=2i+1, v=0 \f$ the middle of the edge to the next corner, and
-  \f$ u=2i+1, v=1 \f$ the middle of the face.
+- A quadrilateral (of schemes that split faces as Catmull-Clark does) has those of the unit square, with the corners
+  (0,0), (1,0), (1,1) and (0,1).
+- A triangle (of schemes that split faces as Loop does) has \f$ u, v\ge0, u+v\le1 \f$, with the corners (0,0), (1,0)
+  and (0,1).
+- Any other face with \f$ n \f$ corners becomes \f$ n \f$ quadrilaterals in the first round, one at each corner. The
+  quadrilateral of corner \f$ i \f$ has the parameters \f$ u-2i \f$ and \f$ v \f$, from 0 to 1. The corner is at
+  \f$ u=2i, v=0 \f$, the middle of the edge to the next corner at \f$ u=2i+1, v=0 \f$, the middle of the face at
+  \f$ u=2i+1, v=1 \f$.
 
-<b>How.</b> Where a face of a level and the faces around it are regular, and the scheme refines regular meshes to splines (Catmull-Clark and Loop, and
-their modified forms), the limit of the linear scheme is \f$ \sum a_j(u,v)\,p_j \f$, with the bicubic B-splines or the quartic box splines \f$ a_j \f$; at borders and creases
-the rows beyond are extrapolated, which gives the rule of the border. Linear schemes are so evaluated exactly, with exact derivatives of
-second order. The point-normal average \f$ L_k(u,v) \f$ (`PN_average`) of these weights over the net of round \f$ k \f$ converges to the limit of a point-normal scheme: the
-functions \f$ a_j \f$ have the same second moments everywhere and no third ones, so that \f$ |L_{k+1}-L_k| \f$ decreases to 1/16 in each round; it is exact on spheres and cylinders. The
-face is refined, with the rings of faces around it that its rounds read and no others, until this difference, and the angle between the normals of both,
-are within the tolerances. Derivatives are those of \f$ L_k \f$, first ones with an error of the third order in the size of the face, second ones of second order;
-on borders and creases of point-normal schemes, those across only of first order, and second ones do not converge.
+<b>How.</b> Catmull-Clark and Loop subdivision, and their modified forms, refine regular meshes to splines. If a face
+of a level and the faces around it are regular, the limit of the linear scheme is \f$ \sum a_j(u,v)\,p_j \f$, with the
+bicubic B-splines or the quartic box splines \f$ a_j \f$. At borders and creases the rows beyond are extrapolated,
+which gives the rule of the border. Linear schemes are so evaluated exactly, with exact derivatives of second order.
+The point-normal average \f$ L_k(u,v) \f$ (`PN_average`) of these weights over the net of round \f$ k \f$ converges to
+the limit of a point-normal scheme. The functions \f$ a_j \f$ have the same second moments everywhere and no third
+ones, so that \f$ |L_{k+1}-L_k| \f$ decreases to 1/16 in each round. Spheres and cylinders are exact. The face is
+refined, with the rings of faces around it that its rounds read and no others, until this difference, and the angle
+between the normals of both, are within the tolerances. Derivatives are those of \f$ L_k \f$. The error of first
+derivatives is of the third order in the size of the face, that of second derivatives of second order. On borders and
+creases of point-normal schemes derivatives across have first order only, and second derivatives do not converge.
 
 Next to extraordinary vertices the face is refined until the point lies in a regular face. The vertices themselves are evaluated as by `limit_points()`, without derivatives, which in these
-parameters do not exist there. What is still not regular after the maximal number of rounds, and schemes that are not splines (Butterfly, Kobbelt), are evaluated by the
-`Face_patch` of the limits at the corners, with first derivatives.
+parameters do not exist there. Faces that are not regular after the maximal number of rounds, and schemes that are not
+splines (Butterfly, Kobbelt), are evaluated by the `Face_patch` of the limits at the corners, with first derivatives.
 
 Cost and memory of an evaluation do not depend on the size of the mesh. `evaluate()` of many places does the rounds of each face only once.
 The mesh is read by the constructor, and is not needed afterwards. Calls from several threads are safe.
@@ -130,9 +136,10 @@ public:
   \param mesh an oriented 2-manifold with border
   \param scheme the scheme
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `vertex_normal_map` with the control normals (without it
-    they are estimated), `vertex_roundness_map` or `roundness`, `control_normal_estimate`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `border`, `crease_tangent_map` and `geom_traits`, as in
-    `subdivide()`; `parameters::tolerance()` of points (by default 10<sup>-7</sup>), `parameters::normal_tolerance()`, and `number_of_iterations`, the most
-    rounds that are done about a point, 12 by default. The maps are read only
+    they are estimated), `vertex_roundness_map` or `roundness`, `control_normal_estimate`, `edge_is_constrained_map`,
+    `vertex_is_constrained_map`, `border`, `crease_tangent_map` and `geom_traits`, as in `subdivide()`. Further ones
+    are `parameters::tolerance()` of points (by default 10<sup>-7</sup>), `parameters::normal_tolerance()`, and
+    `number_of_iterations`, the most rounds that are done about a point, 12 by default. The maps are read only
 
   \throws std::invalid_argument as `limit_points()` does, if the scheme does not split edges in halves, and if a tolerance is negative or not a number
   */
@@ -196,13 +203,16 @@ public:
 
   /*!
   \name Enclosure
-  Boxes that contain the part of a face of the limit surface, or all of it. After some rounds on the face, the limit of the linear scheme lies in the convex hull of the
-  control points around each of the new faces; with a point-normal scheme the box of these is grown by a bound of the distance between both limits. More rounds make
-  boxes tighter, by 1/4 a round in what they are grown by.
+  Boxes that contain the part of a face of the limit surface, or all of it. After some rounds on the face, the limit
+  of the linear scheme lies in the convex hull of the control points around each of the new faces. With a point-normal
+  scheme the box of these points is grown by a bound of the distance between both limits, which falls by 1/4 a round.
 
-  `bbox()` is for all surfaces, and estimates this distance: 2/5 of the product of the longest edge and the largest difference of normals over an edge, 3/10 in triangles, which is 1.2 times that of a sphere, or the proven bound where that is less; schemes with negative weights
-  are taken to be as those without. `proven_bbox()` takes the bound that is proved (see \ref PN_subdivision_3_limit_surface), of Catmull-Clark and Loop subdivision, at vertices of
-  valences from 3 to 12, neither on borders nor on creases, for roundness from 0 to 1; up to 6 more rounds are done where normals differ too much for it.
+  `bbox()` is for all surfaces, and estimates this distance: 2/5 of the product of the longest edge and the largest
+  difference of normals over an edge, 3/10 in triangles. This is 1.2 times the distance of a sphere; a lesser proven
+  bound is taken instead. Schemes with negative weights are taken to be as those without. `proven_bbox()` takes the
+  bound that is proved (see \ref PN_subdivision_3_limit_surface). The proof is for Catmull-Clark and Loop subdivision,
+  at vertices of valences from 3 to 12, neither on borders nor on creases, for roundness from 0 to 1. Up to 6 more
+  rounds are done if normals differ too much for the proof.
   @{
   */
 

@@ -75,8 +75,9 @@ finds closest points and intersections with rays on a limit surface. An `AABB_tr
 there Newton's method goes to the point on the surface itself, which is evaluated where the query needs it, see `Limit_surface`.
 
 How far the surface is from its triangles is estimated as in `tessellate()`. All triangles that may have the closest point, within twice this distance, are looked at, and all
-that a ray passes within it. Where the ray may meet the surface over one of these and Newton's method does not find where, or may meet it twice, the triangle is split, up to 16 times.
-A point that is returned for a ray is at most four times the `tolerance()` of the surface off it, or twice the `error` that the surface has there if that is more.
+that a ray passes within it. A triangle over which the ray may meet the surface twice, or at a place that Newton's
+method does not find, is split, up to 16 times. A point that is returned for a ray is at most four times the
+`tolerance()` of the surface off it, or twice the `error` that the surface has there if that is more.
 
 The squares of distances have to be in the range of `double`, here and in `AABB_tree`: coordinates up to 10<sup>150</sup>.
 

@@ -38,7 +38,7 @@ around them; and the vertices of all these.
 
 Vertices and faces are numbered from zero; `vertex_number()` and `face_number()` tell their numbers in the whole
 surface, which increase. A vertex between several pieces is in each of them, with the same bits, and one of
-them owns it. Where the faces of a piece touch in a vertex alone, the vertex is there twice, with one number.
+them owns it. If faces of a piece touch in a vertex alone, the vertex is there twice, with one number.
 
 \tparam GeomTraits a model of `Kernel`
 */
@@ -89,8 +89,8 @@ public:
   \tparam PolygonMesh a model of `MutableFaceGraph`
   \param mesh an empty mesh
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
-    `vertex_normal_map` and `attributes`, which are written: a table, or maps of `mesh` of the same kinds and types, in the
-    same order, as those that were read
+    `vertex_normal_map` and `attributes`, which are written. Attributes are a table, or maps of `mesh` of the same
+    kinds and types, in the same order, as those that were read
   \throws std::invalid_argument if the mesh is not empty, or if the attributes are others
   */
   template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>

@@ -124,36 +124,36 @@ Curvature_data curvature_data(const Access& access, Point_map points, Normal_map
 /*!
 \ingroup PkgPNSubdivision3Functions
 
-estimates the curvatures of the surface that a mesh samples, at each vertex, by the normals around it, or by fitting a cubic to the
-vertices (Cazals and Pouget, <em>Estimating differential quantities using polynomial
-fitting of osculating jets</em>, 2005). \cgal 6's `interpolated_corrected_curvatures()` measures the mesh with its normals; a fit of points needs none, and has the order below.
+estimates the curvatures of the surface that a mesh samples, at each vertex. It takes the normals around the vertex,
+or fits a cubic to the vertices (Cazals and Pouget, <em>Estimating differential quantities using polynomial fitting of
+osculating jets</em>, 2005). \cgal 6's `interpolated_corrected_curvatures()` measures the mesh with its normals. A fit
+of points needs none, and has the order below.
 
 <b>The fit.</b> The surface is a graph over the plane normal to the vertex normal, a cubic polynomial
 through the vertex. It is fitted by weighted least squares to rings of vertices around it, where a
 ring has the vertices that share a face with the ring before it. As many rings are taken as determine
-the cubic: two in the interior and more at most border vertices. Where no number of rings does (up to 4
-are tried), a quadric is fitted. Vertices whose normals form an angle of 90 degrees or more with that
-of the vertex are left out. The vertex normals of the planes are those of `estimate_control_normals()` with `Control_normal_estimate::angle`.
+the cubic: two in the interior and more at most border vertices. If no number of rings does (up to 4 are tried), a
+quadric is fitted. Vertices whose normals form an angle of 90 degrees or more with that of the vertex are left out.
+The vertex normals of the planes are those of `estimate_control_normals()` with `Control_normal_estimate::angle`.
 
-<b>With normals.</b> An edge e between vertices i and j whose normals are n<sub>i</sub> and n<sub>j</sub> tells the normal curvature
--(3n<sub>i</sub> + n<sub>j</sub>)&middot;e/|e|<sup>2</sup> of i in its direction: that of the change of the normals, (n<sub>j</sub> -
-n<sub>i</sub>)&middot;e/|e|<sup>2</sup>, without the part of fourth order that 2(n<sub>i</sub> + n<sub>j</sub>)&middot;e/|e|<sup>2</sup>
-is. Its direction is that of e without its part along n<sub>i</sub> + n<sub>j</sub>, turned into the tangent plane. The shape
-operator and its derivatives are fitted to the edges and diagonals at i, mostly of one ring.
-It takes the normals for those of the surface. *Control normals of a point-normal surface are not the
-normals of the surface*, nor do they in general become so under refinement: give the map
-the normals of `subdivide_to_limit()` there, or leave it out.
+<b>With normals.</b> An edge e between vertices i and j whose normals are n<sub>i</sub> and n<sub>j</sub> tells the
+normal curvature -(3n<sub>i</sub> + n<sub>j</sub>)&middot;e/|e|<sup>2</sup> of i in its direction. This is the change
+of the normals, (n<sub>j</sub> - n<sub>i</sub>)&middot;e/|e|<sup>2</sup>, without its part of fourth order,
+2(n<sub>i</sub> + n<sub>j</sub>)&middot;e/|e|<sup>2</sup>. Its direction is that of e without its part along
+n<sub>i</sub> + n<sub>j</sub>, turned into the tangent plane. The shape operator and its derivatives are fitted to the
+edges and diagonals at i, mostly of one ring. It takes the normals for those of the surface. *Control normals of a
+point-normal surface are not the normals of the surface*, nor do they in general become so under refinement: give the
+map the normals of `subdivide_to_limit()` there, or leave it out.
 
-<b>Accuracy.</b> On points sampled from a smooth surface by a mesh with edges of length h, whose
-shapes are bounded, curvatures have errors of order h<sup>2</sup>, at extraordinary and at border
-vertices too; of order h where only a quadric is determined. On a plane all curvatures are 0, and
-with exact normals those of spheres and circular cylinders are exact, up to rounding, whatever the triangles. Close to a
-vertex where the surface is not smooth, as it is at the extraordinary vertices of most schemes, an
-estimate is a mean over the rings, and need not converge.
+<b>Accuracy.</b> On points sampled from a smooth surface by a mesh with edges of length h and faces of bounded shape,
+curvatures have errors of order h<sup>2</sup>, at extraordinary and at border vertices too. If only a quadric is
+determined, the order is h. On a plane all curvatures are 0, and with exact normals those of spheres and circular
+cylinders are exact, up to rounding, whatever the triangles. Close to a vertex where the surface is not smooth, as it
+is at the extraordinary vertices of most schemes, an estimate is a mean over the rings, and need not converge.
 
-<b>Without a result.</b> `Vertex_curvature::is_estimated` is `false` for a vertex without faces, or
-without a vertex normal (all its faces have no area, say), if too few vertices or those on two lines
-surround it, as in a strip of triangles, and if a curvature is out of the range of `double`.
+<b>Without a result.</b> `Vertex_curvature::is_estimated` is `false` for a vertex without faces or without a vertex
+normal (all its faces have no area, say). It is `false` if too few vertices surround the vertex, or vertices on two
+lines, as in a strip of triangles, and if a curvature is out of the range of `double`.
 
 Coordinates are rounded to `double`, and the fit computes in `double`, whatever the number type. This
 header is not part of `CGAL/PN_subdivision_3.h`, since it needs \ref thirdpartyEigen "Eigen".

@@ -170,48 +170,47 @@ Limit_report move_to_limit_of_call(PolygonMesh& mesh, const Scheme& scheme,
 
 computes the points of the limit surface of a scheme that belong to the vertices of a control mesh:
 where they would come to lie after infinitely many rounds. The mesh may be of any level; as far as the
-tolerance goes, the result is the same for the vertices of all. With a dual scheme, such as `DooSabin_scheme`, they belong to
-the faces: to where a face shrinks; the weights of the limit mask of Doo-Sabin subdivision are equal, surface normals exist
-at all faces that do not collapse, and curvatures are not computed.
+tolerance goes, the result is the same for the vertices of all. With a dual scheme, such as `DooSabin_scheme`, limit
+points belong to the faces, which shrink to them. The weights of the limit mask of Doo-Sabin subdivision are equal.
+Surface normals exist at all faces that do not collapse, and curvatures are not computed.
 
 <b>Points.</b> The limit mask of the linear scheme is a left eigenvector of the matrix that maps the
 neighborhood of a vertex to that of the next round. Its point-normal average L over the neighborhood
 is exact on spheres and circular cylinders, for equal normals and for linear schemes, but not in
-general. So only the neighborhood of the vertex is refined, round by round, and L is computed again; the
-differences |L<sub>k+1</sub> - L<sub>k</sub>| decrease to 1/16 in each round at regular vertices, and the
-error is estimated from them. The refinement ends when the tolerance is met.
+general. So only the neighborhood of the vertex is refined, round by round, and L is computed again. The differences
+|L<sub>k+1</sub> - L<sub>k</sub>| decrease to 1/16 in each round at regular vertices, and the error is estimated from
+them. The refinement ends when the tolerance is met.
 
 <b>Control normals.</b> Their limit is the normalized average of the limit mask. *It is not the normal of
 the surface*, and the angle between the two does not vanish under refinement.
 
-<b>Surface normals.</b> The left eigenvectors T of the subdominant eigenvalue &lambda; give the slope a of
-the surface over the plane perpendicular to the limit control normal N, by T u a = T w with the
-coordinates u of the neighbors in that plane and their point-normal heights w over it. Each round reduces
-the error by &lambda;<sup>2</sup>. They exist at interior vertices of valence 3 and more; on the borders of
-Catmull-Clark subdivision at valences 3 and 4, of Loop and &radic;3 subdivision at 3 to 6, of
-Butterfly subdivision at 3 and 4 and of Kobbelt's at 2 and 3; on those of other schemes if the eigenvectors of the
-border ring determine a plane. They do not exist at other valences, where the surface is a cusp or folds along its
-border, nor where the neighborhood collapses to a line. There the control normal stands in.
+<b>Surface normals.</b> The left eigenvectors T of the subdominant eigenvalue &lambda; give the slope a of the surface
+over the plane perpendicular to the limit control normal N, by T u a = T w. Here u are the coordinates of the
+neighbors in that plane, and w their point-normal heights over it. Each round reduces the error by
+&lambda;<sup>2</sup>. They exist at interior vertices of valence 3 and more. On borders they exist at the valences 3
+and 4 of Catmull-Clark and Butterfly subdivision, 3 to 6 of Loop and &radic;3 subdivision, 2 and 3 of Kobbelt's; with
+other schemes if the eigenvectors of the border ring determine a plane. They do not exist at other valences, where the
+surface is a cusp or folds along its border, nor where the neighborhood collapses to a line. There the control normal
+stands in.
 
 <b>Curvature.</b> It exists at regular interior vertices of Catmull-Clark and Loop subdivision and of their
 modified forms, and at the extraordinary vertices of the latter (\ref PNSubdivision_curvature). Its error is not
 estimated; at extraordinary vertices, where a round reduces it by &lambda;<sup>2</sup>, eight rounds are done.
 
-<b>Creases.</b> Of what is sharp, by the maps of `subdivide()` or by `border`, corners are their own limits; on
-creases the limit mask is that of the curve, (1, 4, 1)/6, and `Crease_average` takes it, for the points, the tangents
-and the normals of all wedges; where a crease ends and beside it, the ring has slots of both sides. Points of a vertex
-are the same in all its wedges. At vertices on creases the control normals of the wedges stand in for surface
-normals, with linear schemes the one-sided normals of the surface, where it has them. Limits continue the rounds
-that made a mesh if it still has their normals by half-edges and their tangents, see `parameters::crease_tangent_map()`.
+<b>Creases.</b> Sharp edges and vertices are given as to `subdivide()`. Corners are their own limits. On creases the
+limit mask is that of the curve, (1, 4, 1)/6, by which `Crease_average` averages the points, the tangents and the
+normals of all wedges. At the end of a crease and beside it, the ring has slots of both sides. Points of a vertex are
+the same in all its wedges. At vertices on creases the control normals of the wedges stand in for surface normals,
+with linear schemes the one-sided normals of the surface, where it has them. Limits continue the rounds that made a
+mesh if it still has their normals by half-edges and their tangents, see `parameters::crease_tangent_map()`.
 `Limit_point` has the mean of the normals of a vertex.
 
-Interpolatory schemes keep the points. Weights are computed from the scheme's own masks, for each
-valence once, to the precision of the number type. Surface normals, curvatures and errors are computed in `double`, from
-differences in the number type; what the rounding of coordinates may do in the small rings of many rounds is part of
-`Limit_point::normal_error`, and rounds in which it would grow are not used for normals. In exact number types
-the limit masks sum to 1 exactly and are exact where they are rational, and one round is done at most,
-so that the tolerance may be missed. Intervals contain the limits of linear and of interpolatory schemes; those of others
-are estimated, and refused.
+Interpolatory schemes keep the points. Weights are computed from the scheme's own masks, for each valence once, to the
+precision of the number type. Surface normals, curvatures and errors are computed in `double`, from differences in the
+number type. `Limit_point::normal_error` includes the effect of rounded coordinates in the small rings of many rounds,
+and rounds in which it would grow are not used for normals. In exact number types the limit masks sum to 1 exactly and
+are exact where they are rational, and one round is done at most, so that the tolerance may be missed. Intervals
+contain the limits of linear and of interpolatory schemes; those of others are estimated, and refused.
 
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
   `Parallel_if_available_tag`. The result is the same, bit for bit; maps are read and written by one
@@ -227,17 +226,17 @@ are estimated, and refused.
 \param scheme the scheme
 \param limits the map to write; it may be left out where `limit_point_map`, `limit_normal_map` or `limit_error_map` of
   `CGAL::PN_subdivision_3::parameters` are given, which are then written
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
-  `vertex_normal_map` with the control normals (without it they are estimated), `edge_is_constrained_map`,
-  `vertex_is_constrained_map` and `geom_traits`, as in `subdivide()`, all of whose other parameters but `visitor` and `attributes` count, too; the maps are read only.
-  What is computed, and how accurately, is set by `tolerance`, `normal_tolerance`, `max_depth`, `points`, `surface_normals`,
-  `curvatures` and `rounds_done`, all of `CGAL::PN_subdivision_3::parameters`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `vertex_normal_map`
+  with the control normals (without it they are estimated), `edge_is_constrained_map`, `vertex_is_constrained_map` and
+  `geom_traits`, as in `subdivide()`. All its other parameters but `visitor` and `attributes` count, too. The maps are
+  read only. Precision and kinds of results are set by `tolerance`, `normal_tolerance`, `max_depth`, `points`,
+  `surface_normals`, `curvatures` and `rounds_done`, all of `CGAL::PN_subdivision_3::parameters`
 
 \returns what was reached. A tolerance that cannot be met is not an error.
 
-\throws std::invalid_argument as `subdivide()` does, if a tolerance is negative or not a number, if the scheme has
-  no limit masks, if an interval number type is to contain an estimate, and if the sharpness of an edge or vertex is finite: the message names it, and how many rounds
-  use it up; nothing has been written then
+\throws std::invalid_argument as `subdivide()` does, with nothing written, if a tolerance is negative or not a number,
+  the scheme has no limit masks, or an interval number type is to contain an estimate. If the sharpness of an edge or
+  vertex is finite, the message names it, and how many rounds use it up
 \throws std::overflow_error if a limit point is out of the range of a floating point type
 \throws std::domain_error if an interval number type leaves a comparison undecided
 <br><b>Cost:</b> linear in the size of the mesh, for each round about its vertices

@@ -44,10 +44,10 @@ namespace PN_subdivision_3 {
 
 A refined surface that is made piece by piece, because it is too large for memory.
 
-The pieces together are what `subdivide()` gives, bit for bit: the same points and normals under the same
-numbers, without gaps between the pieces; options that let the compiler fuse products and sums, such as
-`-march=native`, may change last bits. Each is made from the control mesh alone, so that several threads
-or machines can make different ones without communication.
+The pieces together are what `subdivide()` gives, bit for bit: the same points and normals under the same numbers,
+without gaps between the pieces. Options that let the compiler fuse products and sums, such as `-march=native`, may
+change last bits. Each is made from the control mesh alone, so that several threads or machines can make different
+ones without communication.
 
 \code{.cpp}
 Surface_pieces pieces(mesh, CatmullClark_scheme(),
@@ -70,9 +70,9 @@ normal map has it after `subdivide()`, and `Surface_piece::corner_normal()` retu
 
 <b>Limits.</b> With `parameters::to_limit(true)` the vertices are on the limit surface, with
 `parameters::surface_normals(true)` beside it they have its normals: those of `subdivide_to_limit()`, bit for bit. The
-`tolerance` is a part of the size of the refined surface: the first piece that is made goes over
-all pieces for it, without limits, which takes a small part of the time that these take. Several machines can share that
-work: each computes `box_of_piece()` of some pieces, and passes the union of all boxes to `set_box()`. Pieces then have about
+`tolerance` is a part of the size of the refined surface. For this size the first piece that is made goes over all
+pieces, without limits, which takes a small part of the time of limits. Several machines can share that work: each
+computes `box_of_piece()` of some pieces, and passes the union of all boxes to `set_box()`. Pieces then have about
 seven rings of faces around them instead of the ghost rings; after the rounds, sharpness must be infinite or used up.
 
 <b>Memory.</b> The level that is divided, about 190 bytes a face, as long as the object lives. A call of
@@ -122,9 +122,10 @@ public:
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
     `number_of_iterations`, `vertex_point_map`, `vertex_normal_map` with the control normals (without it
     they are estimated), `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`,
-    `border`, `crease_tangent_map`, `control_normal_estimate`, `attributes` and `geom_traits`, as in `subdivide()`, and `number_of_pieces`,
-    by default 1; if there are fewer faces, some are empty. The maps are read only.
-    With `to_limit`, `points`, `surface_normals`, `tolerance`, `normal_tolerance` and `max_depth`, see above; `to_limit` is `false` by default
+    `border`, `crease_tangent_map`, `control_normal_estimate`, `attributes` and `geom_traits`, as in `subdivide()`.
+    The `number_of_pieces` is 1 by default; if there are fewer faces, some pieces are empty. The maps are read only.
+    With `to_limit`, `points`, `surface_normals`, `tolerance`, `normal_tolerance` and `max_depth`, see above;
+    `to_limit` is `false` by default
 
   \throws std::invalid_argument if there are to be no pieces, if the scheme does not split edges in halves, and as
     `subdivide_to_limit()` does if limits are asked for

@@ -39,10 +39,10 @@ of creases have their own, and `crease_tangent_map` gets the tangents of the lim
 vertices the mean counts. *The mesh is no control mesh any more:* its points and normals are not meant to be
 subdivided further.
 
-<b>Creases.</b> With `edge_is_constrained_map`, `vertex_is_constrained_map`, `border` and `crease_tangent_map` the mesh
-has creases as in `subdivide()`, and the limits are those of `limit_points()`: what is sharp for a finite number of
-rounds has to be smooth after those of the call. The maps are written as by `subdivide()`; the tangents are those
-of the limit.
+<b>Creases.</b> With `edge_is_constrained_map`, `vertex_is_constrained_map`, `border` and `crease_tangent_map` the
+mesh has creases as in `subdivide()`, and the limits are those of `limit_points()`. An edge that is sharp for a finite
+number of rounds has to be smooth after those of the call. The maps are written as by `subdivide()`; the tangents are
+those of the limit.
 
 <b>Attributes</b> are those that `subdivide()` leaves after as many rounds, bit for bit: values of vertices and corners are
 not moved to their limits. With 0 rounds they stay as they are, and the visitor is not called. It may cancel the call by
@@ -56,9 +56,10 @@ the user's whose `put()` throws also while old values are put back, or which can
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `number_of_iterations`,
   `vertex_point_map`, `vertex_normal_map` with the control normals (without it they are estimated), `control_normal_estimate`,
   `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `border`,
-  `crease_tangent_map`, `attributes`, `visitor` and `geom_traits` as in `subdivide()`; `tolerance`, `normal_tolerance`, `max_depth`,
-  `points`, `surface_normals`, `limit_point_map`, `limit_normal_map` and `limit_error_map` (of the vertices of the result) as in
-  `limit_points()`, and `rounds_done` with 0 rounds, since otherwise the call counts its rounds itself
+  `crease_tangent_map`, `attributes`, `visitor` and `geom_traits` as in `subdivide()`. As in `limit_points()` are
+  `tolerance`, `normal_tolerance`, `max_depth`, `points`, `surface_normals`, `limit_point_map`, `limit_normal_map` and
+  `limit_error_map` (of the vertices of the result). With 0 rounds `rounds_done` counts, too; otherwise the call
+  counts its rounds itself
 
 \returns what was reached
 

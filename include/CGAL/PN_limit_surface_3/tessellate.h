@@ -63,32 +63,34 @@ time and memory are proportional to the result. Each vertex is moved to its limi
 in the same way for the faces on both sides; if one of them is refined further, the triangles of the other one
 include the vertices on the edge.
 
-<b>The error.</b> The distance of the surface from the triangles of a face is estimated before they are refined, from the
-limit points \f$ p_i \f$ and surface normals \f$ n_i \f$ at its corners: the height of the surface over the middle of a
-chord is that of the point-normal average (`PN_average`) of its ends,
+<b>The error.</b> The distance of the surface from the triangles of a face is estimated before they are refined, from
+the limit points \f$ p_i \f$ and surface normals \f$ n_i \f$ at its corners. The height of the surface over the middle
+of a chord is that of the point-normal average (`PN_average`) of its ends.
 \f[ s_{ij} = \frac14\,(\tau_j-\tau_i)\cdot(p_j-p_i), \qquad \tau_i=\frac{n_i+n}{1+n_i\cdot n}, \quad
 n=\frac{n_i+n_j}{|n_i+n_j|}, \f]
-exact on spheres and cylinders and of fourth order elsewhere, and that of a surface of second order over a triangle is at
-most
-\f$ 4s_{12}s_{23}s_{31}/(\sum_{i<j} 2 s_is_j-\sum_i s_i^2) \f$ or the largest of the \f$ |s_{ij}| \f$. When a face is
-split, the distance of the new limit points from their expected places is measured; half of it is added to the
-estimate of its children. Without surface normals (at creases, corners, and where the ring has no tangent plane) 0.27 to 0.45 of
-the distance that was measured on the parent stands for the estimate, as the limits of the control normals have it between
-these; a fourth is what remains of it on smooth surfaces. Of all faces of the control mesh, and of the children of its polygons, a round is made, and the estimate is the measured distance.
-Edges on creases and borders must be as close to their curve, which is estimated from the turns of the points of the level
-along it. Faces whose triangles, with the vertices that finer neighbors put on their sides, turn out to miss the tolerance are split
-again. Everything is multiplied by 1.1, at borders by 1.25. It is an estimate, not a proof.
+This height is exact on spheres and cylinders and of fourth order elsewhere. The height of a surface of second order
+over a triangle is at most \f$ 4s_{12}s_{23}s_{31}/(\sum_{i<j} 2 s_is_j-\sum_i s_i^2) \f$ or the largest of the \f$
+|s_{ij}| \f$. When a face is split, the distance of the new limit points from their expected places is measured; half
+of it is added to the estimate of its children. Without surface normals (at creases, corners, and where the ring has
+no tangent plane) the estimate is 0.27 to 0.45 of the distance that was measured on the parent, depending on the
+limits of the control normals. On smooth surfaces a fourth of it remains. Faces of the control mesh, and children of
+its polygons, always get a round, and their estimate is the measured distance. Edges on creases and borders must be as
+close to their curve, which is estimated from the turns of the points of the level along it. Faces whose triangles,
+with the vertices that finer neighbors put on their sides, turn out to miss the tolerance are split again. Everything
+is multiplied by 1.1, at borders by 1.25. It is an estimate, not a proof.
 
-<b>A proven bound.</b> With `parameters::proven_bound(true)` faces are split until a bound is within the tolerance: the limit is as near to
-that of the linear scheme as the enclosure of `Limit_surface` has it, after up to two more rounds on the face; that one lies in the hull of
-its Bezier points (next to an extraordinary vertex of control points, after up to 16 rounds); and the distances of these from the
-face's triangles and sides are known, whatever vertices neighbors put on the sides. This is for coordinates in `double`, and for what
-`Limit_surface::proven_bbox()` covers; it takes some milliseconds per face, and about twice as many triangles. Splits are not undone.
+<b>A proven bound.</b> With `parameters::proven_bound(true)` faces are split until a bound is within the tolerance.
+The enclosure of `Limit_surface` bounds the distance from the limit of the linear scheme, after up to two more rounds
+on the face. The linear limit lies in the hull of its Bezier points, next to an extraordinary vertex in that of
+control points after up to 16 rounds. The distances of these points from the face's triangles and sides are known,
+whatever vertices neighbors put on the sides. This is for coordinates in `double`, and for what
+`Limit_surface::proven_bbox()` covers; it takes some milliseconds per face, and about twice as many triangles. Splits
+are not undone.
 
-<b>Surfaces bent in one direction.</b> Faces are split in both directions. In the end, a face whose triangles with only the vertices on its sides
-are flat enough, by the same estimate and by the distances of the vertices inside, gets these triangles; and sides that are
-straight lose their vertices, if both faces agree. So rulings of cylinders and cones stay undivided, and planes within curved
-rims have few triangles, which may be long.
+<b>Surfaces bent in one direction.</b> Faces are split in both directions. In the end, a face gets the triangles with
+only the vertices on its sides, if these are flat enough by the same estimate and by the distances of the vertices
+inside. Sides that are straight lose their vertices, if both faces agree. So rulings of cylinders and cones stay
+undivided, and planes within curved rims have few triangles, which may be long.
 
 <b>Creases and borders</b> are those of `subdivide()`, of any sharpness. A plane stays as
 coarse as the control mesh is, apart from faces with more than four corners, which are split once.
@@ -105,24 +107,27 @@ coarse as the control mesh is, apart from faces with more than four corners, whi
 \param out an empty mesh, which becomes the result; the vertices of the control mesh come first
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" of the control mesh: `vertex_point_map`,
   `vertex_normal_map` with the control normals (without it they are estimated), `control_normal_estimate`, `vertex_roundness_map` or
-  `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `border`, `crease_tangent_map` and `geom_traits`, as in `subdivide()`, and
-  `number_of_iterations`, the most rounds that are done about any vertex, 12 by default, and `proven_bound`. The maps are read only.
-  `attributes` of an `Attribute_table` are replaced by those of the result: numbers of vertices become their limits by the
-  linear scheme; numbers of corners are linear inside the control faces, as `Corner_rule::all` has them, and no other
-  rule is known; `Attribute_table::face_parents` are the control faces that the triangles lie in
-\param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" of the result: `vertex_point_map`, and
-  `vertex_normal_map`, which gets the unit normals of the surface, or of half-edges those of the corners, which differ along
-  creases (a map of vertices then has their mean). Where the surface has none it gets the limit of the control
-  normals
+  `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `border`, `crease_tangent_map` and
+  `geom_traits`, as in `subdivide()`. Further ones are `proven_bound` and `number_of_iterations`, the most rounds that
+  are done about any vertex, 12 by default. The maps are read only. `attributes` of an `Attribute_table` are replaced
+  by those of the result: numbers of vertices become their limits by the linear scheme. Numbers of corners are linear
+  inside the control faces, as `Corner_rule::all` has them, and no other rule is known.
+  `Attribute_table::face_parents` are the control faces that the triangles lie in
+\param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" of the result: `vertex_point_map`
+  and `vertex_normal_map`, which gets the unit normals of the surface. A map of half-edges gets those of the corners,
+  which differ along creases; a map of vertices then has their mean. If the surface has no normal, the map gets the
+  limit of the control normals
 
-\returns what was reached. With as many rounds as are allowed faces that are not flat enough stay as they are. A tolerance
-  for which more than \f$ 2^{31} \f$ triangles are foreseen, or that is less than \f$ 2^{-48} \f$ of the box, gives what is in
-  reach with about 260,000, and with more of them faces are split again only once. The result is complete,
+\returns what was reached. With as many rounds as are allowed faces that are not flat enough stay as they are. A
+  tolerance for which more than \f$ 2^{31} \f$ triangles are foreseen, or that is less than \f$ 2^{-48} \f$ of the
+  box, gives about 260,000 triangles. With more of them faces are split again only once. The result is complete,
   `Tessellation_result::reached` is false, and `Tessellation_result::obstacle` tells why
 
-\throws std::invalid_argument if `chord_error` is not positive and finite, if the scheme does not split edges, if `out` is
-  not empty, if an array of attributes does not fit, belongs to edges, or to corners by another rule, if a bound is not proven, naming
-  the first vertex for which it is not (which may be one with coordinates so large that rounding alone takes more than the tolerance), and as `limit_points()` does
+\throws std::invalid_argument as `limit_points()` does, and if
+  - `chord_error` is not positive and finite, the scheme does not split edges, or `out` is not empty;
+  - an array of attributes does not fit, belongs to edges, or to corners by another rule;
+  - a bound is not proven: the message names the first vertex for which it is not, which may have coordinates so large
+    that rounding alone takes more than the tolerance
 \throws std::length_error,std::overflow_error,std::domain_error as `subdivide()` and `limit_points()` do; `out` stays
   empty
 */

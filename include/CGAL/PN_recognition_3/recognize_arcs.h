@@ -56,11 +56,13 @@ cuts a polygon in a plane into the lines and circular arcs of which it is a tess
 
 As in `recognize_surfaces()` the vertices of a drawing are on its lines and arcs up to the rounding of the file. Three points
 in a row are extended as long as the next ones are on their line or circle up to the tolerance. Three points are
-evidence of a line, five of an arc (unless edges beside them on both sides are unknown and go on smoothly; six then), four if it is tangent to the edge beside it, three if it is at both ends,
-unless the points beyond leave them as slowly as those of a free-form curve do. Of a circle in fewer than `min_facets`
-steps a turn, whose ends are not both tangent, the sides are lines. Chords that are much longer than all others are lines, too. One or two edges between
-corners and recognized pieces are lines; a corner turns by more than 61 degrees. What is left is `unknown`. Where nothing is recognized, the whole polygon
-is one unknown piece, unless all of its vertices are corners.
+evidence of a line, five of an arc, six if edges beside them on both sides are unknown and go on smoothly. Four points
+are enough for an arc that is tangent to the edge beside it, three for one that is tangent at both ends, unless the
+points beyond leave them as slowly as those of a free-form curve do. A circle in fewer than `min_facets` steps a turn
+whose ends are not both tangent has lines as sides. Chords that are much longer than all others are lines, too. One or
+two edges between corners and recognized pieces are lines; a corner turns by more than 61 degrees. All other pieces
+are `unknown`. If nothing is recognized, the whole polygon is one unknown piece, unless all of its vertices are
+corners.
 
 \tparam Range a model of `ConstRange` with random access, as for `estimate_control_normals()`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -242,9 +244,9 @@ private:
 /*!
 \ingroup PkgPNSubdivision3Curves
 
-splits a control polygon into the pieces that `recognize_arcs()` has found, each with the normals of its line or circle. Refined
-with `Curve_end::reflect` and a primal mask these stay lines and arcs, and `join_at_corners()` makes one curve of them
-again: where two pieces touch it has their common normal, at corners the normalized sum of two.
+splits a control polygon into the pieces that `recognize_arcs()` has found, each with the normals of its line or
+circle. Refined with `Curve_end::reflect` and a primal mask these stay lines and arcs, and `join_at_corners()` makes
+one curve of them again. It has the common normal of two pieces that touch, at corners the normalized sum of both.
 
 Normals are to the right of the direction of travel, as those of `estimate_control_normals()` are; in space more turns of the polygon have
 theirs outside. They replace normals given for lines and arcs. Unknown pieces keep theirs, or get estimated ones; where such a

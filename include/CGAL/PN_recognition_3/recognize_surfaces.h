@@ -80,14 +80,15 @@ finds the planes, cylinders, cones, spheres and tori of which a polygon mesh is 
 
 The vertices of a tessellated part of a CAD system are on its surfaces, up to the rounding of the file. So surfaces are guessed
 from two or three facets, and grow over all facets whose vertices are on them up to a tolerance; a surface is
-believed in if it is over-determined by its vertices. Faces in one plane are one facet, however they are triangulated. Prisms
-and pyramids of few sides are planes, unless something else about the part says that they are meant to be round: facets that
-are tangent to their neighbors, or a round on the same axis. What is not recognized is `unknown`.
+believed in if it is over-determined by its vertices. Faces in one plane are one facet, however they are triangulated.
+Prisms and pyramids of few sides are planes, unless facets that are tangent to their neighbors, or a round on the same
+axis, say that they are meant to be round. All other faces are `unknown`.
 
-The tolerance is four times the rounding of the coordinates, which are taken for floats or decimals of few digits if all
-of them are (of other ones it is that of planes, if many faces are off those of their neighbors by as little as of a file of
-six digits that has been moved or scaled), and \f$ 10^{-7} \f$ times the diagonal of the bounding box. Vertices at the same point are different ones: join them
-first, for instance those of an STL file.
+The tolerance is four times the rounding of the coordinates, and \f$ 10^{-7} \f$ times the diagonal of the bounding
+box. Coordinates are taken for floats or decimals of few digits if all of them are. Other coordinates have the
+rounding of planes, if many faces are off the planes of their neighbors by as little as in a file of six digits that
+has been moved or scaled. Vertices at the same point are different ones: join them first, for instance those of an STL
+file.
 
 Everything is computed in `double`. The result does not depend on the numbers of the elements.
 
@@ -103,9 +104,9 @@ Everything is computed in `double`. The result does not depend on the numbers of
   `subdivide()`, `parameters::min_facets()` (default 8) and `parameters::surface_tolerance()`
 
 \return the surfaces
-\throws std::invalid_argument if the mesh is not an oriented 2-manifold with border, a point is not finite or a parameter out of
-  its range; nothing has been written then
-<br><b>Cost:</b> about linear in the size of the mesh
+\throws std::invalid_argument if the mesh is not an oriented 2-manifold with border, a point is not finite or a
+  parameter out of its range. Nothing has been written then.
+<br><b>Cost:</b> About linear in the size of the mesh
 */
 template <class FaceGraph, class FacePatchMap,
           class NamedParameters = parameters::Default_named_parameters>
@@ -132,13 +133,13 @@ recognize_surfaces(const FaceGraph& mesh, FacePatchMap patch_map,
 /*!
 \ingroup PkgPNSubdivision3Functions
 
-makes of recognized surfaces what `subdivide()` takes. It marks the edges between different surfaces, and between faces of
-unknown surface those at which these meet at an angle; and if the named parameters have maps for them, the vertices that
-are corners by themselves, which are apexes of cones, the normals of the surfaces at all corners of faces, and the roundness
-of the vertices.
+makes of recognized surfaces what `subdivide()` takes. It marks the edges between different surfaces, and the edges at
+which faces of unknown surface meet at an angle. Maps of the named parameters get the apexes of cones, which are
+corners, the normals of the surfaces at all corners of faces, and the roundness of the vertices.
 
-Corners of faces of unknown surfaces, and apexes of cones, get zero vectors, which stand for no normal, and vertices of unknown
-surfaces only the roundness 0, all others 1: with both, what is not recognized is refined by the linear scheme.
+Corners of faces of unknown surfaces, and apexes of cones, get zero vectors, which stand for no normal. Vertices of
+unknown surfaces only get the roundness 0, all others 1. With both maps, faces that are not recognized are refined by
+the linear scheme.
 
 \tparam FaceGraph a model of `FaceListGraph`
 \tparam FacePatchMap a model of `ReadablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and
@@ -151,10 +152,10 @@ surfaces only the roundness 0, all others 1: with both, what is not recognized i
 \param patch_map the surface of each face, as `recognize_surfaces()` writes it
 \param surfaces the result of `recognize_surfaces()`
 \param edge_map the map to write, the `edge_is_constrained_map` of `subdivide()`; edges on the border are no creases
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `recognize_surfaces()`,
-  `parameters::sharp_angle()` (default 30 degrees), and, to be written, the `vertex_is_constrained_map` of `subdivide()`, its
-  `vertex_roundness_map`, and its `vertex_normal_map` of half-edges: the normal of the corner of the face of the half-edge at its target, on the side
-  of the face's own normal; zero for half-edges without a face
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `recognize_surfaces()` and
+  `parameters::sharp_angle()` (default 30 degrees). Written are the `vertex_is_constrained_map` and
+  `vertex_roundness_map` of `subdivide()`, and its `vertex_normal_map` of half-edges. A half-edge gets the normal of
+  the corner of its face at its target, on the side of the face's own normal; without a face it gets zero
 
 \return the number of creases
 \throws std::invalid_argument as `recognize_surfaces()`, and if a face has a number that no surface has

@@ -297,10 +297,10 @@ private:
 
 triangulates recognized planes anew, from their rims.
 
-Where a plane has been refined, its faces hold nothing but its rims, the edges that it shares with other surfaces: the
-constrained Delaunay triangulation of these rims has about a quarter of the faces after two rounds, none of them folded. It
-has no vertices of its own, so that the faces of the neighbors fit to it as before; vertices inside planes are left without faces.
-The mesh itself is not changed, as it becomes no control mesh for further rounds.
+The faces of a refined plane hold nothing but its rims, the edges that it shares with other surfaces. The constrained
+Delaunay triangulation of these rims has about a quarter of the faces after two rounds, none of them folded. It has no
+vertices of its own, so that the faces of the neighbors fit to it as before; vertices inside planes are left without
+faces. The mesh itself is not changed, as it becomes no control mesh for further rounds.
 
 This header uses the 2D triangulations of CGAL, which are under the GPL, and so is what is made with it. No other header
 of this package includes it.

@@ -72,8 +72,8 @@ creases has a normal on each side, which are estimated, or given by a `vertex_no
 stay; `normals()` holds their mean, as does the `vertex_normal_map` of `subdivide()`. Every `update()` recomputes
 all creases.
 
-<b>Attributes.</b> What else the control mesh carries is named as for `subdivide()` and does not depend on its points:
-it is refined once, by the constructor, and `build_mesh()` puts it.
+<b>Attributes.</b> Attributes are named as for `subdivide()` and do not depend on the points of the control mesh: they
+are refined once, by the constructor, and `build_mesh()` puts them.
 
 <b>Memory.</b> 12 bytes for each half-edge, 52 for each vertex and 4 for each face of every level but the last in
 `double`, besides the results (`points()` and `normals()`, 48 bytes per vertex, and refined attributes). The first
@@ -129,10 +129,11 @@ public:
   \param mesh an oriented 2-manifold with border; it is not needed afterwards
   \param scheme the scheme
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
-    `vertex_index_map`, a model of `ReadablePropertyMap` with different integers for different vertices, by default that of
-    the mesh; `number_of_iterations`, `vertex_point_map`, `vertex_normal_map` with the control normals (without it
-    they are estimated), `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `border`, `control_normal_estimate`, `attributes` and `geom_traits`, as in
-    `subdivide()`; maps and attributes are read only
+    `vertex_index_map`, a model of `ReadablePropertyMap` with different integers for different vertices, by default
+    that of the mesh. As in `subdivide()` are `number_of_iterations`, `vertex_point_map`, `vertex_normal_map` with the
+    control normals (without it they are estimated), `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`,
+    `vertex_is_constrained_map`, `border`, `control_normal_estimate`, `attributes` and `geom_traits`. Maps and
+    attributes are read only
 
   \throws std::invalid_argument if two vertices have one index, or an index is negative
   \throws std::invalid_argument, std::length_error, std::overflow_error, std::domain_error as
@@ -222,9 +223,9 @@ public:
   computes what the control points and normals that were set since the last call reach.
   \returns the numbers of the refined vertices that were computed, in increasing order, valid until the next call
   \throws std::overflow_error if a new point is out of the range of a floating point type
-  \throws std::domain_error if an interval number type leaves a comparison undecided
-  <br><b>Cost:</b> linear in the number of vertices that are reached; the first call that does not reach all of
-  them is linear in the number of vertices
+  \throws std::domain_error if an interval number type leaves a comparison undecided.
+  <br><b>Cost:</b> Linear in the number of vertices that are reached. The first call that does not reach all of them
+  is linear in the number of vertices
   */
   const std::vector<Index>& update()
   {

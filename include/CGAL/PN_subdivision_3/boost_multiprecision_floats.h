@@ -12,10 +12,11 @@
 /*!
 \file CGAL/PN_subdivision_3/boost_multiprecision_floats.h
 
-What \cgal lacks for the floating point types of Boost.Multiprecision: with this header, included before kernels are made,
-`cpp_bin_float`, `mpfr_float` (where \cgal has MPFR) and `float128` (where Boost has it: g++ with `-std=gnu++17`,
-library quadmath) serve as number types of `CGAL::Simple_cartesian`. They are fields with square root that round;
-`CGAL::is_valid()` and `CGAL::is_finite()` know NaN and infinity. The umbrella header does not include it.
+The traits that \cgal lacks for the floating point types of Boost.Multiprecision. With this header, included before
+kernels are made, `cpp_bin_float`, `mpfr_float` and `float128` serve as number types of `CGAL::Simple_cartesian`.
+`mpfr_float` needs a \cgal with MPFR, `float128` g++ with `-std=gnu++17` and the library quadmath. They are fields
+with square root that round; `CGAL::is_valid()` and `CGAL::is_finite()` know NaN and infinity. The umbrella header
+does not include it.
 */
 
 #include <CGAL/boost_mp.h>

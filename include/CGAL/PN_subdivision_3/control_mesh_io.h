@@ -251,8 +251,8 @@ PN::write_refined_mesh("fine.ply", mesh, np.vertex_normal_map(normals));
 
 \throws std::runtime_error if the file cannot be read, or its faces are no oriented 2-manifold with border
 \throws std::invalid_argument if the mesh is not empty, a vertex joins several fans of faces, a point is not finite, or a sharpness
-  is negative or not a number
-<br><b>Strong guarantee:</b> the mesh is empty then.
+  is negative or not a number.
+<br><b>Strong guarantee:</b> The mesh is empty then.
 */
 template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
 auto read_control_mesh(const std::string& file_name, PolygonMesh& mesh,
@@ -292,8 +292,9 @@ auto read_control_mesh(const std::string& file_name, PolygonMesh& mesh,
 /*!
 \ingroup PkgPNSubdivision3Functions
 
-writes a mesh to a file, with what the parameters tell of it: PLY files have normals, roundness and sharpness, OFF files normals of vertices, those
-of the other formats that \cgal writes none of them. `read_control_mesh()` and the command read them again.
+writes a mesh to a file, with the data that the parameters name. PLY files have normals, roundness and sharpness, OFF
+files normals of vertices. The other formats that \cgal writes have none of these. `read_control_mesh()` and the
+command read them again.
 
 \tparam PolygonMesh a model of `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -302,7 +303,7 @@ of the other formats that \cgal writes none of them. `read_control_mesh()` and t
 \param mesh an oriented 2-manifold with border
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", with the meaning that they have for `subdivide()`:
   `vertex_point_map`, `geom_traits`, `vertex_normal_map`, `vertex_roundness_map`, `edge_is_constrained_map` and
-  `vertex_is_constrained_map`. Of the normals of corners a vertex gets the mean.
+  `vertex_is_constrained_map`. A vertex gets the mean of the normals of its corners.
 
 \throws std::runtime_error if the file cannot be written, or has a format that cannot take the faces
 \throws std::invalid_argument if a PLY file is asked for, and the mesh is not an oriented 2-manifold with border

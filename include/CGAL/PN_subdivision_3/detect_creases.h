@@ -97,13 +97,12 @@ std::vector<bool> edges_of_greater_angle(const Level_connectivity& level,
 finds the edges of a polygon mesh at which its faces meet at an angle: those that `subdivide()` may
 take as creases.
 
-An edge with two faces becomes `true` in the map if the angle between the area vectors of the faces
-is more than 0.1 degrees greater than the given one, so that rounding does not decide about edges at exactly this
-angle, which are not creases; all others, including border edges, become `false`. In a map of numbers
-they become infinitely sharp (of integers: the largest number) and 0. Edges of faces
-without area do not count as sharp. Choose the angle between that of the true edges of the shape and
-those of its approximation: the sides of a prism of n sides, which may stand for a cylinder, differ by
-360/n degrees.
+An edge with two faces becomes `true` in the map if the angle between the area vectors of the faces is more than 0.1
+degrees greater than the given one. So rounding does not decide about edges at exactly this angle, which are not
+creases. All others, including border edges, become `false`. In a map of numbers they become infinitely sharp (of
+integers: the largest number) and 0. Edges of faces without area do not count as sharp. Choose the angle between that
+of the true edges of the shape and those of its approximation: the sides of a prism of n sides, which may stand for a
+cylinder, differ by 360/n degrees.
 
 Angles are computed in `double` from area vectors of polygons; `Polygon_mesh_processing::detect_sharp_edges()` takes three corners of each, and all border edges.
 
@@ -121,8 +120,8 @@ Angles are computed in `double` from area vectors of polygons; `Polygon_mesh_pro
 
 \return the number of edges that are sharp
 \throws std::invalid_argument if the angle is out of its range, the mesh is not an oriented
-  2-manifold with border, or a point is not finite; nothing has been written then
-<br><b>Cost:</b> linear in the size of the mesh
+  2-manifold with border, or a point is not finite. Nothing has been written then.
+<br><b>Cost:</b> Linear in the size of the mesh
 */
 template <class PolygonMesh, class EdgeMap,
           class NamedParameters = parameters::Default_named_parameters>

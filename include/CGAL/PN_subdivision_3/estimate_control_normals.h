@@ -85,16 +85,18 @@ using Estimate_of_call = Estimated_control_normals<
 /*!
 \ingroup PkgPNSubdivision3Functions
 
-estimates control normals from the points of a mesh, and how round it is at each of its vertices. Where they are passed on as they are, the
-surface is the one without a `vertex_normal_map`; where one is put in their place, the surface goes there.
+estimates control normals from the points of a mesh, and the roundness at each of its vertices. Passed on unchanged,
+they give the surface without a `vertex_normal_map`. A normal that is put in the place of an estimate changes the
+surface there.
 \code{.cpp}
 auto normals = PN::estimate_control_normals(mesh);
 put(normals, v, Vector(0, 0, 1));
 PN::subdivide(mesh, scheme, params::vertex_normal_map(normals));
 \endcode
-The normals are exact, up to rounding, for points on a sphere in any arrangement that turns by less than 36 degrees from vertex
-to face, and for points on a cylinder, a cone or a torus at the crossings of parallels and straight or circular
-meridians, as quads or triangulated. \ref PN_subdivision_3_control_normals "The manual" compares the estimates.
+The normals are exact, up to rounding, for points on a sphere in any arrangement that turns by less than 36 degrees
+from vertex to face. They are exact, too, for points on a cylinder, a cone or a torus at the crossings of parallels
+and straight or circular meridians, as quads or triangulated. \ref PN_subdivision_3_control_normals "The manual"
+compares the estimates.
 
 <b>Coherent.</b> Two normals are at hand: at an interior vertex r, the reciprocal one (below), which fits a
 sphere, and a, the unit sum of the area vectors of its faces, which fits a box. With the edges \f$ e_j \f$ of the
@@ -112,8 +114,8 @@ g(n) the largest \f$ |(n + n_j) \cdot e_j| / |e_j| \f$, and
 \right) \right) S ( 12 q - 1 ) \f]
 
 with the length q of the shortest edge over that of the longest one,
-1 where the vertex turns no more than a regular pentagon and 0 where it turns as two planes at a right angle do; and 1
-where a coarse mesh is regular, as a cube is. The normal is the unit vector of s r + (1 - s) a with s = t (f(r) + (1 -
+1 if the vertex turns no more than a regular pentagon and 0 if it turns as two planes at a right angle do. It is also
+1 if a coarse mesh is regular, as a cube is. The normal is the unit vector of s r + (1 - s) a with s = t (f(r) + (1 -
 f(r)) &rho;), the reciprocal one itself where s = 1. The roundness is
 
 \f[ w' = \left( f(n) + (1 - f(n)) \rho \right) \left( 1 - S \left( \frac{d}{8} - 1 \right) \right), \quad
@@ -128,10 +130,10 @@ vertex without an arc to a neighbor that is not round is not round either:
 with \f$ s_j \f$ and \f$ l_j \f$, the lengths of the shortest and the longest edge of the neighbor, and \f$ u_j = \min(1,
 \max(0, l_j / s_j - 6)) \f$; where two points coincide \f$ g_j = 1 \f$.
 
-Next, where a large plane ends in short bevels the point of an interior vertex must not be lifted off the plane. With the
-m edges of the vertex, the lengths s and l of the shortest and the longest one, and weights 3/8 of the neighbors and
-5/8 of the vertex, let \f$ q = \frac{3}{8m} \sum_j e_j \f$ be the way of the linear point, u the unit vector of
-\f$ \frac{5}{8} n + \frac{3}{8m} \sum_j n_j \f$, and
+Next, where a large plane ends in short bevels the point of an interior vertex must not be lifted off the plane. The
+vertex has m edges, s and l are the lengths of the shortest and the longest one, and the weights are 3/8 for the
+neighbors and 5/8 for the vertex. Let \f$ q = \frac{3}{8m} \sum_j e_j \f$ be the way of the linear point, u the unit
+vector of \f$ \frac{5}{8} n + \frac{3}{8m} \sum_j n_j \f$, and
 
 \f[ h = n \cdot (q + H u), \quad H = \frac{3}{8m} \sum_j \frac{(n_j + u) \cdot (e_j - q)}{1 + n_j \cdot u} -
 \frac{5}{8} \, \frac{(n + u) \cdot q}{1 + n \cdot u} \f]
@@ -149,27 +151,25 @@ Last, new points are not to fold long and narrow faces. Over the mean q of the m
 tells how far the arcs from the corners miss each other there: not at all on spheres and cylinders. The roundness of the
 corners is multiplied by \f$ 1 - S(5 x - 1) \f$, with the largest x of the faces of a vertex.
 
-At a border vertex r and n are the normal of the reciprocal estimate. Where one of r and a vanishes the other one
-is taken for both; where E(r) is no more than rounding t = 1. The roundness is 0 where the normal vanishes and 1 at
+At a border vertex r and n are the normal of the reciprocal estimate. If one of r and a vanishes the other one is
+taken for both; if E(r) is no more than rounding, t = 1. The roundness is 0 where the normal vanishes and 1 at
 vertices without edges. The other estimates find everything round, w = 1.
 
 <b>Reciprocal.</b> At an interior vertex, with its edges \f$ e_i \f$ in order and \f$ W_i =
 e_i/|e_i|^2 \f$, the unit vector of \f$ \sum_i W_i \times W_{i+1} \f$ (N. Max, <em>Weights for
-computing vertex normals from facet normals</em>, 1999). At a border vertex the unit vector
-orthogonal to the circle through the vertex and its two neighbors on the border that best fulfils
-\f$ (n + n_j) \cdot e_j = 0 \f$, the condition that an arc joins the two points, for the neighbors
-whose normals are known: the interior ones, or else those on the border that have interior ones
-themselves. Where this does not determine a normal (no such neighbor; a border that folds back; a
-result turned by more than 73 degrees from it) it is the unit vector of \f$ \sum_i W_i \times W_{i+1}
-\f$ over the faces of the vertex.
+computing vertex normals from facet normals</em>, 1999). At a border vertex it is a unit vector orthogonal to the
+circle through the vertex and its two neighbors on the border. It best fulfils \f$ (n + n_j) \cdot e_j = 0 \f$, the
+condition that an arc joins the two points, for the neighbors whose normals are known. These are the interior ones, or
+else those on the border that have interior ones themselves. A normal may not be determined so: there is no such
+neighbor, the border folds back, or the result is turned by more than 73 degrees. Then it is the unit vector of \f$
+\sum_i W_i \times W_{i+1} \f$ over the faces of the vertex.
 
-Those of `Control_normal_estimate::reciprocal` fit a curved surface, and a box only with a ball around it. Hence let \f$ \alpha \f$ be the
-largest angle between the normal and the cross product of two neighboring edges, zero ones left out;
-if this is below 60 degrees, the area vector of the face between the edges counts if it is closer.
-Up to 40 degrees the normal is as above; from 60 degrees on, and where the sum vanishes (is shorter
-than 2<sup>12</sup> times the machine epsilon times the sum of the lengths of its terms), it is the
-angle-weighted one; in between both are mixed, smoothly in \f$ \cos\alpha \f$. Edges of length zero are
-left out.
+Those of `Control_normal_estimate::reciprocal` fit a curved surface, and a box only with a ball around it. Hence let
+\f$ \alpha \f$ be the largest angle between the normal and the cross product of two neighboring edges, zero products
+left out. If this is below 60 degrees, the area vector of the face between the edges counts if it is closer. Up to 40
+degrees the normal is as above. From 60 degrees on it is the angle-weighted one, and so it is if the sum vanishes: if
+it is shorter than 2<sup>12</sup> times the machine epsilon times the sum of the lengths of its terms. In between both
+are mixed, smoothly in \f$ \cos\alpha \f$. Edges of length zero are left out.
 
 <b>Angle.</b> (Yang, <em>Point-Normal Subdivision Curves and Surfaces</em>, Section 6.) The unit vector of the sum of the normals of the faces, weighted by the angles of the
 faces at the vertex. The normal of a polygon that is not planar is that of its area vector; the angle
@@ -184,10 +184,11 @@ faces alone, then made orthogonal to the tangents of the creases beside it, whic
 Corners of one wedge get the same normal. With all edges of a straight prism sharp but those along its sides, the normals
 are those of the cylinder through its points, and of its flat ends. Vertices on creases and corners are round.
 
-<b>Number types.</b> In exact number types the reciprocal normals of interior vertices where s = 1, or \f$ \alpha
-\f$ is at most 40 degrees, have their exact direction; in multiprecision types they are as precise as
-the type, as are angle-weighted ones where the type has its own `atan2()` (`Gmpfr`, Boost's floats). Everything else (the choice
-between the two, its weights, borders, areas, angles, roundness) is computed in `double` from the differences of the points; `float` is widened to `double`.
+<b>Number types.</b> In exact number types the reciprocal normals of interior vertices have their exact direction if s
+= 1 or \f$ \alpha \f$ is at most 40 degrees. In multiprecision types they are as precise as the type. So are
+angle-weighted normals if the type has its own `atan2()` (`Gmpfr`, Boost's floats). Everything else (the choice
+between the two, its weights, borders, areas, angles, roundness) is computed in `double` from the differences of the
+points; `float` is widened to `double`.
 
 \tparam PolygonMesh a model of `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -230,8 +231,8 @@ surface is:* where such a map is given to `subdivide()`, and no roundness beside
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param mesh an oriented 2-manifold with border
-\param normals the map to write, of vertices, or of half-edges: of those that have a face, the normal of the corner of that face at the
-  target; if it throws, some normals may have been written
+\param normals the map to write, of vertices or of half-edges. A half-edge with a face gets the normal of the corner
+  of that face at the target. If the map throws, some normals may have been written
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as of the other form, and
   `parameters::vertex_roundness_map()` with a model of `WritablePropertyMap` whose values are numbers: the roundness is written into it
 

@@ -36,9 +36,9 @@ returns a vector of an exact kernel whose length is 1, exactly, and whose direct
 1.5 &middot; 2<sup>-bits</sup>. Its coordinates are fractions with a common denominator of at most 2 `bits` + 1 bits, whatever the
 length of the numbers of `v`.
 
-It is the stereographic projection of a point whose coordinates are rounded to `bits`. From rational points of a sphere with such
-normals through its center each point of the first round is on the sphere up to the rounding of one length; control normals
-that are not unit vectors would be rounded before.
+It is the stereographic projection of a point whose coordinates are rounded to `bits`. From rational points of a
+sphere with such normals through its center each point of the first round is on the sphere up to the rounding of one
+length. Control normals that are not unit vectors would be rounded before.
 
 \tparam Kernel a Cartesian kernel with an exact number type
 \param v any vector; zero is returned as it is
@@ -59,9 +59,10 @@ typename Kernel::Vector_3 rational_unit_normal(const CGAL::Vector_3<Kernel>& v, 
 /*!
 \ingroup PkgPNSubdivision3Kernels
 
-While an object of this class exists, refined normals in exact number types without square root (`Gmpq`, that of EPECK) are rounded
-as `rational_unit_normal()` does: they are unit vectors exactly, and no longer than 2 `bits` + 1 bits, in place of vectors with the
-exact direction that have unit length up to 2<sup>-48</sup>. The numbers of the points still grow from round to round, but slower.
+While an object of this class exists, refined normals in exact number types without square root (`Gmpq`, that of
+EPECK) are rounded as `rational_unit_normal()` does. They are unit vectors exactly, and no longer than 2 `bits` + 1
+bits. Otherwise they have the exact direction, and unit length up to 2<sup>-48</sup>. The numbers of the points still
+grow from round to round, but slower.
 
 It holds for all threads of the program. Objects are made and destroyed by one thread, not while functions of the package run, and
 in the reverse order.

@@ -12,11 +12,11 @@
 /*!
 \file CGAL/PN_subdivision_3/sqrt_extension_normals.h
 
-Exact unit normals in `CGAL::Sqrt_extension`: numbers a + b &radic;r with rational a, b and r suffice for one round from rational
-points and rational unit normals, those of `rational_unit_normal()`, since a new vertex needs the root of its own |N|<sup>2</sup>
-only. Included before anything of the package is called with the type, it makes `is_on()`, `mesh_deviation()` and
-`curve_deviation()` proofs; without it normals of this type are rounded as those of `Gmpq` are. A second round, and
-normals that have roots already, are refused. The umbrella header does not include it.
+Exact unit normals in `CGAL::Sqrt_extension`: numbers a + b &radic;r with rational a, b and r. They suffice for one
+round from rational points and rational unit normals, those of `rational_unit_normal()`, since a new vertex needs the
+root of its own |N|<sup>2</sup> only. Included before anything of the package is called with the type, it makes
+`is_on()`, `mesh_deviation()` and `curve_deviation()` proofs; without it normals of this type are rounded as those of
+`Gmpq` are. A second round, and normals that have roots already, are refused. The umbrella header does not include it.
 */
 
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>

@@ -29,37 +29,33 @@ namespace PN_subdivision_3 {
 
 applies point-normal subdivision by any scheme to a polygon mesh.
 
-Points and unit control normals are refined together by the rule that `PN_average` documents. Points
-and normals sampled from a sphere, a circular cylinder or a circle stay on it up to rounding; where
-all control normals are equal or zero, the result is that of the linear scheme (not if they are equal and
-the scheme transfers curvature).
+Points and unit control normals are refined together by the rule that `PN_average` documents. Points and normals
+sampled from a sphere, a circular cylinder or a circle stay on it up to rounding. If all control normals are equal or
+zero, the result is that of the linear scheme (not if they are equal and the scheme transfers curvature).
 
-The vertex normal map holds the control normals. A zero vector means "no control normal here";
-vectors of other lengths are normalized once. After the call it holds the refined normals. Without a
-vertex normal map, control normals are estimated as by `estimate_control_normals()` and dropped
-afterwards.
+The vertex normal map holds the control normals. A zero vector means "no control normal here"; vectors of other
+lengths are normalized once. After the call it holds the refined normals. Without a vertex normal map, control normals
+are estimated as by `estimate_control_normals()` and dropped afterwards.
 
-<b>Creases.</b> Sharp edges and vertices are given by `edge_is_constrained_map` and
-`vertex_is_constrained_map`. Runs of faces around a vertex between sharp edges are its wedges; points
-are shared by all wedges, normals belong to them. A vertex with two sharp edges is on a crease, one
-that is sharp itself or has more of them is a corner and stays where it is, and at one with a single
-sharp edge the crease fades out. Along creases `Crease_average` holds: rims of spheres, cylinders and
-all surfaces of revolution stay exact circles, straight edges straight, and each surface beside them
-stays what it is up to the crease. Normals per wedge come with a normal map whose keys are half-edges:
-it holds, for each half-edge that has a face, the normal of that face's surface at the target of the
-half-edge; where they differ within a wedge their sum counts. With a map of vertices, or none, the
-normals of vertices with several wedges are estimated wedge by wedge. Afterwards a map of vertices
-holds the mean normal of the wedges. All boundaries between different surfaces should be creases, also
-where the surfaces are tangent. A sharpness s that is finite holds for s rounds: edges lose 1 in each
-round, and where less than 1 is left the sharp and the smooth rule are mixed. The border is a crease
-by `border`, and the tangents of creases are given and got by `crease_tangent_map`.
+<b>Creases.</b> Sharp edges and vertices are given by `edge_is_constrained_map` and `vertex_is_constrained_map`. Runs
+of faces around a vertex between sharp edges are its wedges; points are shared by all wedges, normals belong to them.
+A vertex with two sharp edges is on a crease. A vertex that is sharp itself or has more sharp edges is a corner and
+stays where it is. At a vertex with a single sharp edge the crease fades out. Along creases `Crease_average` holds:
+rims of spheres, cylinders and all surfaces of revolution stay exact circles, straight edges straight, and each
+surface beside them stays what it is up to the crease. Normals per wedge come with a normal map whose keys are
+half-edges. A half-edge that has a face has the normal of that face's surface at the target of the half-edge. If
+normals differ within a wedge their sum counts. With a map of vertices, or none, the normals of vertices with several
+wedges are estimated wedge by wedge. Afterwards a map of vertices holds the mean normal of the wedges. All boundaries
+between different surfaces should be creases, also where the surfaces are tangent. A sharpness s that is finite holds
+for s rounds: edges lose 1 in each round, and where less than 1 is left the sharp and the smooth rule are mixed. The
+border is a crease by `border`, and the tangents of creases are given and got by `crease_tangent_map`.
 
 <b>Order.</b> The new mesh has the old vertices first, then the new ones in the order documented
-with the host of the scheme. An old face's descriptor stays on one of its children and an old edge's
-on one of its halves (Doo-Sabin keeps no vertices and edges, \f$ \sqrt{3} \f$ flips the edges: see
-their hosts); all property maps remain valid, and all other new elements have default values. A `Surface_mesh` that holds removed elements keeps all its indices; the removed elements
-stay removed, and new ones follow behind them. For a `Polyhedron_3` call `normalize_border()`
-afterwards if you need it.
+with the host of the scheme. An old face's descriptor stays on one of its children and an old edge's on one of its
+halves (Doo-Sabin keeps no vertices and edges, \f$ \sqrt{3} \f$ flips the edges: see their hosts). All property maps
+remain valid, and all other new elements have default values. A `Surface_mesh` that holds removed elements keeps all
+its indices; the removed elements stay removed, and new ones follow behind them. For a `Polyhedron_3` call
+`normalize_border()` afterwards if you need it.
 
 <b>Attributes.</b> Other data of the mesh are named in `attributes`: values of vertices and corners are averaged
 by the scheme's linear rows, in the same pass as the points; edges and faces pass theirs on. Parents of elements are
@@ -71,12 +67,11 @@ no ids yet, so that a map which goes through `vertex->id()` would be written out
 dynamic property maps, and call `CGAL::set_halfedgeds_items_id()` afterwards. A mask of your own must
 not read properties of the mesh, which grows at the same time: let the scheme hold a copy of them.
 
-<b>Floating point.</b> Results in `float` and `double` are the same, bit for bit, on all processors
-and for all compilers that round as IEEE 754 says. Where the compiler may fuse products and sums (all
-processors with FMA that it generates code for, hence aarch64 by default), pass
-`-ffp-contract=off`; results differ in their last bits otherwise. With `-ffast-math` the checks of the
-input remain, but bits are not promised. If `CGAL_PN_SUBDIVISION_3_NO_AVX2` is defined, the form of the
-average for processors with AVX2, which gives the same bits, is left out.
+<b>Floating point.</b> Results in `float` and `double` are the same, bit for bit, on all processors and for all
+compilers that round as IEEE 754 says. If the compiler may fuse products and sums (on all processors with FMA that it
+generates code for, hence aarch64 by default), pass `-ffp-contract=off`; results differ in their last bits otherwise.
+With `-ffast-math` the checks of the input remain, but bits are not promised. If `CGAL_PN_SUBDIVISION_3_NO_AVX2` is
+defined, the form of the average for processors with AVX2, which gives the same bits, is left out.
 
 <b>Strong guarantee.</b> If an exception leaves the function, the mesh and its maps are as they
 were. Beyond it is a property map of the user's whose `put()` throws also while old values are put
@@ -164,9 +159,9 @@ back, and what such a map stores for vertices that exist no longer. An exception
                           edge get its value, less the number of rounds if it is a finite number,
                           and all other edges 0 or `false`.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<PolygonMesh>::%edge_descriptor` as key type and as value type
-                   `bool` (`true` is infinitely sharp) or a number type (a sharpness that is not
-                   negative; the largest value of a built-in integer type is infinitely sharp)}
+                   `boost::graph_traits<PolygonMesh>::%edge_descriptor` as key type and as value type `bool` or a
+                   number type. A sharpness is not negative; `true` and the largest value of a built-in integer type
+                   are infinitely sharp}
     \cgalParamDefault{no edge is sharp}
     \cgalParamExtra{A sharp border edge is infinitely sharp, and a border vertex with a sharp edge that
                     is not on the border is a corner. Schemes without rules for creases, all but
@@ -194,12 +189,15 @@ back, and what such a map stores for vertices that exist no longer. An exception
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throws std::invalid_argument if the mesh is not an oriented 2-manifold with border (a vertex that
-  joins several fans of faces, an edge without a face, broken connectivity), if the scheme cannot
-  refine one of the faces, if a point or normal is not finite, if a roundness is not from 0 to 1, if a sharpness is negative or not a
-  number, if something is sharp and the scheme has no rules for it, if an array of `attributes` does not fit the mesh, or
-  if they need a scheme that splits edges and this one does not (`splits_edges_v`). The message names the element. These
-  checks do not depend on `NDEBUG`.
+\throws std::invalid_argument if one of these is found; the message names the element, and the checks do not depend on
+  `NDEBUG`:
+  - the mesh is not an oriented 2-manifold with border: a vertex joins several fans of faces, an edge has no face, or
+    the connectivity is broken;
+  - the scheme cannot refine one of the faces;
+  - a point or normal is not finite, a roundness is not from 0 to 1, or a sharpness is negative or not a number;
+  - an edge or vertex is sharp and the scheme has no rules for creases;
+  - an array of `attributes` does not fit the mesh, or attributes need a scheme that splits edges and this one does not
+    (`splits_edges_v`)
 \throws std::length_error if a round needs more elements than the index type of the mesh can number
 \throws std::overflow_error if a new point is out of the range of a floating point type
 \throws std::domain_error if an interval number type leaves a comparison undecided

@@ -104,8 +104,8 @@ DooSabin_scheme(), np)`, which documents all parameters, guarantees and exceptio
 Every vertex is new. The order is that of `DQQ_host`; the vertices take the descriptors of old ones
 as far as there are any, and what other vertex property maps hold for these is not touched. The
 resulting mesh is compact: a `Surface_mesh` holds no removed elements. If it held some before the call,
-`collect_garbage()` is called at the end, which changes the order of the elements; where a map is given
-that is not a property map of the mesh, and would not follow, they remain instead.
+`collect_garbage()` is called at the end, which changes the order of the elements. If a map is given that is not a
+property map of the mesh, and would not follow, removed elements remain instead.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters>

@@ -16,7 +16,7 @@ The version of the package, as `CGAL/version.h` gives CGAL's.
 
 /// \ingroup PkgPNSubdivision3Ref
 /// The version as a text, `"major.minor.patch"`; before the release of that version with `"-dev"`.
-#define CGAL_PN_SUBDIVISION_3_VERSION "0.2.0-dev"
+#define CGAL_PN_SUBDIVISION_3_VERSION "0.2.0"
 
 /// \ingroup PkgPNSubdivision3Ref
 /// The version as a number that can be compared: 1 followed by two digits each for major, minor and patch.

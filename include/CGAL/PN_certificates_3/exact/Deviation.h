@@ -54,7 +54,7 @@ private:
 /*!
 \ingroup PkgPNSubdivision3Reproduction
 
-What a mesh or curve deviates from a shape by, as `mesh_deviation()` and `curve_deviation()` return it.
+The deviation of a mesh or curve from a shape, as `mesh_deviation()` and `curve_deviation()` return it.
 
 \tparam Number see `Deviation_number`
 \tparam Element the vertex descriptor of a mesh; the position in a curve

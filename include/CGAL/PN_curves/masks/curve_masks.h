@@ -75,9 +75,9 @@ private:
 /*!
 \ingroup PkgPNSubdivision3Curves
 
-The interpolatory mask of Dubuc and Deslauriers on 2n points: old points are kept, and the new point
-of an edge is the value in its middle of the polynomial through the n points on either side. Four
-points are the four-point scheme with w = 1/16.
+The interpolatory mask of Dubuc and Deslauriers on 2n points. Old points are kept. The new point of an edge is the
+value in its middle of the polynomial through the n points on either side. Four points are the four-point scheme with
+w = 1/16.
 
 \cgalModels{PNSubdivisionCurveMask}
 */

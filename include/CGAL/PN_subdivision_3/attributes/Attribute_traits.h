@@ -316,10 +316,10 @@ struct Attribute_array
 \ingroup PkgPNSubdivision3Attributes
 
 Attributes in arrays, of which the number and the dimensions are known at run time only; see `attributes()` for maps.
-Elements are numbered in the order of `vertices(mesh)`, `edges(mesh)` and `faces(mesh)` and, for corners,
-`halfedge(e, mesh)` and its opposite for every edge `e` in the order of `edges(mesh)`: for a `Surface_mesh` without
-removed elements, by the numbers of the descriptors. `subdivide()` reads the arrays and leaves in them the values of
-the refined mesh, in its order.
+Elements are numbered in the order of `vertices(mesh)`, `edges(mesh)` and `faces(mesh)`. Corners are in the order of
+`halfedge(e, mesh)` and its opposite for every edge `e` of `edges(mesh)`. For a `Surface_mesh` without removed
+elements these are the numbers of the descriptors. `subdivide()` reads the arrays and leaves in them the values of the
+refined mesh, in its order.
 */
 struct Attribute_table
 {

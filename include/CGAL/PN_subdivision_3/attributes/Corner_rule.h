@@ -14,12 +14,12 @@ namespace PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Attributes
-how the values of corners are refined: by the scheme's linear rows inside the charts, that is where values agree, and
-at seams and borders of charts by one of the six rules that OpenSubdiv has for face-varying data.
+how the values of corners are refined. Inside the charts, where values agree, the scheme's linear rows apply. At seams
+and borders of charts one of the six rules applies that OpenSubdiv has for face-varying data.
 
 Seams and borders are refined as borders of the surface. The rules differ in what stays where it is. Whatever the
-rule, the value of a chart stays at a vertex with a sharp edge inside the chart, at one that is a corner of the surface, and at one
-that several parts of the chart meet at.
+rule, the value of a chart stays at three kinds of vertices: with a sharp edge inside the chart, at corners of the
+surface, and where several parts of the chart meet.
 */
 enum class Corner_rule {
   /// nothing else stays.

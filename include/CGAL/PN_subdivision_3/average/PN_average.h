@@ -187,22 +187,19 @@ the fraction w of the way from the linear point to that of the rule without. Sin
 this is the rule itself, bit for bit, where all w<sub>j</sub> are 1, and the linear one where all are 0. Values that
 have none of their own take the one `roundness` of the average.
 
-<em>Fade of opposite normals.</em> Where n<sub>j</sub> is opposite to n, no arc from p<sub>j</sub> is
-defined, and where it is nearly opposite, as one reversed normal among others is, the arc is many times
-longer than the chord. Such an entry takes no part, and it leaves continuously: with &chi;<sub>j</sub>
-falling smoothly from 1 at d<sub>j</sub> = 75/256, 135 degrees between n<sub>j</sub> and n, to 0 at
-d<sub>j</sub> = 3/32, 155 degrees, and W = &sum; a<sub>j</sub>&chi;<sub>j</sub>, the sum of heights becomes (&sum;
-a<sub>j</sub>&chi;<sub>j</sub>h<sub>j</sub>)/W, or 0 if W < 1/64.
+<em>Fade of opposite normals.</em> If n<sub>j</sub> is opposite to n, no arc from p<sub>j</sub> is defined. If it is
+nearly opposite, as one reversed normal among others is, the arc is many times longer than the chord. Such an entry
+fades out: &chi;<sub>j</sub> falls smoothly from 1 at d<sub>j</sub> = 75/256, 135 degrees between n<sub>j</sub> and n,
+to 0 at d<sub>j</sub> = 3/32, 155 degrees. With W = &sum; a<sub>j</sub>&chi;<sub>j</sub> the sum of heights becomes
+(&sum; a<sub>j</sub>&chi;<sub>j</sub>h<sub>j</sub>)/W, or 0 if W < 1/64.
 
 A row with a single entry is a copy.
 
-This is the rule itself, for any number type and any row. Where it takes most of the time or cannot
-be called it stands in other forms, which are tested against this one: for hardware floating point in
-three passes over a block of rows (`internal/rows/PN_average_block.h`, which hides the latency of
-roots and divisions, adds the heights in another order, and leaves rows that fade or whose normal may
-vanish to this one); the same with four rows side by side for AVX2
-(`internal/rows/Wide_PN_average.h`, with the bits of the former); and through masks that only
-average points (`PN_mask_3`), which never see a row.
+This is the rule itself, for any number type and any row. The package has it in other forms, which are tested against
+this one. `internal/rows/PN_average_block.h` has it for hardware floating point in three passes over a block of rows,
+which hides the latency of roots and divisions and adds the heights in another order. It leaves rows that fade or
+whose normal may vanish to this form. `internal/rows/Wide_PN_average.h` has the same, to the same bits, with four rows
+side by side for AVX2. `PN_mask_3` has it through masks that only average points, which never see a row.
 
 The old values are a pointer to them, or anything whose `operator[]` makes a `Value` of an index.
 */

@@ -32,8 +32,8 @@ of travel, and normals n<sub>wj</sub> of each wedge w,
 
  - q = &sum; a<sub>j</sub> p<sub>j</sub>, T = &sum; a<sub>j</sub> t<sub>j</sub>, t = T/|T|,
  - the operator T<sub>j</sub> x = x - (x&middot;t)(t<sub>j</sub> + t)/d<sub>j</sub>,
-   d<sub>j</sub> = 1 + t<sub>j</sub>&middot;t, carries from p<sub>j</sub> to the new vertex; on the
-   vectors orthogonal to t<sub>j</sub> it is the smallest rotation from t<sub>j</sub> to t,
+   d<sub>j</sub> = 1 + t<sub>j</sub>&middot;t, carries from p<sub>j</sub> to the new vertex. On vectors orthogonal to
+   t<sub>j</sub> it is the smallest rotation from t<sub>j</sub> to t,
  - p = q + &sum; a<sub>j</sub> T<sub>j</sub>(p<sub>j</sub> - q),
  - n<sub>w</sub> is the unit vector of &sum; a<sub>j</sub> T<sub>j</sub> n<sub>wj</sub>.
 
@@ -47,11 +47,11 @@ hardly define them.) A zero tangent enters as it is: T<sub>j</sub> x = x - (x&mi
 <em>Guards.</em> T vanishes if |T| &le; &tau; &sum; |a<sub>j</sub>||t<sub>j</sub>|, see
 `Unit_normal_traits::vanishing_tolerance()`; then p = q, t = 0, and n<sub>w</sub> is the unit vector
 of &sum; a<sub>j</sub> n<sub>wj</sub>. Otherwise t = S(8|T| / &sum; |a<sub>j</sub>||t<sub>j</sub>|)
-T/|T| with S(x) = x<sup>2</sup>(3 - 2x) between 0 and 1; if it is shorter than 10<sup>-6</sup> it is 0. Where t<sub>j</sub> is nearly opposite to t
-the entry fades: with &chi;<sub>j</sub> = S((d<sub>j</sub> - 1/64)/(1/4 - 1/64)) and W = &sum;
-a<sub>j</sub>&chi;<sub>j</sub> the point is q + (&sum; a<sub>j</sub> &chi;<sub>j</sub>
-T<sub>j</sub>(p<sub>j</sub> - q))/W, or q if W < 1/64, and the sum of normals has a<sub>j</sub>
-&chi;<sub>j</sub> for a<sub>j</sub>. A vanishing sum of normals gives a zero normal.
+T/|T| with S(x) = x<sup>2</sup>(3 - 2x) between 0 and 1; if it is shorter than 10<sup>-6</sup> it is 0. If
+t<sub>j</sub> is nearly opposite to t the entry fades. Let &chi;<sub>j</sub> = S((d<sub>j</sub> - 1/64)/(1/4 - 1/64))
+and W = &sum; a<sub>j</sub>&chi;<sub>j</sub>. Then the point is q + (&sum; a<sub>j</sub> &chi;<sub>j</sub>
+T<sub>j</sub>(p<sub>j</sub> - q))/W, or q if W < 1/64, and the sum of normals has a<sub>j</sub> &chi;<sub>j</sub> for
+a<sub>j</sub>. A vanishing sum of normals gives a zero normal.
 
 With a roundness w = &sum; a<sub>j</sub> w<sub>j</sub> the point is q + w &sum; a<sub>j</sub>
 T<sub>j</sub>(p<sub>j</sub> - q).

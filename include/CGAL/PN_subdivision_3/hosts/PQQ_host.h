@@ -20,9 +20,8 @@ namespace PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3Schemes
 
-The primal quadrilateral quadrisection: a polygon with m corners becomes m quads that meet in a new
-face vertex; the quad of a corner has the corner, the new vertices of the two edges beside it and
-the face vertex.
+The primal quadrilateral quadrisection: a polygon with m corners becomes m quads that meet in a new face vertex. The
+quad of a corner has the corner, the new vertices of the two edges beside it and the face vertex.
 
 New vertices: the old vertices, then one vertex per edge, then one per face, each in the order of
 the old elements. The mask has to provide `vertex()`, `edge()` and `face()`. The first quad of a

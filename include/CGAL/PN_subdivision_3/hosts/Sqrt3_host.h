@@ -30,16 +30,15 @@ namespace PN_subdivision_3 {
 The \f$ \sqrt{3} \f$ refinement: every triangle gets a new vertex in its middle that is joined to
 its corners, and every old interior edge is flipped to join the new vertices beside it.
 
-Border edges are refined in the even rounds of a call only, counted from 1: a triangle at the border
-gets two new vertices on its border edge instead of one in its middle, and is cut into three from
-its third corner. Calling k times for one round hence never refines the border, and differs from one
-call for k rounds.
+Border edges are refined in the even rounds of a call only, counted from 1. A triangle at the border gets two new
+vertices on its border edge instead of one in its middle, and is cut into three from its third corner. Calling k times
+for one round hence never refines the border, and differs from one call for k rounds.
 
-New vertices: the old vertices, then those of the faces in the order of the faces; of two in a face
-the one nearer to the source of the border edge first. The mask has to provide `vertex()` and `face()`, and for
-the rounds that refine the border `border_vertex(h)`, for the old vertex that the border half-edge `h` leads
-to, and `border_edge(h, i)`, i = 0, 1, for the two new vertices on the edge of `h`, a half-edge with a
-face. A face's descriptor stays on one of its three triangles.
+New vertices: the old vertices, then those of the faces in the order of the faces; of two in a face the one nearer to
+the source of the border edge first. The mask has to provide `vertex()` and `face()`. The rounds that refine the
+border also need `border_vertex(h)`, for the old vertex that the border half-edge `h` leads to. They need
+`border_edge(h, i)`, i = 0, 1, for the two new vertices on the edge of `h`, a half-edge with a face. A face's
+descriptor stays on one of its three triangles.
 
 \cgalModels{PNSubdivisionHost_3}
 */

@@ -74,9 +74,9 @@ Any_mesh_traits known_mesh_traits(const void*);
 /*!
 \ingroup PkgPNSubdivision3Functions
 
-What a mesh can do beyond `MutableFaceGraph`. Known are `Surface_mesh`, the array kernels of OpenMesh,
-and meshes derived from these; of every other mesh nothing is assumed. Specialize it for a mesh of
-your own, deriving from `Any_mesh_traits`, to have it written by several threads or shrunk at once.
+The abilities of a mesh beyond `MutableFaceGraph`. Known are `Surface_mesh`, the array kernels of OpenMesh, and meshes
+derived from these; of every other mesh nothing is assumed. Specialize it for a mesh of your own, deriving from
+`Any_mesh_traits`, to have it written by several threads or shrunk at once.
 */
 template <class PolygonMesh>
 struct Refinable_mesh_traits

@@ -116,10 +116,10 @@ FT approximate_inverse_sqrt(const FT& x)
 How unit normals are made in the number type `FT`. Specialize it for a number type whose square root
 this template does not find.
 
-In a field with square root the length of a normal is rounded as `FT` rounds. In an exact field
-without square root (the number type of EPECK for instance) 1/|N| is a `double` with a relative
-error below 2<sup>-48</sup>: normals keep their exact direction and have unit length up to this
-error, unless they are rounded to unit vectors, see `Rounded_exact_normals`. All other operations of the package remain exact.
+In a field with square root the length of a normal is rounded as `FT` rounds. In an exact field without square root
+(the number type of EPECK for instance) 1/|N| is a `double` with a relative error below 2<sup>-48</sup>. Normals keep
+their exact direction and have unit length up to this error, unless they are rounded to unit vectors, see
+`Rounded_exact_normals`. All other operations of the package remain exact.
 
 \tparam FT a field
 */

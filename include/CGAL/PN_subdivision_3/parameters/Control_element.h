@@ -16,11 +16,10 @@ namespace PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Attributes
-An element of the control mesh, that is the mesh before the call. Refinement is in place, and the
-descriptor of a control element belongs to one of its children afterwards, hence the element is given by its
-position: `index` counts the vertices, edges or faces in the order of `vertices(mesh)`, `edges(mesh)` or
-`faces(mesh)` before the call, from 0 on. In a `Surface_mesh` without removed elements this is the number of the
-descriptor.
+An element of the control mesh, that is the mesh before the call. Refinement is in place, and the descriptor of a
+control element belongs to one of its children afterwards. Hence the element is given by its position: `index` counts
+the vertices, edges or faces in the order of `vertices(mesh)`, `edges(mesh)` or `faces(mesh)` before the call, from 0
+on. In a `Surface_mesh` without removed elements this is the number of the descriptor.
 */
 struct Control_element
 {

@@ -73,8 +73,9 @@ auto roundness(const FT& x)
 \ingroup PkgPNSubdivision3Functions
 the roundness of each control vertex. A map that can be written gets that of the refined vertices, so that further calls continue
 from there.
-\param map a model of `ReadablePropertyMap` or `ReadWritePropertyMap` with the vertices of the mesh as keys and numbers from 0
-  to 1 as values; values up to 1/2 beyond are accepted, since masks with negative weights refine 0 and 1 to values slightly beyond
+\param map a model of `ReadablePropertyMap` or `ReadWritePropertyMap` with the vertices of the mesh as keys and
+  numbers from 0 to 1 as values. Values up to 1/2 beyond are accepted, since masks with negative weights refine 0 and
+  1 to values slightly beyond
 */
 template <class VertexRoundnessMap>
 auto vertex_roundness_map(const VertexRoundnessMap& map)
@@ -106,22 +107,22 @@ auto border(const BorderRule& rule)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-a map of the tangents of creases. For both half-edges of a sharp edge, also for
-the one on the border, the map holds the unit tangent of the crease at the source of the half-edge, in
-the direction of the half-edge; elsewhere it holds zero.
+a map of the tangents of creases. The map has zero vectors but for both half-edges of a sharp edge, also for the one
+on the border. It holds the unit tangent of the crease at the source of the half-edge, in the direction of the
+half-edge.
 
 `subdivide()` reads the nonzero tangents and computes missing ones from the points and the
 given normals. Afterwards the map, if it can be written, holds the tangents of the refined creases. A
 call with k rounds is then the same, bit for bit, as k calls with one round if they are given the normals
 by half-edges, too.
 
-At a vertex on a crease (two sharp edges, no corner) both tangents have opposite directions: one that
-is missing is the opposite of the other one, and if two are given that are not opposite, the crease takes
-the direction of their difference. Tangents are taken as they are, whatever the normals beside them: a
-tangent that is not orthogonal to these tilts them. Vectors shorter than 1 are allowed and are not
-normalized, since `subdivide()` leaves such ones where the control data hardly define a tangent; where
-they do not define any, or one shorter than 10<sup>-6</sup>, it leaves zero, and the next call makes it anew. With `Border::fixed` the
-tangents of the border are zero. A linear scheme neither reads nor writes tangents.
+At a vertex on a crease (two sharp edges, no corner) both tangents have opposite directions. A missing one is the
+opposite of the other one. If two are given that are not opposite, the crease takes the direction of their difference.
+Tangents are taken as they are, whatever the normals beside them: a tangent that is not orthogonal to these tilts
+them. Vectors shorter than 1 are allowed and are not normalized, since `subdivide()` leaves such vectors if the
+control data hardly define a tangent. If they define none, or one shorter than 10<sup>-6</sup>, it leaves zero, and
+the next call makes the tangent anew. With `Border::fixed` the tangents of the border are zero. A linear scheme
+neither reads nor writes tangents.
 
 Tangents that are not finite, longer than 1 by more than rounding, or shorter than 10<sup>-6</sup> but not zero are refused:
 the values of a map that has not been set are of this kind.
@@ -147,8 +148,8 @@ auto number_of_pieces(const Number& n)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-the largest error of a limit point, as a part of the largest side of the bounding box of the points: 10<sup>-9</sup> by
-default for limits, where it is estimated, and 10<sup>-12</sup> for interpolation and prescribed data.
+the largest error of a limit point, as a part of the largest side of the bounding box of the points. The default is
+10<sup>-9</sup> for limits, where it is estimated, and 10<sup>-12</sup> for interpolation and prescribed data.
 \param x a `double` that is not negative
 */
 template <class Real>
@@ -215,10 +216,10 @@ auto limit_error_map(const Map& map)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-whether limit points of surfaces are computed, by default `true`. Without them, surface normals take much less
-time: where there is a surface normal, `Limit_point::point` and `Limit_point::control_normal` may be the first averages of
-the limit mask, `Limit_point::error` is infinite, and neither counts in the report; the normal is on the side of the faces
-of the control mesh. Functions that move a mesh then leave the points where they are.
+whether limit points of surfaces are computed, by default `true`. Without them, surface normals take much less time. A
+vertex with a surface normal may then have the first averages of the limit mask as `Limit_point::point` and
+`Limit_point::control_normal`. Its `Limit_point::error` is infinite, and neither counts in the report. The normal is
+on the side of the faces of the control mesh. Functions that move a mesh then leave the points where they are.
 \param yes a `bool`
 */
 template <class Yes>
@@ -262,8 +263,8 @@ auto curvatures(const Yes& yes)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-how many rounds the call that made the mesh has done, by default 0: the borders of \f$ \sqrt{3} \f$ depend on
-whether that is even, and modified schemes on whether it is before their first round; others do not.
+how many rounds the call that made the mesh has done, by default 0. The borders of \f$ \sqrt{3} \f$ depend on whether
+that is even, and modified schemes on whether it is before their first round; others do not.
 \param n an `unsigned`
 */
 template <class Number>
@@ -525,7 +526,7 @@ auto shared(const NamedParameters& np)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-returns one pack of the parameters of several, this package's and \cgal's in any order. Of a parameter that two have, that of
+returns one pack of the parameters of several, this package's and \cgal's in any order. If two packs have a parameter,
 the first one counts.
 \code{.cpp}
 const auto np = parameters::join(CGAL::parameters::number_of_iterations(3), parameters::roundness(0.5));

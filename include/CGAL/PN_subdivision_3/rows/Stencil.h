@@ -109,9 +109,10 @@ void add_along_border(const Level_connectivity& level, Level_connectivity::Index
 /*!
 \ingroup PkgPNSubdivision3Schemes
 
-What has to be regular around a vertex for a scheme to do there, from now on, the same in every round: to map the
-ring of the vertex to that of its successor by one matrix. A scheme has a static constant `limit_neighborhood` of this
-type; without it, these are the defaults, which serve all schemes with masks no larger than those of the package.
+The region around a vertex that has to be regular, so that a scheme does the same there in every round from now on: it
+maps the ring of the vertex to that of its successor by one matrix. A scheme has a static constant
+`limit_neighborhood` of this type; without it, these are the defaults, which serve all schemes with masks no larger
+than those of the package.
 */
 struct Limit_neighborhood
 {

@@ -24,9 +24,9 @@ returns cos(2&pi;k/n).
 
 The rational values (those of the multiples of 60 and 90 degrees) are exact. The others are rounded: to the nearest
 `float` or `double`, on every processor the same, since no mathematical library is asked; up to an ulp in
-`long double`; to the default precision of `Gmpfr`; by the number type's own `cos()` and `acos()` where argument-dependent lookup finds
-them; and to `double` in all other number types, in particular in exact ones. Intervals contain the cosine. A mask emits
-rows that sum to 1 whatever the rounding, see `Stencil::add_rest()`.
+`long double`; to the default precision of `Gmpfr`. Other number types round by their own `cos()` and `acos()` if
+argument-dependent lookup finds these, and else to `double`, as exact types do. Intervals contain the cosine. A mask
+emits rows that sum to 1 whatever the rounding, see `Stencil::add_rest()`.
 
 \pre `n > 0`
 */

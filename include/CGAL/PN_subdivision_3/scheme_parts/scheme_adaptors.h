@@ -21,8 +21,8 @@ namespace PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
-What the adaptors of schemes have in common: they are the scheme, but for what each of them says
-itself. Adaptors can be nested in any order; of two of a kind the outer one counts.
+The common base of the adaptors of schemes: an adaptor is the scheme, but for the members that it has itself. Adaptors
+can be nested in any order; of two of a kind the outer one counts.
 */
 template <class Scheme>
 struct Scheme_adaptor

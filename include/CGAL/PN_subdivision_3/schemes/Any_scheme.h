@@ -25,7 +25,7 @@ namespace PN_subdivision_3 {
 
 A scheme that is chosen at run time: any model of `PNSubdivisionScheme_3` on a host of this package. It is taken by
 all functions and classes that take a scheme, which give the same bits as with the scheme itself; so are its
-adaptors, `linear(any)` and `with_normal_scheme(any, other)`. What is compiled is compiled once for all schemes.
+adaptors, `linear(any)` and `with_normal_scheme(any, other)`. Functions are compiled once for all schemes.
 
 A row of weights costs one virtual call more, which is not measurable next to the average.
 

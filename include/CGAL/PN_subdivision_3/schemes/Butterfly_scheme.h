@@ -32,10 +32,10 @@ than 6.
 
 <ul>
 <li> border edge: (-1, 9, 9, -1)/16 along the border.
-<li> no irregular end: 1/2 for the ends, 1/8 for the two wings, -1/16 for the four vertices opposite
-the wing edges; beyond a wing edge on the border, its reflection s + t - o of the vertex o inside.
-<li> one irregular end of valence n: 3/4 for it and s<sub>j</sub> for its neighbors, counted from
-the other end: n = 3: 5/12, -1/12, -1/12; n = 4: 3/8, 0, -1/8, 0; n &ge; 5: (1/4 + cos(2&pi;j/n) +
+<li> no irregular end: 1/2 for the ends, 1/8 for the two wings, -1/16 for the four vertices opposite the wing edges.
+Beyond a wing edge (s, t) on the border this is the reflection s + t - o of the vertex o inside.
+<li> one irregular end of valence n: 3/4 for it and s<sub>j</sub> for its neighbors, counted from the other end.
+Valence 3 has 5/12, -1/12, -1/12, valence 4 has 3/8, 0, -1/8, 0, n &ge; 5 has (1/4 + cos(2&pi;j/n) +
 cos(4&pi;j/n)/2)/n. <li> two irregular ends: the mean of the two.
 </ul>
 

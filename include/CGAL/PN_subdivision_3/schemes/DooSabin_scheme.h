@@ -25,9 +25,8 @@ namespace PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3Schemes
 
-The original weights of Doo-Sabin subdivision, as in `CGAL::Subdivision_method_3::DooSabin_mask_3`:
-the corner of an n-gon has the weight (n + 5)/(4n) for itself and (3 + 2cos(2&pi;k/n))/(4n) for the
-vertex k steps along the face.
+The original weights of Doo-Sabin subdivision, as in `CGAL::Subdivision_method_3::DooSabin_mask_3`. The corner of an
+n-gon has the weight (n + 5)/(4n) for itself and (3 + 2cos(2&pi;k/n))/(4n) for the vertex k steps along the face.
 
 \tparam FT a field; the cosines are those of `cosine_weight()`
 \cgalModels{PNSubdivisionMask_3}

@@ -23,9 +23,9 @@ namespace PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3Schemes
 
-The weights of `CatmullClark_mask` for quads, with the grid around a new vertex where there is one: its rows then hold
-the vertices of up to 5 rows and columns in the order that `Grid_average` reads, those that only tell curve normals
-with the weight 0.
+The weights of `CatmullClark_mask` for quads, with the grid around a new vertex if there is one. Its rows then hold
+the vertices of up to 5 rows and columns in the order that `Grid_average` reads. Vertices that only tell curve normals
+have the weight 0.
 
 An interior vertex is irregular if its valence is not 4, a border vertex if it is neither 3 nor 2. The row of an irregular
 vertex, of an edge with an irregular end and of a face with an irregular corner is that of `CatmullClark_mask`. Grid lines end at
@@ -186,10 +186,10 @@ private:
 /*!
 \ingroup PkgPNSubdivision3Schemes
 
-Point-normal Catmull-Clark subdivision of quad meshes as a tensor product of curves: on regular parts the rule is
-`Grid_average`, which keeps tori given by grids of their parallels and meridians, and the parallels of
-all surfaces of revolution, exactly. In both directions of the grid a vertex has a normal of its own, that of the grid line. Point-normal
-subdivision with one normal a vertex keeps spheres and cylinders only.
+Point-normal Catmull-Clark subdivision of quad meshes as a tensor product of curves. On regular parts the rule is
+`Grid_average`, which keeps tori given by grids of their parallels and meridians, and the parallels of all surfaces of
+revolution, exactly. In both directions of the grid a vertex has a normal of its own, that of the grid line.
+Point-normal subdivision with one normal a vertex keeps spheres and cylinders only.
 
 At irregular vertices, and at edges and faces beside them, the rule is that of `CatmullClark_scheme`. Near them, and on rough
 data, the surface is less smooth than by that scheme (\ref PNSubdivision_grid_lines).

@@ -270,15 +270,16 @@ private:
 The rule of `CatmullClark_scheme::Grid` for the rows of its mask that hold a grid; all others are averaged by
 `PN_average`.
 
-A grid line is a curve, and has a *curve normal* at each of its points: that of the circle through the point and its
-neighbors in the line, perpendicular to the tangent of this circle less its part along the control normal. The rule takes
-the rows of the grid first: each gives one point, by `PN_average` of its points with their curve normals and the
-weights of the cubic B-spline, and a control normal, the mean of those of the row, each turned by the smallest rotation
-that takes its curve normal to the new one. Then it does the same with the line of these points. The result is the mean of
-this and of what the columns first and then the rows give, so that it does not matter which are which.
+A grid line is a curve, and has a *curve normal* at each of its points. It is that of the circle through the point and
+its neighbors in the line, perpendicular to the tangent of this circle less its part along the control normal. The
+rule takes the rows of the grid first. Each gives one point, by `PN_average` of its points with their curve normals
+and the weights of the cubic B-spline. It also gives a control normal, the mean of those of the row, each turned by
+the smallest rotation that takes its curve normal to the new one. Then it does the same with the line of these points.
+The result is the mean of this and of what the columns first and then the rows give, so that it does not matter which
+are which.
 
- - Where the lines of a grid lie on circles, each row and the line of the new points do, too, and the new point is on
-   the circle: grids of parallels and meridians of a torus keep the torus, those of a surface of revolution round
+ - If the lines of a grid lie on circles, each row and the line of the new points do, too, and the new point is on the
+   circle. Grids of parallels and meridians of a torus keep the torus, those of a surface of revolution round
    parallels, if neighbors are less than half a turn apart.
  - In exact number types curve normals, and the new control normals, are rounded to `double`.
  - Across inflections, and along lines that are straight, circles tell nothing. There, continuously, from a quarter down to

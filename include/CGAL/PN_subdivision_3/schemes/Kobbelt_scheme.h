@@ -32,18 +32,16 @@ The weights of Kobbelt's interpolatory scheme for quadrilaterals (Eurographics 1
 &alpha; = -w, &beta; = 1/2 + w. Old vertices are kept.
 
 <ul>
-<li> edge (a, b): &alpha; X(b, a) + &beta; a + &beta; b + &alpha; X(a, b), with the continuation
-X(u, v) of the line from u beyond v: along a border edge the next border vertex, at a corner 2v - u;
-from inside to a border vertex 2v - u; at an interior vertex of valence 4 the opposite neighbor; at
-other interior vertices Kobbelt's virtual point, for the neighbors l<sub>j</sub> of v and the
-vertices p<sub>j</sub> opposite v between l<sub>j</sub> and l<sub>j+1</sub>, u = l<sub>i</sub>,
-     &gamma; = -&alpha;/&beta;:
+<li> edge (a, b): &alpha; X(b, a) + &beta; a + &beta; b + &alpha; X(a, b), with the continuation X(u, v) of the line
+     from u beyond v. Along a border edge it is the next border vertex, at a corner 2v - u, from inside to a border
+     vertex 2v - u, at an interior vertex of valence 4 the opposite neighbor. At other interior vertices it is
+     Kobbelt's virtual point. With the neighbors l<sub>j</sub> of v, the vertices p<sub>j</sub> opposite v between
+     l<sub>j</sub> and l<sub>j+1</sub>, u = l<sub>i</sub> and &gamma; = -&alpha;/&beta; this is
      4/n &sum; l<sub>j</sub> - (l<sub>i-1</sub> + l<sub>i</sub> + l<sub>i+1</sub>) +
-     &gamma; (p<sub>i-2</sub> + p<sub>i-1</sub> + p<sub>i</sub> + p<sub>i+1</sub>) - 4&gamma;/n
-&sum; p<sub>j</sub>. <li> face: the four-point rule &alpha;, &beta;, &beta;, &alpha; over the points
-of four edges in a row, two of the face and those opposite to them in the next faces (beyond a
-border edge reflected). Of the two directions the one whose edges meet fewer extraordinary vertices
-is taken, at equal count the mean.
+     &gamma; (p<sub>i-2</sub> + p<sub>i-1</sub> + p<sub>i</sub> + p<sub>i+1</sub>) - 4&gamma;/n &sum; p<sub>j</sub>.
+<li> face: the four-point rule &alpha;, &beta;, &beta;, &alpha; over the points of four edges in a row, two of
+     the face and those opposite to them in the next faces (beyond a border edge reflected). The direction whose edges meet fewer extraordinary vertices is
+     taken, at equal count the mean of both.
 </ul>
 
 The virtual point makes both directions agree on the faces of an isolated extraordinary vertex.

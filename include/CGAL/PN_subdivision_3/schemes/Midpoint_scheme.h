@@ -65,7 +65,7 @@ the point-normal one bends edges into arcs between the vertices, which stay: cir
 those of a circle. Accepts triangles only.
 
 Along its arcs the surface has no tangent planes, so that there are limit points, the vertices, but no surface normals:
-`limit_points()` has the control normals in their place. What is sharp is refused.
+`limit_points()` has the control normals in their place. Sharp edges and vertices are refused.
 \cgalModels{PNSubdivisionScheme_3}
 */
 struct Midpoint_scheme

@@ -27,9 +27,9 @@ The weights of \f$ \sqrt{3} \f$ subdivision (Kobbelt 2000), as in
 <li> face: its centroid.
 <li> interior vertex of valence n: 1 - &alpha; for the vertex and &alpha;/n for each neighbor,
      &alpha; = (4 - 2cos(2&pi;/n))/9.
-<li> border, even rounds: vertex (4, 19, 4)/27 along the border; new vertices on the edge (s, t)
-with the border neighbors r before s and u after t: (1, 16, 10)/27 on r, s, t and (10, 16, 1)/27 on
-s, t, u. <li> border, odd rounds, and vertex without edges: the vertex itself.
+<li> border, even rounds: vertex (4, 19, 4)/27 along the border. New vertices on the edge (s, t) with the border
+neighbors r before s and u after t: (1, 16, 10)/27 on r, s, t and (10, 16, 1)/27 on s, t, u. <li> border, odd rounds,
+and vertex without edges: the vertex itself.
 </ul>
 
 \tparam FT a field; the cosine is that of `cosine_weight()`

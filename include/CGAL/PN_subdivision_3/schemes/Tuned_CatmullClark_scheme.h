@@ -122,9 +122,9 @@ Matrix_3x3<Number> tuned_CatmullClark_mean(std::size_t valence, const Number& ro
 /*!
 \ingroup PkgPNSubdivision3Schemes
 
-The weights of Catmull-Clark subdivision, modified at extraordinary vertices after Prautzsch (1998):
-the matrix that maps the 1-ring of such a vertex (the vertices of its faces) to the next one keeps
-its eigenvectors and gets other eigenvalues.
+The weights of Catmull-Clark subdivision, modified at extraordinary vertices after Prautzsch (1998). The matrix that
+maps the 1-ring of such a vertex (the vertices of its faces) to the next one keeps its eigenvectors and gets other
+eigenvalues.
 
 An interior vertex of valence n other than 4 is *extraordinary*; it is *separated* if its faces are
 quadrilaterals and none has another vertex that is extraordinary. This is decided anew in every
@@ -133,13 +133,12 @@ separated after one round, or two. A separated vertex v, unless its valence is 2
 the faces at v have the rules below; all else is as in `CatmullClark_mask`.
 
 Let e<sub>d</sub> be the neighbors around v, f<sub>d</sub> the vertex opposite v in the face between
-e<sub>d</sub> and e<sub>d+1</sub>, c<sub>k</sub> = cos(2&pi;k/n). On the components of frequency
-k = 1, ..., n-1 of (e, f) the scheme acts by
-A<sub>k</sub> = [3/8 + c<sub>k</sub>/8, c<sub>k/2</sub>/8; c<sub>k/2</sub>/2, 1/4] with the
-eigenvalues (5 + c<sub>k</sub> &plusmn; ((c<sub>k</sub>+1)(c<sub>k</sub>+9))<sup>1/2</sup>)/16, of
-which &lambda; is the greater one for k = 1; on (v, mean of e, mean of f) by
-A<sub>0</sub> = [1 - 7/(4n), 3/(2n), 1/(4n); 3/8, 1/2, 1/8; 1/4, 1/2, 1/4] with the eigenvalues 1
-and (3n - 7 &plusmn; (5n<sup>2</sup> - 30n + 49)<sup>1/2</sup>)/(8n). Then
+e<sub>d</sub> and e<sub>d+1</sub>, c<sub>k</sub> = cos(2&pi;k/n). On the components of frequency k = 1, ..., n-1 of
+(e, f) the scheme acts by A<sub>k</sub> = [3/8 + c<sub>k</sub>/8, c<sub>k/2</sub>/8; c<sub>k/2</sub>/2, 1/4]. Its
+eigenvalues are (5 + c<sub>k</sub> &plusmn; ((c<sub>k</sub>+1)(c<sub>k</sub>+9))<sup>1/2</sup>)/16, of which &lambda;
+is the greater one for k = 1. On (v, mean of e, mean of f) it acts by A<sub>0</sub> = [1 - 7/(4n), 3/(2n), 1/(4n);
+3/8, 1/2, 1/8; 1/4, 1/2, 1/4] with the eigenvalues 1 and (3n - 7 &plusmn; (5n<sup>2</sup> - 30n +
+49)<sup>1/2</sup>)/(8n). Then
 <ul>
 <li> &lambda;, of frequencies 1 and n-1, becomes &lambda;', which is 1/2 if n = 3, and &lambda;
 otherwise; 1 remains,
@@ -158,9 +157,10 @@ e<sub>d</sub> and f<sub>d</sub>.
 (A<sub>0</sub>'[2][2] + &sum; A<sub>k</sub>'[1][1] c<sub>kd</sub>)/n for f<sub>d</sub>.
 </ul>
 
-\tparam FT a field. The weights of frequency 0, thus of the vertex, are rational for n = 3; others
-  are computed to the precision of `Gmpfr` and of number types with their own `cos()`, `acos()` and `sqrt()`,
-  enclosed in intervals, otherwise with about 104 bits, and rounded to `double` in exact number types. All rows sum to 1.
+\tparam FT a field. The weights of frequency 0, thus of the vertex, are rational for n = 3. Others are computed to the
+  precision of `Gmpfr` and of number types with their own `cos()`, `acos()` and `sqrt()`, and enclosed in intervals.
+  For other types they are computed with about 104 bits, and rounded to `double` for exact number types. All rows sum
+  to 1.
 <br><b>Cost:</b> of construction: linear in the size of the level, and n<sup>2</sup> for every valence n of a
   separated vertex
 \cgalModels{PNSubdivisionMask_3}

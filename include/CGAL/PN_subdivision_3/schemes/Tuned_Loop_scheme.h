@@ -50,9 +50,9 @@ With &alpha; = 5/8 - &lambda;<sup>2</sup> and &kappa; = (1 - (&lambda;<sup>2</su
 e<sub>d</sub> around v (1 - 3&kappa;/8 + &sum; &mu;<sub>k</sub>' cos(2&pi;kd/n))/n.
 </ul>
 
-\tparam FT a field. The weights of valences 3 and 4 are rational; those of other valences are
-  computed to the precision of `Gmpfr` and of number types with their own `cos()` and `acos()`, enclosed in
-  intervals, otherwise with about 104 bits, and rounded to `double` in exact number types. All rows sum to 1.
+\tparam FT a field. The weights of valences 3 and 4 are rational. Those of other valences are computed to the
+  precision of `Gmpfr` and of number types with their own `cos()` and `acos()`, and enclosed in intervals. For other
+  types they are computed with about 104 bits, and rounded to `double` for exact number types. All rows sum to 1.
 <br><b>Cost:</b> of construction: linear in the size of the level. The n edges of a separated vertex of valence n have
   rows of n entries.
 \cgalModels{PNSubdivisionMask_3}
