@@ -50,7 +50,7 @@ set(pn_manual_pages Python3::Interpreter -B ${PROJECT_SOURCE_DIR}/scripts/manual
 if(PN_SUBDIVISION_3_TESTS AND DOXYGEN_VERSION VERSION_GREATER_EQUAL 1.9.2
    AND DOXYGEN_VERSION VERSION_LESS 1.10)
   add_test(NAME manual_begins_anew COMMAND ${CMAKE_COMMAND} -E rm -rf ${pn_checked}/html)
-  add_test(NAME manual_bibliography COMMAND ${pn_manual_pages} prepare ${PROJECT_BINARY_DIR}/doc/made ${PROJECT_BINARY_DIR})
+  add_test(NAME manual_bibliography COMMAND ${pn_manual_pages} prepare ${PROJECT_BINARY_DIR}/doc/made)
   add_test(NAME manual_without_warnings
            COMMAND ${DOXYGEN_EXECUTABLE} ${PROJECT_BINARY_DIR}/manual_checked.dxy)
   add_test(NAME manual_references COMMAND ${pn_manual_pages} finish ${pn_checked}/html)
@@ -62,7 +62,7 @@ endif()
 add_custom_target(
   doc
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${PROJECT_BINARY_DIR}/doc/html
-  COMMAND ${pn_manual_pages} prepare ${PROJECT_BINARY_DIR}/doc/made ${PROJECT_BINARY_DIR}
+  COMMAND ${pn_manual_pages} prepare ${PROJECT_BINARY_DIR}/doc/made
   COMMAND ${DOXYGEN_EXECUTABLE} ${PROJECT_BINARY_DIR}/manual.dxy
   COMMAND ${pn_manual_pages} finish ${PROJECT_BINARY_DIR}/doc/html
   VERBATIM)

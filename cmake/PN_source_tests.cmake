@@ -32,6 +32,10 @@ if(Python3_FOUND)
                    ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/headers/test_layers.py)
   add_test(NAME short_tests_catch_nearly_all
            COMMAND Python3::Interpreter -B ${pn_scripts}/mutate.py --tiers)
+  if(PN_TEST_JOINED AND NOT PN_TEST_FULL)
+    add_test(NAME table_has_all_tests
+             COMMAND Python3::Interpreter -B ${pn_scripts}/test_table.py --check ${PN_subdivision_3_BINARY_DIR})
+  endif()
 
   # skipped, with the reason, where VTK is not installed
   add_test(NAME render_draws

@@ -8,10 +8,9 @@
 # Author(s): PN_subdivision_3 developers
 """What CGAL's documentation build does around Doxygen, for the manual that is built outside of CGAL.
 
-  manual_pages.py prepare OUT BUILD
-                                 writes the pages that are made of other files: the bibliography (PN_subdivision_3.bib), which
+  manual_pages.py prepare OUT    writes the pages that are made of other files: the bibliography (PN_subdivision_3.bib), which
                                  function reads which named parameters of this package (its check_are_read<...>()), wrong
-                                 changes (mutate.py), what has moved since 0.1 (moves.py), tests of a build folder (test_table.py)
+                                 changes (mutate.py), and what has moved since 0.1 (moves.py)
   manual_pages.py finish HTML    numbers figures and citations in Doxygen's pages, and turns formulas
                                  into MathML, which browsers show without a script and a network
 
@@ -30,7 +29,6 @@ from pathlib import Path
 
 import moves
 import mutate
-import test_table
 
 ROOT = Path(__file__).resolve().parent.parent
 DOC = ROOT / "doc" / "PN_subdivision_3"
@@ -131,22 +129,12 @@ def parameter_page() -> str:
                       "| function | parameters of this package |", "|---|---|", *map(row, sorted(found, key=str.lower)), "*/", "}", ""])
 
 
-def tests_page(build: Path) -> str:
-    listed = test_table.table(build)
-    if listed.count("\n") == 1:
-        listed = "This page was built in a folder without tests."
-    return "\n".join(["/*!", "\\page PN_subdivision_3_tests All Tests", "",
-                      "Each is an entry of `ctest`. `scripts/test.sh` runs the short ones, `--full` all. Seconds are those of one core in the folder "
-                      "that built this page, if they are known.", "", listed, "*/", ""])
-
-
-def prepare(out: Path, build: Path) -> None:
+def prepare(out: Path) -> None:
     out.mkdir(parents=True, exist_ok=True)
     (out / "bibliography.txt").write_text(bibliography())
     (out / "parameters.txt").write_text(parameter_page())
     (out / "moving.txt").write_text(moves.page())
     mutate.write_table(out / "mutations.txt")
-    (out / "tests.txt").write_text(tests_page(build))
 
 
 # --- the pages ---
@@ -301,10 +289,9 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("step", choices=("prepare", "finish"))
     parser.add_argument("folder", type=Path)
-    parser.add_argument("build", nargs="?", type=Path, default=ROOT / "build" / "tests")
     arguments = parser.parse_args()
     if arguments.step == "prepare":
-        prepare(arguments.folder, arguments.build)
+        prepare(arguments.folder)
         return 0
     wrong = finish(arguments.folder)
     for line in wrong:

@@ -6,10 +6,13 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""Prints a table of all tests of a build folder: each entry of ctest, its tier, and the seconds that it took there to compile (all
-sources of its own, on one core) and to run. The manual has it as a page, of the folder that builds it.
+"""The table of tests at the end of doc/PN_subdivision_3/Building.md: each entry of ctest, its tier, and the seconds that it took
+in a build folder of scripts/test.sh to compile (all sources of its own, on one core) and to run.
 
-    scripts/test_table.py [BUILD_FOLDER]     default: build/tests
+    scripts/test_table.py [--check] [BUILD_FOLDER]     default: build/tests
+
+Writes the table; a number that the folder does not have stays as it was. With --check nothing is written: the exit code is 1 if
+names or tiers are not those of the folder.
 """
 
 import argparse
@@ -20,10 +23,13 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+PAGE = ROOT / "doc" / "PN_subdivision_3" / "Building.md"
+HEADING = "## All tests\n"
+NO_NUMBER = ""
 
 
 def tiers(build: Path) -> dict[str, str]:
-    shown = subprocess.run(["ctest", "--show-only=json-v1"], cwd=build, capture_output=True, text=True, check=True)
+    shown = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], capture_output=True, text=True, check=True)
     result = {}
     for test in json.loads(shown.stdout)["tests"]:
         labels = next((p["value"] for p in test["properties"] if p["name"] == "LABELS"), [])
@@ -59,22 +65,42 @@ def sources(build: Path, name: str) -> str:
     return ", ".join(names)
 
 
+def old_rows() -> dict[str, list[str]]:
+    table = PAGE.read_text().partition(HEADING)[2]
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in table.splitlines() if line.startswith("| `")]
+    return {row[0].strip("`"): row for row in rows}
+
+
 def table(build: Path) -> str:
-    compiled, run = compile_seconds(build), run_seconds(build)
+    compiled, run, old = compile_seconds(build), run_seconds(build), old_rows()
+    rows = []
+    for name, tier in sorted(tiers(build).items(), key=lambda item: (item[1] == "long", item[0])):
+        before = old.get(name, [NO_NUMBER] * 5)
 
-    def number(seconds: float | None) -> str:
-        return "" if seconds is None else f"{seconds:.0f}"
+        def number(seconds, column, before=before):
+            return before[column] if seconds is None else f"{seconds:.0f}"
 
-    rows = [f"| `{name}` | {tier} | {number(compiled.get(name.removeprefix('example_')))} | {number(run.get(name))} | {sources(build, name)} |"
-            for name, tier in sorted(tiers(build).items(), key=lambda item: (item[1] == "long", item[0]))]
-    return "\n".join(["| test | tier | s to compile | s to run | joined of |", "|---|---|---:|---:|---|", *rows])
+        rows.append(f"| `{name}` | {tier} | {number(compiled.get(name.removeprefix('example_')), 2)} |"
+                    f" {number(run.get(name), 3)} | {sources(build, name)} |")
+    return "\n".join(["| test | tier | s to compile | s to run | joined of |", "|---|---|---:|---:|---|", *rows]) + "\n"
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", nargs="?", type=Path, default=ROOT / "build" / "tests")
-    print(table(parser.parse_args().build))
-    return 0
+    parser.add_argument("--check", action="store_true")
+    options = parser.parse_args()
+    if not options.check:
+        text, heading, rest = PAGE.read_text().partition(HEADING)
+        introduction = rest.partition("\n| test")[0]
+        PAGE.write_text(text + heading + introduction + "\n" + table(options.build))
+        return 0
+    expected = tiers(options.build)
+    written = {name: row[1] for name, row in old_rows().items()}
+    wrong = [f"{name}: {expected.get(name, 'no such test')}, the table has {written.get(name, 'no row')}"
+             for name in sorted(expected.keys() | written.keys()) if expected.get(name) != written.get(name)]
+    print("\n".join(wrong), file=sys.stderr)
+    return 1 if wrong else 0
 
 
 if __name__ == "__main__":
