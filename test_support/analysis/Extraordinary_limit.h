@@ -12,7 +12,7 @@
 #include "analysis/Extraordinary_net.h"
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/average/Local_frame.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Ring_functionals.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>

@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 
 namespace CGAL {
@@ -78,19 +79,19 @@ struct Has_roundness_of_its_own<Point_normal_roundness<FT, dimension>> : std::tr
 template <class Value>
 constexpr bool has_roundness_v = Has_roundness_of_its_own<Value>::value;
 
-template <class FT, int dimension>
-FT dot(const Coordinates<FT, dimension>& a, const Coordinates<FT, dimension>& b)
+template <class FT, std::size_t dimension>
+FT dot(const std::array<FT, dimension>& a, const std::array<FT, dimension>& b)
 {
   FT sum = a[0] * b[0];
-  for (int c = 1; c < dimension; ++c) sum += a[c] * b[c];
+  for (std::size_t c = 1; c < dimension; ++c) sum += a[c] * b[c];
   return sum;
 }
 
-template <class FT, int dimension>
-void add_multiple(Coordinates<FT, dimension>& sum, const FT& factor,
-                  const Coordinates<FT, dimension>& v)
+template <class FT, std::size_t dimension>
+void add_multiple(std::array<FT, dimension>& sum, const FT& factor,
+                  const std::array<FT, dimension>& v)
 {
-  for (int c = 0; c < dimension; ++c) sum[c] += factor * v[c];
+  for (std::size_t c = 0; c < dimension; ++c) sum[c] += factor * v[c];
 }
 
 // The fraction h_j = numerator / denominator: the height over q, along the line with unit direction

@@ -10,7 +10,7 @@
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_CURVATURE_REGULAR_JET_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/average/Local_frame.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
 

@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_limit_surface_3/internal/curvature/Regular_jet.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/average/Local_frame.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>

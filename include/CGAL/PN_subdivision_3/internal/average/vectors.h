@@ -18,7 +18,9 @@
 #include <CGAL/utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <type_traits>
 
@@ -56,39 +58,39 @@ const auto& point_of(const Value& value)
   return value.point;
 }
 
-template <class FT, int dimension>
-inline Coordinates<FT, dimension> difference(Coordinates<FT, dimension> a,
-                                             const Coordinates<FT, dimension>& b)
+template <class FT, std::size_t dimension>
+inline std::array<FT, dimension> difference(std::array<FT, dimension> a,
+                                            const std::array<FT, dimension>& b)
 {
-  for (int c = 0; c < dimension; ++c) a[c] -= b[c];
+  for (std::size_t c = 0; c < dimension; ++c) a[c] -= b[c];
   return a;
 }
 
 // of intervals: whether they are the same number
-template <class FT, int dimension>
-bool are_certainly_equal(const Coordinates<FT, dimension>& a, const Coordinates<FT, dimension>& b)
+template <class FT, std::size_t dimension>
+bool are_certainly_equal(const std::array<FT, dimension>& a, const std::array<FT, dimension>& b)
 {
-  for (int c = 0; c < dimension; ++c)
+  for (std::size_t c = 0; c < dimension; ++c)
     if (!CGAL::certainly(a[c] == b[c])) return false;
   return true;
 }
 
-template <class FT, int dimension>
-Coordinates<FT, dimension> opposite_vector(Coordinates<FT, dimension> a)
+template <class FT, std::size_t dimension>
+std::array<FT, dimension> opposite_vector(std::array<FT, dimension> a)
 {
   for (FT& x : a) x = -x;
   return a;
 }
 
-template <class FT, int dimension>
-void scale(Coordinates<FT, dimension>& v, const FT& factor)
+template <class FT, std::size_t dimension>
+void scale(std::array<FT, dimension>& v, const FT& factor)
 {
   for (FT& x : v) x *= factor;
 }
 
 // \pre squared_length > 0
-template <class FT, int dimension>
-void divide_by_length(Coordinates<FT, dimension>& v, const FT& squared_length)
+template <class FT, std::size_t dimension>
+void divide_by_length(std::array<FT, dimension>& v, const FT& squared_length)
 {
   if constexpr (std::is_floating_point_v<FT>) {
     const FT length = std::sqrt(squared_length);
@@ -107,8 +109,8 @@ FT root_of_square(const FT& square)
 }
 
 // The length; its square neither overflows nor underflows.
-template <class FT, int dimension>
-FT length_of(Coordinates<FT, dimension> v)
+template <class FT, std::size_t dimension>
+FT length_of(std::array<FT, dimension> v)
 {
   if constexpr (is_interval_v<FT>) {
     const int exponent = scale_harmlessly(v);
@@ -123,8 +125,8 @@ FT length_of(Coordinates<FT, dimension> v)
 }
 
 // The unit vector of v, zero if the length of v is at most the tolerance times `scale`.
-template <class FT, int dimension>
-Coordinates<FT, dimension> unit_or_zero(Coordinates<FT, dimension> v, const FT& scale)
+template <class FT, std::size_t dimension>
+std::array<FT, dimension> unit_or_zero(std::array<FT, dimension> v, const FT& scale)
 {
   const FT least = Unit_normal_traits<FT>::vanishing_tolerance() * scale;
   const FT squared_length = dot<FT, dimension>(v, v);
@@ -134,8 +136,8 @@ Coordinates<FT, dimension> unit_or_zero(Coordinates<FT, dimension> v, const FT& 
 }
 
 // whether v, which is a unit vector or zero, is zero
-template <class FT, int dimension>
-bool is_zero_not_unit(const Coordinates<FT, dimension>& v)
+template <class FT, std::size_t dimension>
+bool is_zero_not_unit(const std::array<FT, dimension>& v)
 {
   return PN_average<FT, dimension>::is_zero(v);
 }
@@ -214,16 +216,88 @@ inline Coordinates<double, 3> multiple(double factor, const Coordinates<double, 
 }
 
 // Tangents of creases are no shorter than 1e-6, or zero: shorter ones in a map are values that nobody has set.
-template <class FT, int dimension>
-bool is_shorter_than_tangents(const Coordinates<FT, dimension>& t)
+template <class FT, std::size_t dimension>
+bool is_shorter_than_tangents(const std::array<FT, dimension>& t)
 {
   const FT length = FT(1) / FT(1000000);
   return CGAL::certainly(dot<FT, dimension>(t, t) < length * length);
 }
-template <class FT, int dimension>
-void drop_short_tangent(Coordinates<FT, dimension>& t)
+template <class FT, std::size_t dimension>
+void drop_short_tangent(std::array<FT, dimension>& t)
 {
   if (is_shorter_than_tangents<FT, dimension>(t)) t.fill(FT(0));
+}
+
+template <class FT>
+using Pair = std::array<FT, 2>;
+
+// divides a vector by its length; zero stays zero
+template <class FT>
+void normalize(Coordinates<FT, 3>& v)
+{
+  const FT length = square_root_of<FT>(dot<FT, 3>(v, v));
+  if (length > FT(0))
+    for (FT& x : v) x /= length;
+}
+
+// A point with a unit normal and two unit vectors perpendicular to it, right-handed. In the frame a
+// point is (u, z), and a normal (-g, 1) but for its length.
+template <class FT>
+class Local_frame
+{
+public:
+  using Vector = Coordinates<FT, 3>;
+
+  Local_frame(const Vector& origin, const Vector& normal)
+    : origin_(origin)
+    , normal_(normal)
+  {
+    const auto smaller = [](const FT& a, const FT& b) {
+      return absolute_value(a) < absolute_value(b);
+    };
+    const auto smallest = std::min_element(normal.begin(), normal.end(), smaller);
+    Vector axis{};
+    axis[static_cast<std::size_t>(smallest - normal.begin())] = FT(1);
+    e1_ = cross<FT>(axis, normal);
+    normalize(e1_);
+    e2_ = cross<FT>(normal, e1_);
+  }
+
+  const Vector& origin() const { return origin_; }
+  const Vector& normal() const { return normal_; }
+  const Vector& e1() const { return e1_; }
+  const Vector& e2() const { return e2_; }
+
+  Pair<FT> u(const Vector& p) const
+  {
+    const Vector d = difference(p, origin_);
+    return {dot(d, e1_), dot(d, e2_)};
+  }
+  FT z(const Vector& p) const { return dot(difference(p, origin_), normal_); }
+
+  // The slope of the plane perpendicular to n, bounded for normals that are not on the side of the
+  // frame's; zero for no normal.
+  Pair<FT> slope(const Vector& n) const
+  {
+    const FT c = -1 / (std::max)(dot(n, normal_), FT(1) / FT(1024));
+    return {c * dot(n, e1_), c * dot(n, e2_)};
+  }
+
+private:
+  Vector origin_, normal_, e1_, e2_;
+};
+
+// the x with m x = b; NaN if m is singular but for rounding
+template <class FT>
+Pair<FT> solve(const std::array<Pair<FT>, 2>& m, const Pair<FT>& b)
+{
+  const FT det = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+  const FT size = m[0][0] * m[0][0] + m[0][1] * m[0][1] + m[1][0] * m[1][0] + m[1][1] * m[1][1];
+  if (!(absolute_value(det) > 64 * machine_epsilon<FT>() * size)) {
+    const FT nan(std::numeric_limits<double>::quiet_NaN());
+    return {nan, nan};
+  }
+  return {(b[0] * m[1][1] - b[1] * m[0][1]) / det, (m[0][0] * b[1] - m[1][0] * b[0]) / det};
 }
 
 } // namespace internal

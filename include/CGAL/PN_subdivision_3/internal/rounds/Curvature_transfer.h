@@ -10,7 +10,6 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_CURVATURE_TRANSFER_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/average/Local_frame.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>

@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_RING_FUNCTIONALS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_RING_FUNCTIONALS_H
 
-#include <CGAL/PN_subdivision_3/internal/average/Local_frame.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
