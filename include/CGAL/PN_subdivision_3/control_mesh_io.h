@@ -140,8 +140,7 @@ written_normals(const Access& access, const Level_connectivity& level, const Nor
     for (int i = 0; i < 3; ++i) all[v][i] += CGAL::to_double(n[i]);
     all[v][3] = (std::min)(all[v][3], w);
   };
-  if constexpr (std::is_same_v<typename Key_of_map<Normal_map>::type,
-                               typename Access::vertex_descriptor>) {
+  if constexpr (std::is_same_v<Key_of_map<Normal_map>, typename Access::vertex_descriptor>) {
     for (Index v = 0; v < all.size(); ++v) add(v, get(map, access.vertex(v)), 1);
   } else if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
     for (Index h = 0; h < level.number_of_halfedges(); ++h) {
@@ -215,7 +214,7 @@ bool write_by_cgal(const std::string& name, const PolygonMesh& mesh, const Named
           "STL has triangles only: call CGAL::Polygon_mesh_processing::triangulate_faces() first");
   const auto of_points =
     CGAL::parameters::vertex_point_map(Parameters::const_point_map(mesh, np)).stream_precision(17);
-  if constexpr (std::is_same_v<typename Key_of_map<typename Parameters::Normal_map>::type,
+  if constexpr (std::is_same_v<Key_of_map<typename Parameters::Normal_map>,
                                typename boost::graph_traits<PolygonMesh>::vertex_descriptor>)
     if (ending == "off")
       return IO::write_OFF(name, mesh, of_points.vertex_normal_map(Parameters::normal_map(np)));

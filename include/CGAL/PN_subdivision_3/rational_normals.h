@@ -12,7 +12,6 @@
 #include <CGAL/PN_subdivision_3/internal/numbers/rational_unit_vector.h>
 #include <CGAL/Vector_3.h>
 
-#include <array>
 #include <stdexcept>
 
 namespace CGAL {

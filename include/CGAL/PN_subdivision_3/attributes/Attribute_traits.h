@@ -9,10 +9,10 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ATTRIBUTE_TRAITS_H
 #define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ATTRIBUTE_TRAITS_H
 
-#include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
-
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_type_basic.h>
+
+#include <boost/type_traits/is_detected.hpp>
 
 #include <array>
 #include <cmath>
@@ -25,6 +25,32 @@
 
 namespace CGAL {
 namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Attributes
+how the values of corners are refined: by the scheme's linear rows inside the charts, that is where values agree, and
+at seams and borders of charts by one of the six rules that OpenSubdiv has for face-varying data.
+
+Seams and borders are refined as borders of the surface. The rules differ in what stays where it is. Whatever the
+rule, the value of a chart stays at a vertex with a sharp edge inside the chart, at one that is a corner of the surface, and at one
+that several parts of the chart meet at.
+*/
+enum class Corner_rule {
+  /// nothing else stays.
+  none,
+  /// the values of charts that have one face at a vertex.
+  corners_only,
+  /// as `corners_only`, and all values at vertices that three or more charts meet at; of two charts at a vertex,
+  /// both or none are kept for sharp edges inside.
+  corners_plus1,
+  /// as `corners_plus1`, and the values at ends of seams inside a chart, and both values at vertices where one of
+  /// two charts has one face, so also that of the concave corner beside it.
+  corners_plus2,
+  /// all values at seams and borders, which are straight then.
+  boundaries,
+  /// all values: linearly inside every face.
+  all
+};
 
 /*!
 \ingroup PkgPNSubdivision3Attributes
@@ -46,23 +72,15 @@ namespace internal {
 struct Arithmetic_of_values
 {};
 
-template <class T, class FT, class = void>
-struct Has_product : std::false_type
-{};
 template <class T, class FT>
-struct Has_product<T, FT,
-                   std::void_t<decltype(T(std::declval<const T&>() * std::declval<const FT&>()))>>
-  : std::true_type
-{};
+using Product_of = decltype(T(std::declval<const T&>() * std::declval<const FT&>()));
+template <class T, class FT>
+using Has_product = boost::is_detected<Product_of, T, FT>;
 
-template <class T, class = void>
-struct Has_product_with_weight_first : std::false_type
-{};
 template <class T>
-struct Has_product_with_weight_first<
-  T, std::void_t<decltype(T(std::declval<const double&>() * std::declval<const T&>()))>>
-  : std::true_type
-{};
+using Product_with_weight_first = decltype(T(std::declval<double>() * std::declval<const T&>()));
+template <class T>
+using Has_product_with_weight_first = boost::is_detected<Product_with_weight_first, T>;
 
 // w v for a value of the user's, with the weight on whatever side and in whatever precision it is taken
 template <class T, class FT>

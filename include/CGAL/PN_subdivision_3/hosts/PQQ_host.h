@@ -11,7 +11,6 @@
 
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/numberings.h>
-#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 namespace CGAL {
@@ -80,21 +79,12 @@ public:
   /// @{
 
   /// the old vertex, edge or face that a new vertex comes from.
-  Element_parent parent_of_vertex(Index new_vertex) const
-  {
-    return numbering_.parent_of_vertex(new_vertex);
-  }
+  Element_parent parent_of_vertex(Index child) const { return numbering_.parent_of_vertex(child); }
   /// the old edge that a new edge is a half of, or the face that it lies in; that of corner i of the face, counted
   /// from the target of its half-edge on, begins at the edge that leads to the corner.
-  Element_parent parent_of_edge(Index new_edge) const
-  {
-    return numbering_.parent_of_edge(new_edge);
-  }
+  Element_parent parent_of_edge(Index child) const { return numbering_.parent_of_edge(child); }
   /// the old face that a new face is a part of, and its corner.
-  Element_parent parent_of_face(Index new_face) const
-  {
-    return numbering_.parent_of_face(new_face);
-  }
+  Element_parent parent_of_face(Index child) const { return numbering_.parent_of_face(child); }
   /// @}
 
   /// calls the function of the mask that gives the row of a new vertex.
@@ -115,9 +105,8 @@ public:
   void connect(Child& child, const For_chunks& for_chunks) const
   {
     split_.connect(child, for_chunks);
-    for_chunks(level_.number_of_faces(), [&](Index begin, Index end) {
-      for (Index f = begin; f < end; ++f) connect_face(f, child);
-    });
+    internal::for_each_index(for_chunks, level_.number_of_faces(),
+                             [&](Index f) { connect_face(f, child); });
   }
 
 private:

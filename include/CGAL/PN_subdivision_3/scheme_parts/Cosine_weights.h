@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEME_PARTS_COSINE_WEIGHTS_H
 #define CGAL_PN_SUBDIVISION_3_SCHEME_PARTS_COSINE_WEIGHTS_H
 
-#include <CGAL/PN_subdivision_3/internal/numbers/cosine_of_number_type.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/Weight_number.h>
 
 #include <array>
 #include <cstdint>

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

@@ -74,11 +74,8 @@ public:
   void face(Index f, Stencil& s) const
   {
     const Index h = level_.halfedge_of_face(f);
-    Index g = h;
-    do {
+    for (const Index g : internal::halfedges_around_face(level_, h))
       if (is_irregular(level_.target(g))) return plain_.face(f, s);
-      g = level_.next(g);
-    } while (g != h);
     add_grid(h, 4, 4, s);
   }
 

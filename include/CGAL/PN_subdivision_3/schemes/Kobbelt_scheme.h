@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Merged_row.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
@@ -19,7 +19,6 @@
 #include <CGAL/Uncertain.h>
 
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace CGAL {

@@ -102,7 +102,7 @@ struct Loop_scheme
 {
   /// with other eigenvalues at separated extraordinary vertices, in `schemes/Tuned_Loop_scheme.h`.
   class Tuned;
-  /// with transfer of curvature at extraordinary vertices, in `schemes/Transfer_Loop_scheme.h`.
+  /// with transfer of curvature at extraordinary vertices, in `schemes/Transfer_schemes.h`.
   class Transfer;
 
   /// the host of the scheme.

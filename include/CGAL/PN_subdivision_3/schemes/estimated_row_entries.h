@@ -9,8 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_ESTIMATED_ROW_ENTRIES_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_ESTIMATED_ROW_ENTRIES_H
 
+#include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 namespace CGAL {

@@ -10,12 +10,11 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_ARRAY_VALUES_H
 
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
-#include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Level_origins.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/parameters/Control_element.h>
+#include <CGAL/PN_subdivision_3/parameters/Default_visitor.h>
 
 #include <CGAL/number_type_basic.h>
 

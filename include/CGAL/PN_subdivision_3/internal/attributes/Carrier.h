@@ -13,7 +13,6 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Level_origins.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/parameters/Control_element.h>
 #include <CGAL/PN_subdivision_3/parameters/Default_visitor.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -171,11 +170,6 @@ struct Carrier
 
   Visitor& visitor;
   Attributes& attributes;
-};
-
-struct Nothing_carried
-{
-  static constexpr bool is_empty = true;
 };
 
 } // namespace internal

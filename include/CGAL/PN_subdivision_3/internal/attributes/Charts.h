@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CHARTS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CHARTS_H
 
-#include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
+#include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
@@ -69,8 +69,8 @@ public:
   template <class FT>
   bool is_on_seam(const Creases<FT>& creases, const Crease_star& star) const
   {
-    for (Index i = 0; i < star.number_of_ends; ++i)
-      if (is_seam(creases.edge(creases.end(star, i)))) return true;
+    for (const Crease_end& e : creases.ends_of(star))
+      if (is_seam(creases.edge(e))) return true;
     return false;
   }
 

@@ -30,58 +30,6 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// The kinds of elements that a map may have as keys.
-struct Vertex_keys
-{
-  template <class Mesh>
-  using Descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
-  static std::size_t number(const Level_size& size)
-  {
-    return static_cast<std::size_t>(size.vertices);
-  }
-  template <class Access>
-  static auto at(const Access& access, Level_connectivity::Index i)
-  {
-    return access.vertex(i);
-  }
-};
-struct Corner_keys
-{
-  template <class Mesh>
-  using Descriptor = typename boost::graph_traits<Mesh>::halfedge_descriptor;
-  static std::size_t number(const Level_size& size)
-  {
-    return static_cast<std::size_t>(size.halfedges());
-  }
-  template <class Access>
-  static auto at(const Access& access, Level_connectivity::Index i)
-  {
-    return access.halfedge_at(i);
-  }
-};
-struct Edge_keys
-{
-  template <class Mesh>
-  using Descriptor = typename boost::graph_traits<Mesh>::edge_descriptor;
-  static std::size_t number(const Level_size& size) { return static_cast<std::size_t>(size.edges); }
-  template <class Access>
-  static auto at(const Access& access, Level_connectivity::Index i)
-  {
-    return access.edge_at(i);
-  }
-};
-struct Face_keys
-{
-  template <class Mesh>
-  using Descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
-  static std::size_t number(const Level_size& size) { return static_cast<std::size_t>(size.faces); }
-  template <class Access>
-  static auto at(const Access& access, Level_connectivity::Index i)
-  {
-    return access.face_at(i);
-  }
-};
-
 template <class Map>
 constexpr bool is_readable_v = std::is_convertible_v<typename boost::property_traits<Map>::category,
                                                      boost::readable_property_map_tag>;
@@ -244,7 +192,7 @@ public:
 
   bool are_equal(Index a, Index b) const override
   {
-    if constexpr (std::is_same_v<Keys, Corner_keys>)
+    if constexpr (std::is_same_v<Keys, Halfedge_of_mesh>)
       return map_.old()[position_[a]] == map_.old()[position_[b]];
     else
       return a == b;

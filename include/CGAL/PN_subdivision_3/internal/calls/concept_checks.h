@@ -12,7 +12,7 @@
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
-#include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>

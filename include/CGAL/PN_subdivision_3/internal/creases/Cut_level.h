@@ -236,13 +236,11 @@ void for_each_corner(const Level_connectivity& level, const Level_connectivity& 
 {
   using Index = Level_connectivity::Index;
   for (Index face = 0; face < level.number_of_faces(); ++face) {
-    const Index first = level.halfedge_of_face(face);
-    Index h = first, g = cut.halfedge_of_face(face); // the same one, and so on
-    do {
+    Index g = cut.halfedge_of_face(face); // the same one, and so on
+    for (const Index h : halfedges_around_face(level, level.halfedge_of_face(face))) {
       f(h, cut.target(g));
-      h = level.next(h);
       g = cut.next(g);
-    } while (h != first);
+    }
   }
 }
 

@@ -71,6 +71,41 @@ constexpr auto task_traits =
   tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings;
 #endif
 
+// The precision that new numbers of a multiprecision type get is a setting of the thread: what
+// computes for a caller takes over the caller's, and gives the thread its own back.
+template <class FT, bool = Has_default_precision<FT>::value>
+class Caller_precision
+{
+public:
+  struct In_this_thread
+  {
+    explicit In_this_thread(const Caller_precision&) {}
+    ~In_this_thread() {} // NOLINT(modernize-use-equals-default): used, as far as compilers warn
+  };
+};
+
+template <class FT>
+class Caller_precision<FT, true>
+{
+public:
+  class In_this_thread
+  {
+  public:
+    explicit In_this_thread(const Caller_precision& caller)
+      : own_(FT::set_default_precision(caller.precision_))
+    {}
+    ~In_this_thread() { FT::set_default_precision(own_); }
+    In_this_thread(const In_this_thread&) = delete;
+    In_this_thread& operator=(const In_this_thread&) = delete;
+
+  private:
+    decltype(FT::get_default_precision()) own_;
+  };
+
+private:
+  decltype(FT::get_default_precision()) precision_ = FT::get_default_precision();
+};
+
 // Calls f(begin, end) for pieces that cover [0, n), in this thread or in several. Every element has
 // one owner, so that the result does not depend on the pieces nor on the number of threads.
 class For_chunks
@@ -103,6 +138,16 @@ public:
   void operator()(Index n, Function f) const
   {
     run_(n, f);
+  }
+  // where new numbers get the caller's precision
+  template <class FT>
+  void in_precision(Index n, Function f) const
+  {
+    const Caller_precision<FT> precision;
+    run_(n, [&](Index begin, Index end) {
+      const typename Caller_precision<FT>::In_this_thread scope(precision);
+      f(begin, end);
+    });
   }
   bool has_threads() const
   {
@@ -147,41 +192,6 @@ void run_together(Function_ref<void()> f, Function_ref<void()> g)
   g();
   f();
 }
-
-// The precision that new numbers of a multiprecision type get is a setting of the thread: what
-// computes for a caller takes over the caller's, and gives the thread its own back.
-template <class FT, bool = Has_default_precision<FT>::value>
-class Caller_precision
-{
-public:
-  struct In_this_thread
-  {
-    explicit In_this_thread(const Caller_precision&) {}
-    ~In_this_thread() {} // NOLINT(modernize-use-equals-default): used, as far as compilers warn
-  };
-};
-
-template <class FT>
-class Caller_precision<FT, true>
-{
-public:
-  class In_this_thread
-  {
-  public:
-    explicit In_this_thread(const Caller_precision& caller)
-      : own_(FT::set_default_precision(caller.precision_))
-    {}
-    ~In_this_thread() { FT::set_default_precision(own_); }
-    In_this_thread(const In_this_thread&) = delete;
-    In_this_thread& operator=(const In_this_thread&) = delete;
-
-  private:
-    decltype(FT::get_default_precision()) own_;
-  };
-
-private:
-  decltype(FT::get_default_precision()) precision_ = FT::get_default_precision();
-};
 
 } // namespace internal
 } // namespace PN_subdivision_3

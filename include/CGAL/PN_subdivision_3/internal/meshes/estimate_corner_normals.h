@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_ESTIMATE_CORNER_NORMALS_H
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
@@ -20,7 +20,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <cstddef>
 #include <type_traits>
 #include <vector>
 
@@ -43,7 +42,7 @@ void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
                              const NamedParameters& np)
 {
   using Halfedge = typename boost::graph_traits<PolygonMesh>::halfedge_descriptor;
-  constexpr bool is_of_corners = std::is_same_v<typename Key_of_map<Roundness_map>::type, Halfedge>;
+  constexpr bool is_of_corners = std::is_same_v<Key_of_map<Roundness_map>, Halfedge>;
   using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
   using FT = typename Parameters::FT;
   using Index = Level_connectivity::Index;

@@ -13,8 +13,8 @@
 #include <CGAL/PN_subdivision_3/internal/normals/Coherent_estimation.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
-#include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/normals/face_normals.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 

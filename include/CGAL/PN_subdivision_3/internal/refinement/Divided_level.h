@@ -39,12 +39,10 @@ public:
       const Index first = level.halfedge_of_face(f);
       const double m = level.degree(first);
       Center center{0, 0, 0};
-      Index h = first;
-      do {
+      for (const Index h : halfedges_around_face(level, first)) {
         const Center p = point(level.target(h));
         for (std::size_t i = 0; i < 3; ++i) center[i] += p[i] / m;
-        h = level.next(h);
-      } while (h != first);
+      }
       faces[f] = {center, m, f};
     }
     const auto differs = [](const Face& f, const Face& g) { return f.corners != g.corners; };

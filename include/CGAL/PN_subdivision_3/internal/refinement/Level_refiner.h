@@ -125,7 +125,6 @@ public:
   // once nothing is evaluated any more
   void release_values() { Values().swap(values_); }
   Level_connectivity take_level() { return std::move(level_); }
-  Level_creases take_creases() { return std::move(creases_); }
   unsigned rounds_done() const { return rounds_done_; }
 
   // \pre the level stays while the round is used

@@ -193,21 +193,16 @@ private:
   {
     bool any_inside = false;
     Index outside = null;
-    Index h = first;
-    do {
+    const auto ring = halfedges_around_target(whole_, first);
+    for (const Index h : ring)
       if (is_inside(h))
         any_inside = true;
       else
         outside = h;
-      h = whole_.next_around_target(h);
-    } while (h != first);
     if (!any_inside) return;
     if (outside != null) return add_sectors(v, outside);
     const Index copy = add_copy(v, new_halfedge(first));
-    do {
-      piece_.set_target(new_halfedge(h), copy);
-      h = whole_.next_around_target(h);
-    } while (h != first);
+    for (const Index h : ring) piece_.set_target(new_halfedge(h), copy);
   }
 
   // a copy of v for each run of faces between two that are missing

@@ -18,7 +18,6 @@
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Control_values.h>
-#include <CGAL/PN_subdivision_3/internal/refiner/Dependents.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Kept_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>

@@ -15,7 +15,6 @@
 #include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

@@ -144,8 +144,7 @@ private:
     FT scale[capacity];
     for (std::size_t r = begin; r < end; ++r) {
       result[r] = sums(rows, normal_rows, r, old);
-      scale[r] = (std::max)(dot<FT, dimension>(result[r].normal, result[r].normal),
-                            least_squared_length<FT>());
+      scale[r] = (std::max)(dot(result[r].normal, result[r].normal), least_squared_length<FT>());
     }
     for (std::size_t r = begin; r < end; ++r) scale[r] = std::sqrt(scale[r]);
     for (std::size_t r = begin; r < end; ++r) scale[r] = FT(1) / scale[r];
@@ -157,7 +156,7 @@ private:
         h *= result[r].roundness;
       else
         h *= average_.roundness;
-      add_multiple<FT, dimension>(result[r].point, h, result[r].normal);
+      add_multiple(result[r].point, h, result[r].normal);
       if (!(least_denominator >= fade_begin<FT>() && scale[r] < greatest_scale<FT>()) ||
           length(rows, r) == 1 || length(normal_rows, r) == 1)
         result[r] = careful_row(rows, normal_rows, r, old);
@@ -169,12 +168,12 @@ private:
     Value result{};
     if constexpr (has_roundness_v<Value>) result.roundness = FT(0);
     for (const Entry* e = rows.begin(r); e != rows.end(r); ++e) {
-      add_multiple<FT, dimension>(result.point, e->weight, old[e->vertex].point);
+      add_multiple(result.point, e->weight, old[e->vertex].point);
       if constexpr (has_roundness_v<Value>)
         result.roundness += e->weight * old[e->vertex].roundness;
     }
     for (const Entry* e = normal_rows.begin(r); e != normal_rows.end(r); ++e)
-      add_multiple<FT, dimension>(result.normal, e->weight, old[e->vertex].normal);
+      add_multiple(result.normal, e->weight, old[e->vertex].normal);
     return result;
   }
 

@@ -16,7 +16,6 @@
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
@@ -292,7 +291,7 @@ Scheme_facts<FT> facts_of(const Scheme& scheme)
 }
 
 // A scheme that was chosen at run time, on the host that it has: a model of PNSubdivisionScheme_3. What its type
-// says is what a scheme on this host may be; scheme_facts.h asks what it is.
+// says is what a scheme on this host may be; scheme_traits.h asks what it is.
 template <class Host_, class FT>
 class Scheme_on_host
 {
