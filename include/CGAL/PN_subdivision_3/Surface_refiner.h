@@ -37,8 +37,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -476,7 +475,6 @@ Surface_refiner(const PolygonMesh&, const Scheme&,
   -> Surface_refiner<PolygonMesh, Scheme,
                      internal::Geom_traits_of_call<PolygonMesh, NamedParameters>>;
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SURFACE_REFINER_H

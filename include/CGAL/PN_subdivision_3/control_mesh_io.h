@@ -27,8 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 // a sharpness as a map of constraints has it
@@ -324,7 +323,6 @@ void write_refined_mesh(const std::string& file_name, const PolygonMesh& mesh,
       file_name, "the file cannot be written; its name must end in .ply, .off, .obj or .stl");
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_CONTROL_MESH_IO_H

@@ -32,8 +32,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 // The area vector of a face, in the number type up to the end, scaled to a length of about 1.
@@ -160,7 +159,6 @@ std::size_t detect_creases(const PolygonMesh& mesh, double degrees, EdgeMap edge
   }
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_DETECT_CREASES_H

@@ -14,8 +14,7 @@
 
 #include <stdexcept>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 inline int checked_bits(int bits)
@@ -81,7 +80,6 @@ private:
   int old_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_RATIONAL_NORMALS_H

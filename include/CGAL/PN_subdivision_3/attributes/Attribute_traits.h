@@ -23,8 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Attributes
@@ -354,7 +353,6 @@ struct Attribute_table
   std::vector<std::uint32_t> face_parents;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ATTRIBUTE_TRAITS_H

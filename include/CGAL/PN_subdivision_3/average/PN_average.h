@@ -21,8 +21,7 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /// \ingroup PkgPNSubdivision3Average
 /// the coordinates of a point or vector.
@@ -343,7 +342,6 @@ private:
   }
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_AVERAGE_PN_AVERAGE_H

@@ -19,8 +19,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Average
@@ -189,7 +188,6 @@ private:
   boost::container::small_vector<Transport, 4> transports_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_CREASES_CREASE_AVERAGE_H

@@ -16,8 +16,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -243,7 +242,6 @@ private:
   internal::DQQ_numbering<Index> numbering_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_HOSTS_DQQ_HOST_H

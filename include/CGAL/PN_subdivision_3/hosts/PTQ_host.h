@@ -14,8 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/hosts/numberings.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3Schemes
 
@@ -139,7 +138,6 @@ private:
   internal::PTQ_numbering<Index> numbering_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_HOSTS_PTQ_HOST_H

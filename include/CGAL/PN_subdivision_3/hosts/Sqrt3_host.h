@@ -20,8 +20,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -337,7 +336,6 @@ private:
   boost::container::vector<Index> border_faces_before_, face_of_center_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_HOSTS_SQRT3_HOST_H

@@ -17,8 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /// \ingroup PkgPNSubdivision3Schemes
 /// numbers of elements of a level.
@@ -358,7 +357,6 @@ struct Basic_element_parent
 /// the parent of an element of a level.
 using Element_parent = Basic_element_parent<Level_connectivity::Index>;
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_LEVELS_LEVEL_CONNECTIVITY_H

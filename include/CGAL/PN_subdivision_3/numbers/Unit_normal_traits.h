@@ -21,8 +21,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 template <class FT>
@@ -164,7 +163,6 @@ using Rounds_exact_numbers = boost::detected_or_t<std::false_type, Rounding_of, 
 
 } // namespace internal
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_NUMBERS_UNIT_NORMAL_TRAITS_H

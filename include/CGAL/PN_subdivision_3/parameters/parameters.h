@@ -13,8 +13,7 @@
 #include <functional>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 struct Attribute_table;
 
@@ -456,7 +455,6 @@ auto join(const First& first, const Second& second, const Third& third,
 }
 
 } // namespace parameters
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_PARAMETERS_PARAMETERS_H

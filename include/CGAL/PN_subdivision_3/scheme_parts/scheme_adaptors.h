@@ -15,8 +15,7 @@
 #include <algorithm>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -165,7 +164,6 @@ Scheme_with_normals<Scheme, Normal_scheme> with_normal_scheme(const Scheme& sche
   return {{scheme}, normal_scheme};
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEME_PARTS_SCHEME_ADAPTORS_H

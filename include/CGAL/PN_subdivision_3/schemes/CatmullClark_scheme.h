@@ -14,8 +14,7 @@
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -229,7 +228,6 @@ struct CatmullClark_scheme
   }
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_CATMULLCLARK_SCHEME_H

@@ -17,8 +17,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -222,7 +221,6 @@ struct CatmullClark_scheme::Grid
   }
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_GRID_CATMULLCLARK_SCHEME_H

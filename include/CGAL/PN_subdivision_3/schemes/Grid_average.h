@@ -17,8 +17,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 // A grid in a row of a mask: `columns` x `rows` entries, row by row, filled with zero weights up to an even number that
@@ -366,7 +365,6 @@ private:
   }
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_GRID_AVERAGE_H

@@ -21,8 +21,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -312,7 +311,6 @@ private:
   Scheme_parameter tension_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_KOBBELT_SCHEME_H

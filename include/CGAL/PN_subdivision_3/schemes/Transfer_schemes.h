@@ -12,8 +12,7 @@
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -88,7 +87,6 @@ public:
   Transfer() { tuning_.keeps_quadratic = true; }
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_TRANSFER_SCHEMES_H

@@ -23,8 +23,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 namespace internal {
 
@@ -371,7 +370,6 @@ protected:
   internal::Ring_tuning tuning_; ///< what becomes of the eigenvalues.
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_TUNED_CATMULLCLARK_SCHEME_H

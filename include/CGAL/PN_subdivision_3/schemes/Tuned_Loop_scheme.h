@@ -23,8 +23,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 // The new eigenvalues mu_k' of frequencies k = 1, ..., n-1 of Loop's ring matrix, and the sums over k of
@@ -341,7 +340,6 @@ protected:
   internal::Ring_tuning tuning_; ///< what becomes of the eigenvalues.
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_TUNED_LOOP_SCHEME_H

@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 inline Control_element control_element(const Origin& origin)
 {
@@ -343,8 +341,6 @@ private:
   Restored_map<Access, Map, Keys> map_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_ARRAY_VALUES_H

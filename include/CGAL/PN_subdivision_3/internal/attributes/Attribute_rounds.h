@@ -36,9 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Values of vertices of the last round may be put as they are computed, or when put() is called.
 enum class Kind_of_round { inner, last_put_at_once, last_put_later };
@@ -436,8 +434,6 @@ private:
   const Child_sink child_sink_{on_child_};
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_ATTRIBUTE_ROUNDS_H

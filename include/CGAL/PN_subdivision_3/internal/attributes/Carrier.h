@@ -21,9 +21,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // \name Visitors
 // Of each member: whether there is one of this name, and whether it can be
@@ -172,8 +170,6 @@ struct Carrier
   Attributes& attributes;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIER_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The wedges of a star between two bounds of charts, by the positions of the ends there, clockwise; both
 // are the same one where a seam ends.
@@ -331,8 +329,6 @@ private:
   std::vector<Index> kept_vertices_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CHARTS_H

@@ -24,9 +24,7 @@
 #include <optional>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The linear rows of new vertices on creases, by slots: what Crease_pass does with points where there are no
 // tangents. Values of a slot may be the vertex's own in every wedge, or differ from wedge to wedge.
@@ -230,8 +228,6 @@ private:
   Row row_, blended_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CREASE_ROWS_H

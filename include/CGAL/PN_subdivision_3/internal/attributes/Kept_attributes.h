@@ -39,9 +39,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The attributes of a refined mesh that nobody holds: read from the control mesh, refined once, and put into the maps
 // of meshes that are made later.
@@ -281,8 +279,6 @@ private:
   std::size_t memory_ = 0;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_KEPT_ATTRIBUTES_H

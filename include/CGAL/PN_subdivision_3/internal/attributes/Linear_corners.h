@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // A round of the values of corners linearly inside faces, in a host that splits edges: old corners keep theirs,
 // new ones get the mean of an edge or a face. Values are those of half-edges.
@@ -220,8 +218,6 @@ private:
   std::optional<Refined_creases<FT>> refined_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_LINEAR_CORNERS_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class Map>
 constexpr bool is_readable_v = std::is_convertible_v<typename boost::property_traits<Map>::category,
@@ -309,8 +307,6 @@ private:
   bool puts_at_once_ = false;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_MAP_VALUES_H

@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class T>
 using Sum_of = decltype(T(std::declval<const T&>() + std::declval<const T&>()));
@@ -373,8 +371,6 @@ private:
   std::vector<Index> of_edge_, of_vertex_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_READ_ATTRIBUTES_H

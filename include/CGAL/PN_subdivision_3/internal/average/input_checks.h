@@ -35,9 +35,7 @@
 // What is asked of kernels and number types when a call is compiled, each said in one readable line (a function whose
 // check returns false has nothing else to compile), and of coordinates when it runs.
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class FT, class = void>
 constexpr bool has_number_traits_v = false;
@@ -276,8 +274,6 @@ void normalize_control_normal(Coordinates<FT, dimension>& n, const Name& name)
   }
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_INPUT_CHECKS_H

@@ -25,9 +25,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class FT, int dimension>
 Coordinates<FT, dimension> zero_vector()
@@ -303,8 +301,6 @@ Pair<FT> solve(const std::array<Pair<FT>, 2>& m, const Pair<FT>& b)
   return {(b[0] * m[1][1] - b[1] * m[0][1]) / det, (m[0][0] * b[1] - m[1][0] * b[0]) / det};
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_VECTORS_H

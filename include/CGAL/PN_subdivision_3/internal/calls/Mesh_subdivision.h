@@ -33,9 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Subdivision of a mesh, with creases or without: read, refine flat levels, write the last one. The mesh
 // and its maps are untouched until everything that a user's data can make fail has been checked; what
@@ -271,8 +269,6 @@ private:
   For_chunks for_chunks_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CALLS_MESH_SUBDIVISION_H

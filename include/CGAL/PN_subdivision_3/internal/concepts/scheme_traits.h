@@ -20,8 +20,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 template <class Scheme, class Normal_scheme>
 struct Scheme_with_normals;
@@ -310,7 +309,6 @@ std::string name_in_message([[maybe_unused]] const Scheme& scheme)
 }
 
 } // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CONCEPTS_SCHEME_TRAITS_H

@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Whole vertices of a level that is cut open, with area normals.
 template <class FT>
@@ -324,8 +322,6 @@ private:
   const Control_normal_estimate estimate_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_CREASES_H

@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // x without its part along the direction of u, as far as the squared length of u says that there is
 // one: that is 2 strength if u is the sum or difference of two unit vectors.
@@ -312,8 +310,6 @@ void make_control_tangents(const Level_connectivity& level, Creases<FT>& creases
                                                                               given, has_joint)();
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_TANGENTS_H

@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // f a + (1 - f) b
 template <class FT>
@@ -485,9 +483,7 @@ private:
   No_creases refined_creases_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #include <CGAL/PN_subdivision_3/internal/creases/Gone_round.h>
 

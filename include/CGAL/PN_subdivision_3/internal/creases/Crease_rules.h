@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // A new point at a vertex or edge, its normal in each wedge, and the tangents from it: along the ends
 // of a star, or in the direction of travel along an edge.
@@ -288,8 +286,6 @@ private:
   Row row_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASE_RULES_H

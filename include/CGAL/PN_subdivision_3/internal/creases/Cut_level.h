@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // For smooth rules on a level that is not cut open: crease vertices and corners are not extraordinary, darts
 // count but have no rules of their own.
@@ -244,8 +242,6 @@ void for_each_corner(const Level_connectivity& level, const Level_connectivity& 
   }
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CUT_LEVEL_H

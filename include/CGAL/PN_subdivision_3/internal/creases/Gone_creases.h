@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // whether less than a round is left
 inline bool is_fraction(double s)
@@ -252,8 +250,6 @@ void keep_without_fractions(const Level_connectivity& level, Creases<FT>& crease
   creases.without_fractions = std::move(without);
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_CREASES_H

@@ -28,9 +28,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The other half of a round with edges of which less than a round is left, 0 < s < 1: the round in which they are gone.
 //
@@ -228,8 +226,6 @@ private:
   std::vector<Index> rows_; // of its vertices those whose values are those of rows
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_ROUND_H

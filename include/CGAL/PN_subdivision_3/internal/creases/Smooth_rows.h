@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The slots of the corners of a whole level. Those of further wedges are stored, star by star.
 template <class FT>
@@ -250,8 +248,6 @@ private:
   std::vector<std::size_t> star_end_, edge_end_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_SMOOTH_ROWS_H

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // few in general
 template <class T>
@@ -133,8 +131,6 @@ std::vector<Coordinates<FT, 3>> join_normals(const std::vector<Coordinates<FT, 3
   return result;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_JOIN_WEDGES_H

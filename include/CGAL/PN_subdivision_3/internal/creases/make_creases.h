@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // What is sharp on a control level, beside seams; empty if nothing is.
 struct Control_sharpness
@@ -186,8 +184,6 @@ void take_slot_values(const Level_connectivity& part, const Creases<FT>& creases
           whole_values[slot_of(halfedge_origin(creases.halfedge(e)))];
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_MAKE_CREASES_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The numbers that the primal quadrisections have in common: of the old vertices, the new vertex on
 // every edge, and the halves of the edges. Edge e keeps its number on the half at the source of half-edge
@@ -178,8 +176,6 @@ private:
   boost::container::vector<Index> first_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_EDGE_SPLIT_H

@@ -17,9 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // What the elements of a control level are called in messages. Virtual, so that checks need not be
 // instantiated for every mesh.
@@ -229,8 +227,6 @@ void check_interior_valences(const Level_connectivity& level, const Element_name
   }
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_CHECK_CONNECTIVITY_H

@@ -16,9 +16,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Any function object by reference, for the time of a call. What takes it is instantiated once for
 // all of them. Used where a call does the work of many elements, so that the jump costs nothing.
@@ -45,9 +43,7 @@ private:
   Result (*call_)(const void*, Arguments...);
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/blocked_range.h>
@@ -56,9 +52,7 @@ private:
 #  include <tbb/task_group.h>
 #endif
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class Concurrency_tag>
 constexpr bool is_parallel_v = std::is_convertible_v<Concurrency_tag, Parallel_tag>;
@@ -193,8 +187,6 @@ void run_together(Function_ref<void()> f, Function_ref<void()> g)
   f();
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_FOR_CHUNKS_H

@@ -16,9 +16,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The numbers of the children in the primal quadrilateral quadrisection, and back. Corners are numbered
 // face by face, in a face from the target of its half-edge on: the corner at the target of h has the quad
@@ -273,8 +271,6 @@ private:
   const Table& face_of_center_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_NUMBERINGS_H

@@ -26,9 +26,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class Map>
 constexpr bool is_writable_map_v =
@@ -203,8 +201,6 @@ void put_connectivity(const Round& last, Access& access, const For_chunks& for_c
   }
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_WRITER_H

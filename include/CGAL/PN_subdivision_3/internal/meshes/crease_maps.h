@@ -33,9 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // of a value of a map of constraints: true is infinitely sharp, and so is the largest integer
 template <class Value>
@@ -273,8 +271,6 @@ public:
   void keep() {}
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CREASE_MAPS_H

@@ -23,9 +23,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class Map, class Key, class FT>
 void put_roundness(const Map& map, const Key& key, const FT& w)
@@ -94,8 +92,6 @@ void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
   }
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_ESTIMATE_CORNER_NORMALS_H

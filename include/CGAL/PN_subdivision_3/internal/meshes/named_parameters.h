@@ -33,9 +33,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // stands for a map of constraints that the user has not given
 struct No_constraint_map
@@ -284,8 +282,6 @@ T roundness_as(const FT& w)
     return T(CGAL::to_double(w));
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NAMED_PARAMETERS_H

@@ -26,9 +26,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The control level of a mesh, read through an access and checked.
 template <class Access>
@@ -152,8 +150,6 @@ read_values(const Access& access, const Level_connectivity& level, Point_map poi
   return values;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_READ_MESH_H

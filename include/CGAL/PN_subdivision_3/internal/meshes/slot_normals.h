@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // whether the map has a normal for every corner: at the target of a half-edge in its face
 template <class Access, class Map>
@@ -259,8 +257,6 @@ struct Normal_writers<Access, Wedge_normals<Corners, Vertices>, true>
   static Vertex_map vertex_map(const Map& map) { return map.vertices; }
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_SLOT_NORMALS_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Estimates normals and roundness of sectors. A closed fan has the reciprocal normal where that agrees
 // with the neighbors and the fan is not wide, the area normal where not; an open one that of
@@ -388,8 +386,6 @@ private:
   bool is_uneven_ = false;           // some vertex may be lifted
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_COHERENT_ESTIMATION_H

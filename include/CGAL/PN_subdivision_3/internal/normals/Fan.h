@@ -21,9 +21,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The half-edges with the same target v, one after the other clockwise. A closed fan has all of
 // them, an open one those from `first` to `last`; the faces of a closed fan are those of its
@@ -203,8 +201,6 @@ private:
   const Level_connectivity& level_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_FAN_H

@@ -22,9 +22,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Estimates the normals of sectors: closed fans by reciprocal weights, open ones by the arcs to the
 // closed ones, then those open ones whose neighbors are all open by the arcs to the former, and
@@ -277,8 +275,6 @@ private:
   std::vector<Border_arc> arcs_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_NORMAL_ESTIMATION_H

@@ -27,9 +27,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Differences of points in double. Where squares of the size of the mesh would leave the range of
 // double, all is scaled by a power of two.
@@ -302,8 +300,6 @@ private:
   std::unordered_map<Index, Vector> kept_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_FACE_NORMALS_H

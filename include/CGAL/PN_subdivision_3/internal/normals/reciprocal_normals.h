@@ -25,9 +25,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // N. Max, Weights for computing vertex normals from facet normals, 1999: the sum of the cross
 // products of the inverted edges. Inversion at a point of a sphere maps the sphere to a plane; the
@@ -201,8 +199,6 @@ double blend_weight(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan
   return smoothstep<double>((least - cos_60) / (cos_40 - cos_60));
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_RECIPROCAL_NORMALS_H

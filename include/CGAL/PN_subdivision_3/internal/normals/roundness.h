@@ -18,9 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The windows by which Coherent_estimation decides, each from 0 to 1 and smooth.
 
@@ -319,8 +317,6 @@ private:
   double longest_ = 0; // squared
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ROUNDNESS_H

@@ -26,9 +26,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The unevaluated sum of two doubles, about 104 bits: irrational weights are computed in it, which have then the
 // same bits on all processors and with all mathematical libraries. (long double has 53, 64, 106 or 113 bits, and its
@@ -327,8 +325,6 @@ FT irrational_cosine(std::int64_t k, std::int64_t n)
     return FT(nearest_cosine(k, n));
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NUMBERS_WEIGHT_NUMBER_H

@@ -23,9 +23,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Comparisons of intervals may be undecided.
 template <class FT>
@@ -169,8 +167,6 @@ int scale_harmlessly(std::array<FT, dimension>& v)
   return exponent;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NUMBERS_NUMBER_FUNCTIONS_H

@@ -17,9 +17,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Divides the faces of a level into pieces with about equally many corners, by planes across the longest
 // extent of what is divided. The same on all machines: ties go by the numbers of the faces.
@@ -187,8 +185,6 @@ private:
   std::vector<Index> isolated_vertices_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_DIVIDED_LEVEL_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // each six bits of it are others (de Bruijn)
 constexpr std::uint64_t sequence_of_places = 0x03f79d71b4cb0a89;
@@ -286,8 +284,6 @@ private:
   std::vector<Table> free_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_PIECE_CANDIDATES_H

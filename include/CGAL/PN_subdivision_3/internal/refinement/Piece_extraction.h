@@ -18,9 +18,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Elements of one kind in a piece: their numbers in the whole level, and whether the piece owns them. Every
 // element of the whole level has one owner.
@@ -266,8 +264,6 @@ private:
   Old_vertices old_vertex_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_PIECE_EXTRACTION_H

@@ -17,9 +17,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // What the numbers of the children of a level depend on, besides their parents.
 struct Whole_level
@@ -98,8 +96,6 @@ private:
   PTQ_numbering<Number> numbering_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_WHOLE_LEVEL_H

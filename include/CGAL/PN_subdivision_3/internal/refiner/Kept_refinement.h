@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // What a refiner keeps of a control mesh, a scheme and a number of rounds, so that other control values
 // are refined without anything of the connectivity.
@@ -141,8 +139,6 @@ private:
   std::vector<char> is_marked_; // none of the new vertices between two calls
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_REFINEMENT_H

@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The shortest x with A x = b, for the columns of a 3x3 matrix A. Singular values below 1e-8 of the
 // largest count as 0. By rotations of pairs of columns until all are perpendicular (one-sided Jacobi
@@ -381,8 +379,6 @@ private:
   std::vector<std::pair<Index, Coordinates<FT, 3>>> normals_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_CURVATURE_TRANSFER_H

@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // One round of a scheme: its host on a level, its mask, and the average of the rows. The mask may
 // see another level than the host; the old values are those of the mask's level.
@@ -289,8 +287,6 @@ void evaluate_rows(const One_round& round, const typename One_round::Index* vert
   });
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_ROUND_H

@@ -18,9 +18,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // An element of the control level.
 struct Origin
@@ -211,8 +209,6 @@ private:
   const bool is_even_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_LEVEL_ORIGINS_H

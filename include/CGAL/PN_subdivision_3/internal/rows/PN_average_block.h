@@ -21,9 +21,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // How many rows are averaged at once. One PN average is a chain of a square root and divisions;
 // many independent ones side by side hide its latency. Other number types gain nothing from it.
@@ -221,8 +219,6 @@ struct Block_of<PN_average<FT, dimension, Value>>
                        Average_block<Average>>;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_PN_AVERAGE_BLOCK_H

@@ -24,9 +24,7 @@
 #  define CGAL_PN_SUBDIVISION_3_HAS_AVX2_FUNCTIONS
 #endif
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The numbers of an AVX2 register, and what the wide averages do with them besides arithmetic.
 template <class FT>
@@ -332,8 +330,6 @@ private:
 #  undef CGAL_PN_SUBDIVISION_3_AVX2_INLINE
 #endif
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_WIDE_PN_AVERAGE_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // x with its absolute value cut to the bound. Where intervals do not decide, both are nearly equal.
 template <class Number>
@@ -291,8 +289,6 @@ private:
   std::map<Index, Ring> rings_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_RING_TUNING_H

@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // of an old element; the hosts tell which
 enum class Row_kind { vertex, edge, face, corner, border_vertex, border_edge };
@@ -360,8 +358,6 @@ private:
   std::shared_ptr<const Scheme_facts<FT>> facts_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SCHEME_ON_HOST_H

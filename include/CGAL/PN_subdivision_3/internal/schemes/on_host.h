@@ -21,9 +21,7 @@
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // in the place of the host of an Any_scheme: functions that take one call themselves with the scheme on its host
 struct Host_at_run_time
@@ -194,8 +192,6 @@ Result on_interpolated_host(const Scheme& scheme, const Function& f)
   });
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_ON_HOST_H

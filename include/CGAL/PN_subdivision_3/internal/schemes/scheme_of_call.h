@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // What a call says by named parameters of the border, of the tangents of creases and of the estimate of normals is put
 // around its scheme. Of two of a kind the outer one counts.
@@ -295,8 +293,6 @@ auto averaged_roundness(const std::array<Entry, n>& entries, const Roundness_of&
   return are_equal ? first : sum;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SCHEME_OF_CALL_H
