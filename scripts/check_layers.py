@@ -28,10 +28,10 @@ PN_subdivision_3
   base        version.h internal parameters levels |
   numbers     rational_normals.h sqrt_extension_normals.h boost_multiprecision_floats.h |
   average     | numbers
-  concepts    | base
-  scheme_parts  | base numbers concepts
   hosts       | base numbers average
   rows        | base numbers average hosts
+  concepts    | base rows
+  scheme_parts  | base numbers rows concepts
   schemes     | base numbers average concepts scheme_parts hosts rows
   rounds      | base numbers average concepts scheme_parts hosts rows schemes
   normals     | base numbers average concepts scheme_parts hosts schemes

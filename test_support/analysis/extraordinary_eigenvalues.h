@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
+#include <type_traits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -128,8 +129,15 @@ Extraordinary_eigenvalues<FT> extraordinary_eigenvalues(const Scheme& scheme,
                                                         Level_connectivity::Index valence)
 {
   if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_spline_host<Extraordinary_eigenvalues<FT>, internal::Number_call<FT>>(
-      scheme, [&](const auto& s) { return extraordinary_eigenvalues<FT>(s, valence); });
+    return internal::on_host<Extraordinary_eigenvalues<FT>, internal::Number_call<FT>>(
+      scheme, [&](const auto& s) -> Extraordinary_eigenvalues<FT> {
+        if constexpr (internal::halves_edges_v<std::decay_t<decltype(s)>>)
+          return extraordinary_eigenvalues<FT>(s, valence);
+        else
+          throw std::invalid_argument("PN_subdivision_3: this is not known for " +
+                                      internal::name_in_message(s) +
+                                      ": take a scheme that splits faces as Catmull-Clark or Loop");
+      });
   else {
     using Blocks = internal::Ring_blocks<Scheme, FT>;
     using Index = Level_connectivity::Index;

@@ -15,7 +15,7 @@
 #include <CGAL/PN_certificates_3/exact/Deviation.h>
 #include <CGAL/PN_certificates_3/internal/Shape_measure.h>
 #include <CGAL/PN_curves/internal/Curve_points.h>
-#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/Uncertain.h>
 

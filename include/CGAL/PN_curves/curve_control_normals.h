@@ -13,7 +13,7 @@
 #include <CGAL/PN_curves/internal/Univariate_rows.h>
 #include <CGAL/PN_curves/internal/planar_polygon_normals.h>
 #include <CGAL/PN_curves/internal/space_polygon_normals.h>
-#include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 
 #include <algorithm>
 #include <cmath>

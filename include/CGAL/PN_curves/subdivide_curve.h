@@ -17,7 +17,7 @@
 #include <CGAL/PN_curves/internal/Curve_subdivision.h>
 #include <CGAL/PN_curves/masks/Curve_end.h>
 #include <CGAL/PN_curves/masks/curve_masks.h>
-#include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 

@@ -27,8 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 // a sharpness as a map of constraints has it
@@ -140,8 +139,7 @@ written_normals(const Access& access, const Level_connectivity& level, const Nor
     for (int i = 0; i < 3; ++i) all[v][i] += CGAL::to_double(n[i]);
     all[v][3] = (std::min)(all[v][3], w);
   };
-  if constexpr (std::is_same_v<typename Key_of_map<Normal_map>::type,
-                               typename Access::vertex_descriptor>) {
+  if constexpr (std::is_same_v<Key_of_map<Normal_map>, typename Access::vertex_descriptor>) {
     for (Index v = 0; v < all.size(); ++v) add(v, get(map, access.vertex(v)), 1);
   } else if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
     for (Index h = 0; h < level.number_of_halfedges(); ++h) {
@@ -215,7 +213,7 @@ bool write_by_cgal(const std::string& name, const PolygonMesh& mesh, const Named
           "STL has triangles only: call CGAL::Polygon_mesh_processing::triangulate_faces() first");
   const auto of_points =
     CGAL::parameters::vertex_point_map(Parameters::const_point_map(mesh, np)).stream_precision(17);
-  if constexpr (std::is_same_v<typename Key_of_map<typename Parameters::Normal_map>::type,
+  if constexpr (std::is_same_v<Key_of_map<typename Parameters::Normal_map>,
                                typename boost::graph_traits<PolygonMesh>::vertex_descriptor>)
     if (ending == "off")
       return IO::write_OFF(name, mesh, of_points.vertex_normal_map(Parameters::normal_map(np)));
@@ -326,7 +324,6 @@ void write_refined_mesh(const std::string& file_name, const PolygonMesh& mesh,
       file_name, "the file cannot be written; its name must end in .ply, .off, .obj or .stl");
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_CONTROL_MESH_IO_H

@@ -15,8 +15,8 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/normals/face_normals.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
@@ -32,8 +32,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 // The area vector of a face, in the number type up to the end, scaled to a length of about 1.
@@ -49,7 +48,7 @@ Coordinates<double, 3> direction_of_face(const Level_connectivity& level,
   // relative to the longest diagonal, or about so with intervals, so that nothing overflows
   FT size(0);
   for (Index h = level.next(first); h != first; h = level.next(h)) {
-    const FT length = length_of<FT, 3>(difference<FT, 3>(points[level.target(h)], origin));
+    const FT length = length_of(difference(points[level.target(h)], origin));
     if (CGAL::possibly(is_greater(length, size)) &&
         !(CGAL::to_double(length) < CGAL::to_double(size)))
       size = length;
@@ -57,9 +56,9 @@ Coordinates<double, 3> direction_of_face(const Level_connectivity& level,
   if (!CGAL::certainly(is_greater(size, FT(0)))) return {0, 0, 0};
   Vector area = zero_vector<FT, 3>(), before = area;
   for (Index h = level.next(first); h != first; h = level.next(h)) {
-    Vector v = difference<FT, 3>(points[level.target(h)], origin);
+    Vector v = difference(points[level.target(h)], origin);
     for (FT& x : v) x /= size;
-    add_multiple<FT, 3>(area, FT(1), cross(before, v));
+    add_multiple(area, FT(1), cross(before, v));
     before = v;
   }
   return to_double_3(area);
@@ -84,7 +83,7 @@ std::vector<bool> edges_of_greater_angle(const Level_connectivity& level,
   for (Index e = 0; e < level.number_of_edges(); ++e) {
     if (level.is_border_edge(e)) continue;
     const auto &m = direction[level.face(2 * e)], &n = direction[level.face(2 * e + 1)];
-    const double sine = length(cross(m, n)), cosine = dot<double, 3>(m, n);
+    const double sine = length(cross(m, n)), cosine = dot(m, n);
     result[e] = (sine != 0 || cosine != 0) && std::atan2(sine, cosine) > greatest;
   }
   return result;
@@ -159,7 +158,6 @@ std::size_t detect_creases(const PolygonMesh& mesh, double degrees, EdgeMap edge
   }
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_DETECT_CREASES_H

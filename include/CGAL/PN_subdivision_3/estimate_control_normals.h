@@ -21,8 +21,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 namespace internal {
 
@@ -259,7 +258,6 @@ void estimate_control_normals(const PolygonMesh& mesh, VertexNormalMap normals,
   }
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_ESTIMATE_CONTROL_NORMALS_H

@@ -12,11 +12,9 @@
 #include <CGAL/PN_subdivision_3/internal/numbers/rational_unit_vector.h>
 #include <CGAL/Vector_3.h>
 
-#include <array>
 #include <stdexcept>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 inline int checked_bits(int bits)
@@ -83,7 +81,6 @@ private:
   int old_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_RATIONAL_NORMALS_H

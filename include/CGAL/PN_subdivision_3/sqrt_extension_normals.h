@@ -28,8 +28,7 @@ root of its own |N|<sup>2</sup> only. Included before anything of the package is
 #include <stdexcept>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 // whether x is a square, and its root
@@ -72,7 +71,6 @@ struct Unit_normal_traits<CGAL::Sqrt_extension<NT, Root, Compares_roots, Is_filt
 };
 #endif
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SQRT_EXTENSION_NORMALS_H

@@ -23,8 +23,7 @@
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 template <class NamedParameters>
@@ -204,7 +203,6 @@ void Bilinear_subdivision(PolygonMesh& mesh,
   subdivide<Concurrency_tag>(mesh, Bilinear_scheme(), np);
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SUBDIVISION_METHODS_3_H

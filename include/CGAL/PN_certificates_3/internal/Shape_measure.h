@@ -15,7 +15,7 @@
 #include <CGAL/Line_3.h>
 #include <CGAL/PN_certificates_3/internal/measure_number.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/Plane_3.h>
 #include <CGAL/Sphere_3.h>
 

@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_CERTIFICATES_3_INTERNAL_MEASURE_NUMBER_H
 #define CGAL_PN_CERTIFICATES_3_INTERNAL_MEASURE_NUMBER_H
 
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 
 #include <CGAL/Exact_rational.h>

@@ -10,7 +10,6 @@
 #define CGAL_PN_CGAL_MASKS_3_INTERNAL_CGAL_ORDERED_HOST_H
 
 #include <CGAL/PN_cgal_masks_3/internal/Cgal_order.h>
-#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 

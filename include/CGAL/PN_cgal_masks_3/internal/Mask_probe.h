@@ -10,7 +10,7 @@
 #define CGAL_PN_CGAL_MASKS_3_INTERNAL_MASK_PROBE_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Kernel_traits.h>

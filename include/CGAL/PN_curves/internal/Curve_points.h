@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_CURVES_INTERNAL_CURVE_POINTS_H
 #define CGAL_PN_CURVES_INTERNAL_CURVE_POINTS_H
 
-#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/own_parameters.h>
 
 #include <CGAL/Dimension.h>

@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_curves/internal/Univariate_rows.h>
 #include <CGAL/PN_curves/masks/curve_masks.h>
-#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/rows/PN_average_block.h>

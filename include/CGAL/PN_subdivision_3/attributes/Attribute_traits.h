@@ -9,10 +9,10 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ATTRIBUTE_TRAITS_H
 #define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ATTRIBUTE_TRAITS_H
 
-#include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
-
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_type_basic.h>
+
+#include <boost/type_traits/is_detected.hpp>
 
 #include <array>
 #include <cmath>
@@ -23,8 +23,33 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Attributes
+how the values of corners are refined. Inside the charts, where values agree, the scheme's linear rows apply. At seams
+and borders of charts one of the six rules applies that OpenSubdiv has for face-varying data.
+
+Seams and borders are refined as borders of the surface. The rules differ in what stays where it is. Whatever the
+rule, the value of a chart stays at three kinds of vertices: with a sharp edge inside the chart, at corners of the
+surface, and where several parts of the chart meet.
+*/
+enum class Corner_rule {
+  /// nothing else stays.
+  none,
+  /// the values of charts that have one face at a vertex.
+  corners_only,
+  /// as `corners_only`, and all values at vertices that three or more charts meet at; of two charts at a vertex,
+  /// both or none are kept for sharp edges inside.
+  corners_plus1,
+  /// as `corners_plus1`, and the values at ends of seams inside a chart, and both values at vertices where one of
+  /// two charts has one face, so also that of the concave corner beside it.
+  corners_plus2,
+  /// all values at seams and borders, which are straight then.
+  boundaries,
+  /// all values: linearly inside every face.
+  all
+};
 
 /*!
 \ingroup PkgPNSubdivision3Attributes
@@ -46,23 +71,15 @@ namespace internal {
 struct Arithmetic_of_values
 {};
 
-template <class T, class FT, class = void>
-struct Has_product : std::false_type
-{};
 template <class T, class FT>
-struct Has_product<T, FT,
-                   std::void_t<decltype(T(std::declval<const T&>() * std::declval<const FT&>()))>>
-  : std::true_type
-{};
+using Product_of = decltype(T(std::declval<const T&>() * std::declval<const FT&>()));
+template <class T, class FT>
+using Has_product = boost::is_detected<Product_of, T, FT>;
 
-template <class T, class = void>
-struct Has_product_with_weight_first : std::false_type
-{};
 template <class T>
-struct Has_product_with_weight_first<
-  T, std::void_t<decltype(T(std::declval<const double&>() * std::declval<const T&>()))>>
-  : std::true_type
-{};
+using Product_with_weight_first = decltype(T(std::declval<double>() * std::declval<const T&>()));
+template <class T>
+using Has_product_with_weight_first = boost::is_detected<Product_with_weight_first, T>;
 
 // w v for a value of the user's, with the weight on whatever side and in whatever precision it is taken
 template <class T, class FT>
@@ -336,7 +353,6 @@ struct Attribute_table
   std::vector<std::uint32_t> face_parents;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ATTRIBUTE_TRAITS_H

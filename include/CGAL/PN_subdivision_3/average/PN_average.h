@@ -14,13 +14,14 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
 
+#include <boost/type_traits/type_identity.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /// \ingroup PkgPNSubdivision3Average
 /// the coordinates of a point or vector.
@@ -88,7 +89,7 @@ FT dot(const std::array<FT, dimension>& a, const std::array<FT, dimension>& b)
 }
 
 template <class FT, std::size_t dimension>
-void add_multiple(std::array<FT, dimension>& sum, const FT& factor,
+void add_multiple(std::array<FT, dimension>& sum, const boost::type_identity_t<FT>& factor,
                   const std::array<FT, dimension>& v)
 {
   for (std::size_t c = 0; c < dimension; ++c) sum[c] += factor * v[c];
@@ -162,7 +163,7 @@ struct Linear_average
     Value q;
     q.fill(FT(0));
     for (const Entry* e = begin; e != end; ++e)
-      internal::add_multiple<FT, dimension>(q, e->weight, old[e->vertex]);
+      internal::add_multiple(q, e->weight, old[e->vertex]);
     return q;
   }
 };
@@ -233,7 +234,7 @@ struct PN_average
     Value result;
     result.point.fill(FT(0));
     for (const Entry* e = begin; e != end; ++e)
-      internal::add_multiple<FT, dimension>(result.point, e->weight, old[e->vertex].point);
+      internal::add_multiple(result.point, e->weight, old[e->vertex].point);
     result.normal = unit_normal(normal_begin, normal_end, old);
     if constexpr (internal::has_roundness_v<Value>)
       result.roundness = averaged_roundness(begin, end, old);
@@ -244,16 +245,13 @@ struct PN_average
       else if (!CGAL::certainly(roundness ==
                                 FT(1))) // a product would make some number types longer
         h *= roundness;
-      internal::add_multiple<FT, dimension>(result.point, h, result.normal);
+      internal::add_multiple(result.point, h, result.normal);
     }
     return result;
   }
 
   /// whether `n`, a unit vector or zero, is zero.
-  static bool is_zero(const Vector& n)
-  {
-    return internal::dot<FT, dimension>(n, n) < FT(1) / FT(2);
-  }
+  static bool is_zero(const Vector& n) { return internal::dot(n, n) < FT(1) / FT(2); }
 
 private:
   using Traits = Unit_normal_traits<FT>;
@@ -265,8 +263,8 @@ private:
     Vector sum;
     sum.fill(FT(0));
     for (const Entry* e = begin; e != end; ++e)
-      internal::add_multiple<FT, dimension>(sum, e->weight, old[e->vertex].normal);
-    const FT squared_length = internal::dot<FT, dimension>(sum, sum);
+      internal::add_multiple(sum, e->weight, old[e->vertex].normal);
+    const FT squared_length = internal::dot(sum, sum);
     if (squared_length <= squared_vanishing_length(begin, end, old))
       sum.fill(FT(0));
     else if constexpr (std::is_floating_point_v<FT>)
@@ -341,7 +339,6 @@ private:
   }
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_AVERAGE_PN_AVERAGE_H

@@ -19,8 +19,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Average
@@ -85,10 +84,10 @@ public:
   {
     FT length_sum(0);
     for (const Entry* e = begin; e != end; ++e) {
-      internal::add_multiple<FT, dimension>(point_, e->weight, e->point);
-      internal::add_multiple<FT, dimension>(tangent_, e->weight, e->tangent);
-      length_sum += CGAL::abs(e->weight) * internal::root_of_square<FT>(
-                                             internal::dot<FT, dimension>(e->tangent, e->tangent));
+      internal::add_multiple(point_, e->weight, e->point);
+      internal::add_multiple(tangent_, e->weight, e->tangent);
+      length_sum +=
+        CGAL::abs(e->weight) * internal::root_of_square<FT>(internal::dot(e->tangent, e->tangent));
     }
     make_tangent(length_sum);
     for (const Entry* e = begin; e != end; ++e) transports_.push_back(transport(*e));
@@ -109,11 +108,10 @@ public:
     for (std::size_t j = 0; j < transports_.size(); ++j) {
       const Transport& t = transports_[j];
       const Vector& n = normal_of(j);
-      if (!internal::is_zero_not_unit<FT, dimension>(n)) length_sum += CGAL::abs(t.weight);
-      if (t.takes_part)
-        internal::add_multiple<FT, dimension>(sum, t.faded_weight, transported(n, t));
+      if (!internal::is_zero_not_unit(n)) length_sum += CGAL::abs(t.weight);
+      if (t.takes_part) internal::add_multiple(sum, t.faded_weight, transported(n, t));
     }
-    return internal::unit_or_zero<FT, dimension>(sum, length_sum);
+    return internal::unit_or_zero(sum, length_sum);
   }
 
 private:
@@ -126,19 +124,19 @@ private:
 
   void make_tangent(const FT& length_sum)
   {
-    const FT squared_length = internal::dot<FT, dimension>(tangent_, tangent_);
+    const FT squared_length = internal::dot(tangent_, tangent_);
     const FT least = Unit_normal_traits<FT>::vanishing_tolerance() * length_sum;
     if (squared_length <= least * least) {
       tangent_.fill(FT(0));
       return;
     }
-    internal::divide_by_length<FT, dimension>(tangent_, squared_length);
+    internal::divide_by_length(tangent_, squared_length);
     // the tangents cancel nearly
     if (FT(64) * squared_length < length_sum * length_sum) {
-      internal::scale<FT, dimension>(
-        tangent_, internal::smoothstep<FT>(FT(8) * internal::root_of_square<FT>(squared_length) /
-                                           length_sum));
-      internal::drop_short_tangent<FT, dimension>(tangent_);
+      internal::scale(tangent_,
+                      internal::smoothstep<FT>(
+                        FT(8) * internal::root_of_square<FT>(squared_length) / length_sum));
+      internal::drop_short_tangent(tangent_);
     }
   }
 
@@ -147,9 +145,9 @@ private:
     static const FT begin = FT(1) / FT(4), end = FT(1) / FT(64);
     Transport t;
     t.weight = t.faded_weight = e.weight;
-    t.denominator = FT(1) + internal::dot<FT, dimension>(e.tangent, tangent_);
+    t.denominator = FT(1) + internal::dot(e.tangent, tangent_);
     t.direction = tangent_;
-    internal::add_multiple<FT, dimension>(t.direction, FT(1), e.tangent);
+    internal::add_multiple(t.direction, FT(1), e.tangent);
     t.is_faded = t.denominator < begin;
     t.takes_part = !t.is_faded || t.denominator > end;
     if (t.is_faded && t.takes_part)
@@ -159,14 +157,14 @@ private:
 
   Vector transported(Vector x, const Transport& t) const
   {
-    const FT along = internal::dot<FT, dimension>(x, tangent_) / t.denominator;
-    internal::add_multiple<FT, dimension>(x, FT(-along), t.direction);
+    const FT along = internal::dot(x, tangent_) / t.denominator;
+    internal::add_multiple(x, FT(-along), t.direction);
     return x;
   }
 
   void add_offset(const Entry* begin, const Entry* end, const FT& roundness)
   {
-    if (CGAL::certainly(internal::dot<FT, dimension>(tangent_, tangent_) == FT(0))) return;
+    if (CGAL::certainly(internal::dot(tangent_, tangent_) == FT(0))) return;
     const Vector q = point_;
     Vector offset = internal::zero_vector<FT, dimension>();
     FT weight(0);
@@ -176,21 +174,20 @@ private:
       is_faded = is_faded || t.is_faded;
       if (!t.takes_part) continue;
       weight += t.faded_weight;
-      internal::add_multiple<FT, dimension>(
-        offset, t.faded_weight, transported(internal::difference<FT, dimension>(e->point, q), t));
+      internal::add_multiple(offset, t.faded_weight,
+                             transported(internal::difference(e->point, q), t));
     }
     if (is_faded) {
       if (weight < FT(1) / FT(64)) return;
       for (FT& x : offset) x /= weight;
     }
-    internal::add_multiple<FT, dimension>(point_, roundness, offset);
+    internal::add_multiple(point_, roundness, offset);
   }
 
   Vector point_, tangent_;
   boost::container::small_vector<Transport, 4> transports_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_CREASES_CREASE_AVERAGE_H

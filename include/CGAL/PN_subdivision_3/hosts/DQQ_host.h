@@ -10,15 +10,13 @@
 #define CGAL_PN_SUBDIVISION_3_HOSTS_DQQ_HOST_H
 
 #include <CGAL/PN_subdivision_3/internal/hosts/numberings.h>
-#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/container/vector.hpp>
 
 #include <cstdint>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -99,10 +97,7 @@ public:
     return numbering_.parent_of_crossing_edge(new_edge);
   }
   /// the old face, edge or vertex that a new face comes from.
-  Element_parent parent_of_face(Index new_face) const
-  {
-    return numbering_.parent_of_face(new_face);
-  }
+  Element_parent parent_of_face(Index child) const { return numbering_.parent_of_face(child); }
   /// @}
 
   /// calls the function of the mask that gives the row of a new vertex.
@@ -116,15 +111,12 @@ public:
   template <class Child, class For_chunks>
   void connect(Child& child, const For_chunks& for_chunks) const
   {
-    for_chunks(level_.number_of_faces(), [&](Index begin, Index end) {
-      for (Index f = begin; f < end; ++f) connect_face(f, child);
-    });
-    for_chunks(level_.number_of_edges(), [&](Index begin, Index end) {
-      for (Index e = begin; e < end; ++e) connect_edge(e, child);
-    });
-    for_chunks(level_.number_of_vertices(), [&](Index begin, Index end) {
-      for (Index v = begin; v < end; ++v) connect_vertex(v, child);
-    });
+    internal::for_each_index(for_chunks, level_.number_of_faces(),
+                             [&](Index f) { connect_face(f, child); });
+    internal::for_each_index(for_chunks, level_.number_of_edges(),
+                             [&](Index e) { connect_edge(e, child); });
+    internal::for_each_index(for_chunks, level_.number_of_vertices(),
+                             [&](Index v) { connect_vertex(v, child); });
   }
 
 private:
@@ -144,13 +136,10 @@ private:
   {
     Index corner = 0;
     for (Index f = 0; f < level_.number_of_faces(); ++f) {
-      const Index first = level_.halfedge_of_face(f);
-      Index h = first;
-      do {
+      for (const Index h : internal::halfedges_around_face(level_, level_.halfedge_of_face(f))) {
         corner_[h] = corner;
         halfedge_[corner++] = h;
-        h = level_.next(h);
-      } while (h != first);
+      }
     }
   }
 
@@ -188,8 +177,7 @@ private:
   void connect_face(Index f, Child& child) const
   {
     const Index first = level_.halfedge_of_face(f);
-    Index h = first;
-    do {
+    for (const Index h : internal::halfedges_around_face(level_, first)) {
       const Index n = level_.next(h);
       child.set_next(inner(h), inner(n));
       child.set_face(inner(h), smaller_face(f));
@@ -198,8 +186,7 @@ private:
       child.set_halfedge_of_vertex(corner_[h],
                                    is_interior(n) ? around_vertex(opposite(n)) : outer(n));
       if (!is_interior(h)) connect_border(h, child);
-      h = n;
-    } while (h != first);
+    }
     child.set_halfedge_of_face(smaller_face(f), inner(first));
   }
 
@@ -255,7 +242,6 @@ private:
   internal::DQQ_numbering<Index> numbering_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_HOSTS_DQQ_HOST_H

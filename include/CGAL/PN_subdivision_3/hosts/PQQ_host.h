@@ -11,11 +11,9 @@
 
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/numberings.h>
-#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -79,21 +77,12 @@ public:
   /// @{
 
   /// the old vertex, edge or face that a new vertex comes from.
-  Element_parent parent_of_vertex(Index new_vertex) const
-  {
-    return numbering_.parent_of_vertex(new_vertex);
-  }
+  Element_parent parent_of_vertex(Index child) const { return numbering_.parent_of_vertex(child); }
   /// the old edge that a new edge is a half of, or the face that it lies in; that of corner i of the face, counted
   /// from the target of its half-edge on, begins at the edge that leads to the corner.
-  Element_parent parent_of_edge(Index new_edge) const
-  {
-    return numbering_.parent_of_edge(new_edge);
-  }
+  Element_parent parent_of_edge(Index child) const { return numbering_.parent_of_edge(child); }
   /// the old face that a new face is a part of, and its corner.
-  Element_parent parent_of_face(Index new_face) const
-  {
-    return numbering_.parent_of_face(new_face);
-  }
+  Element_parent parent_of_face(Index child) const { return numbering_.parent_of_face(child); }
   /// @}
 
   /// calls the function of the mask that gives the row of a new vertex.
@@ -114,9 +103,8 @@ public:
   void connect(Child& child, const For_chunks& for_chunks) const
   {
     split_.connect(child, for_chunks);
-    for_chunks(level_.number_of_faces(), [&](Index begin, Index end) {
-      for (Index f = begin; f < end; ++f) connect_face(f, child);
-    });
+    internal::for_each_index(for_chunks, level_.number_of_faces(),
+                             [&](Index f) { connect_face(f, child); });
   }
 
 private:
@@ -164,7 +152,6 @@ private:
   internal::PQQ_numbering<Index> numbering_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_HOSTS_PQQ_HOST_H

@@ -12,11 +12,9 @@
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/numberings.h>
-#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3Schemes
 
@@ -74,20 +72,11 @@ public:
   /// @{
 
   /// the old vertex or edge that a new vertex comes from.
-  Element_parent parent_of_vertex(Index new_vertex) const
-  {
-    return numbering_.parent_of_vertex(new_vertex);
-  }
+  Element_parent parent_of_vertex(Index child) const { return numbering_.parent_of_vertex(child); }
   /// the old edge that a new edge is a half of, or the face that it lies in and the corner that it cuts off.
-  Element_parent parent_of_edge(Index new_edge) const
-  {
-    return numbering_.parent_of_edge(new_edge);
-  }
+  Element_parent parent_of_edge(Index child) const { return numbering_.parent_of_edge(child); }
   /// the old face that a new face is a part of: the middle one first.
-  Element_parent parent_of_face(Index new_face) const
-  {
-    return numbering_.parent_of_face(new_face);
-  }
+  Element_parent parent_of_face(Index child) const { return numbering_.parent_of_face(child); }
   /// @}
 
   /// calls the function of the mask that gives the row of a new vertex.
@@ -106,9 +95,8 @@ public:
   void connect(Child& child, const For_chunks& for_chunks) const
   {
     split_.connect(child, for_chunks);
-    for_chunks(level_.number_of_faces(), [&](Index begin, Index end) {
-      for (Index f = begin; f < end; ++f) connect_face(f, child);
-    });
+    internal::for_each_index(for_chunks, level_.number_of_faces(),
+                             [&](Index f) { connect_face(f, child); });
   }
 
 private:
@@ -150,7 +138,6 @@ private:
   internal::PTQ_numbering<Index> numbering_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_HOSTS_PTQ_HOST_H

@@ -11,7 +11,6 @@
 
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/numberings.h>
-#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/config.hpp>
@@ -21,8 +20,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -120,10 +118,7 @@ public:
   }
   /// the old face with the half-edge that a new triangle lies at, and which of its half-edges it is. The triangle
   /// reaches beyond it, to the new vertex of the face on the other side.
-  Element_parent parent_of_face(Index new_face) const
-  {
-    return numbering_.parent_of_face(new_face);
-  }
+  Element_parent parent_of_face(Index child) const { return numbering_.parent_of_face(child); }
   /// whether the border is refined in this round.
   bool has_refined_border() const { return numbering_.refines_border(); }
   /// @}
@@ -148,16 +143,13 @@ public:
   template <class Child, class For_chunks>
   void connect(Child& child, const For_chunks& for_chunks) const
   {
-    for_chunks(level_.number_of_vertices(), [&](Index begin, Index end) {
-      for (Index v = begin; v < end; ++v) connect_vertex(v, child);
-    });
+    internal::for_each_index(for_chunks, level_.number_of_vertices(),
+                             [&](Index v) { connect_vertex(v, child); });
     // by edges: both sides of an edge are read from the same place
-    for_chunks(level_.number_of_edges(), [&](Index begin, Index end) {
-      for (Index e = begin; e < end; ++e) connect_edge(2 * e, child);
-    });
-    for_chunks(level_.number_of_faces(), [&](Index begin, Index end) {
-      for (Index f = begin; f < end; ++f) connect_center(f, child);
-    });
+    internal::for_each_index(for_chunks, level_.number_of_edges(),
+                             [&](Index e) { connect_edge(2 * e, child); });
+    internal::for_each_index(for_chunks, level_.number_of_faces(),
+                             [&](Index f) { connect_center(f, child); });
   }
 
 private:
@@ -343,7 +335,6 @@ private:
   boost::container::vector<Index> border_faces_before_, face_of_center_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_HOSTS_SQRT3_HOST_H

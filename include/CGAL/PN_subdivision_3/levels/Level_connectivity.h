@@ -17,8 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /// \ingroup PkgPNSubdivision3Schemes
 /// numbers of elements of a level.
@@ -287,7 +286,77 @@ private:
   std::vector<Counted_valence> counted_valences_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+namespace internal {
+
+// Half-edges in a circle, to go through by a loop: those from `first` on by steps.
+template <Level_connectivity::Index (Level_connectivity::*step)(Level_connectivity::Index) const>
+struct Halfedge_circle
+{
+  const Level_connectivity& level;
+  const Level_connectivity::Index first;
+  Level_connectivity::Index halfedge = first;
+  bool is_closed = false;
+
+  Halfedge_circle begin() const { return *this; }
+  static std::nullptr_t end() { return nullptr; }
+  Level_connectivity::Index operator*() const { return halfedge; }
+  void operator++()
+  {
+    halfedge = (level.*step)(halfedge);
+    is_closed = halfedge == first;
+  }
+  bool operator!=(std::nullptr_t) const { return !is_closed; }
+};
+
+// those of the face of h, from h on
+inline Halfedge_circle<&Level_connectivity::next>
+halfedges_around_face(const Level_connectivity& level, Level_connectivity::Index h)
+{
+  return {level, h};
+}
+// those with the target of h, from h on, clockwise
+inline Halfedge_circle<&Level_connectivity::next_around_target>
+halfedges_around_target(const Level_connectivity& level, Level_connectivity::Index h)
+{
+  return {level, h};
+}
+
+// f(i) of every i below n; for_chunks says in which threads
+template <class For_chunks, class Function>
+void for_each_index(const For_chunks& for_chunks, Level_connectivity::Index n, const Function& f)
+{
+  using Index = Level_connectivity::Index;
+  for_chunks(n, [&](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) f(i);
+  });
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+The old element that an element of the refined level comes from. `Index` may be wider than that of a level,
+to number more than one level holds.
+*/
+template <class Index>
+struct Basic_element_parent
+{
+  /// A corner is given by the half-edge of its face that leads to it, a border edge by its half-edge that
+  /// has a face; all other elements are given by their own index.
+  enum class Kind { vertex, edge, face, corner, border_edge };
+
+  /// the kind of the old element.
+  Kind kind;
+  /// its number.
+  Index index;
+  /// which one it is of the children of the same kind that the old element has, counted from 0.
+  Index ordinal = 0;
+};
+
+/// \ingroup PkgPNSubdivision3Schemes
+/// the parent of an element of a level.
+using Element_parent = Basic_element_parent<Level_connectivity::Index>;
+
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_LEVELS_LEVEL_CONNECTIVITY_H

@@ -12,14 +12,16 @@
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/number_type_basic.h>
 
+#include <boost/type_traits/detected_or.hpp>
+#include <boost/type_traits/is_detected.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 template <class FT>
@@ -30,20 +32,15 @@ constexpr bool has_sqrt_v =
   std::is_convertible_v<typename CGAL::Algebraic_structure_traits<FT>::Algebraic_category*,
                         CGAL::Field_with_sqrt_tag*>;
 
-template <class FT, class = void>
-struct Has_default_precision : std::false_type
-{};
 template <class FT>
-struct Has_default_precision<FT, std::void_t<decltype(FT::get_default_precision())>>
-  : std::true_type
-{};
+using Default_precision_of = decltype(FT::get_default_precision());
+template <class FT>
+using Has_default_precision = boost::is_detected<Default_precision_of, FT>;
 
-template <class FT, class = void>
-struct Is_lazy : std::false_type
-{};
 template <class FT>
-struct Is_lazy<FT, std::void_t<decltype(std::declval<const FT&>().exact())>> : std::true_type
-{};
+using Exact_of = decltype(std::declval<const FT&>().exact());
+template <class FT>
+using Is_lazy = boost::is_detected<Exact_of, FT>;
 
 // 2^-k, also below the range of double
 template <class FT>
@@ -159,17 +156,13 @@ struct Unit_normal_traits
 
 namespace internal {
 
-template <class FT, class = void>
-struct Rounds_exact_numbers : std::false_type
-{};
 template <class FT>
-struct Rounds_exact_numbers<FT, std::enable_if_t<Unit_normal_traits<FT>::rounds_exact_numbers>>
-  : std::true_type
-{};
+using Rounding_of = std::bool_constant<Unit_normal_traits<FT>::rounds_exact_numbers>;
+template <class FT>
+using Rounds_exact_numbers = boost::detected_or_t<std::false_type, Rounding_of, FT>;
 
 } // namespace internal
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_NUMBERS_UNIT_NORMAL_TRAITS_H

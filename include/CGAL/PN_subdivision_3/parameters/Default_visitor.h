@@ -9,12 +9,40 @@
 #ifndef CGAL_PN_SUBDIVISION_3_PARAMETERS_DEFAULT_VISITOR_H
 #define CGAL_PN_SUBDIVISION_3_PARAMETERS_DEFAULT_VISITOR_H
 
-#include <CGAL/PN_subdivision_3/parameters/Control_element.h>
-
 #include <cstddef>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Attributes
+An element of the control mesh, that is the mesh before the call. Refinement is in place, and the descriptor of a
+control element belongs to one of its children afterwards. Hence the element is given by its position: `index` counts
+the vertices, edges or faces in the order of `vertices(mesh)`, `edges(mesh)` or `faces(mesh)` before the call, from 0
+on. In a `Surface_mesh` without removed elements this is the number of the descriptor.
+*/
+struct Control_element
+{
+  /// the kinds of elements.
+  enum class Kind { vertex, edge, face };
+
+  /// the kind of the element.
+  Kind kind;
+  /// its position among those of its kind, counted from 0.
+  std::size_t index;
+
+  /// whether they are the same element.
+  friend bool operator==(const Control_element& a, const Control_element& b)
+  {
+    return a.kind == b.kind && a.index == b.index;
+  }
+  /// orders by kind, then by index.
+  friend bool operator<(const Control_element& a, const Control_element& b)
+  {
+    return a.kind != b.kind ? a.kind < b.kind : a.index < b.index;
+  }
+  /// whether they are different elements.
+  friend bool operator!=(const Control_element& a, const Control_element& b) { return !(a == b); }
+};
 
 namespace internal {
 
@@ -57,7 +85,6 @@ struct Default_visitor
   }
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_PARAMETERS_DEFAULT_VISITOR_H

@@ -17,8 +17,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 // a value of each key, which need not be known in advance: of numbers as keys in an array
@@ -252,7 +251,6 @@ void put_whole(const Map& map, const Key& key, const Whole& whole)
 }
 
 } // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_PARAMETERS_ESTIMATED_CONTROL_NORMALS_H

@@ -13,8 +13,7 @@
 #include <functional>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 struct Attribute_table;
 
@@ -64,10 +63,7 @@ continuous transition, see `PN_average`.
 \param x a number from 0 to 1
 */
 template <class FT>
-auto roundness(const FT& x)
-{
-  return internal::with_parameter<internal::roundness_t>(x);
-}
+auto roundness(const FT& x);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -78,10 +74,7 @@ from there.
   1 to values slightly beyond
 */
 template <class VertexRoundnessMap>
-auto vertex_roundness_map(const VertexRoundnessMap& map)
-{
-  return internal::with_parameter<internal::vertex_roundness_map_t>(map);
-}
+auto vertex_roundness_map(const VertexRoundnessMap& map);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -89,10 +82,7 @@ how control normals are estimated where none are given, by default `Control_norm
 \param estimate a `Control_normal_estimate`
 */
 template <class Estimate>
-auto control_normal_estimate(const Estimate& estimate)
-{
-  return internal::with_parameter<internal::control_normal_estimate_t>(estimate);
-}
+auto control_normal_estimate(const Estimate& estimate);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -100,10 +90,7 @@ how the border of the surface is treated, by default `Border::surface`. Anything
 \param rule a `Border`
 */
 template <class BorderRule>
-auto border(const BorderRule& rule)
-{
-  return internal::with_parameter<internal::border_t>(rule);
-}
+auto border(const BorderRule& rule);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -130,10 +117,7 @@ the values of a map that has not been set are of this kind.
   `geom_traits::Vector_3` as value type; if it is a `ReadWritePropertyMap` the refined tangents are put
 */
 template <class HalfedgeVectorMap>
-auto crease_tangent_map(const HalfedgeVectorMap& map)
-{
-  return internal::with_parameter<internal::crease_tangent_map_t>(map);
-}
+auto crease_tangent_map(const HalfedgeVectorMap& map);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -141,10 +125,7 @@ into how many pieces `Surface_pieces` divides a surface, by default 1.
 \param n at least 1
 */
 template <class Number>
-auto number_of_pieces(const Number& n)
-{
-  return internal::with_parameter<internal::number_of_pieces_t>(n);
-}
+auto number_of_pieces(const Number& n);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -153,10 +134,7 @@ the largest error of a limit point, as a part of the largest side of the boundin
 \param x a `double` that is not negative
 */
 template <class Real>
-auto tolerance(const Real& x)
-{
-  return internal::with_parameter<internal::tolerance_t>(x);
-}
+auto tolerance(const Real& x);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -164,10 +142,7 @@ the largest estimated error of a surface normal or of the tangent of a curve, in
 \param x a `double` that is not negative
 */
 template <class Real>
-auto normal_tolerance(const Real& x)
-{
-  return internal::with_parameter<internal::normal_tolerance_t>(x);
-}
+auto normal_tolerance(const Real& x);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -175,10 +150,7 @@ the most rounds of refinement about a vertex that a limit takes, by default 12.
 \param n an `unsigned`
 */
 template <class Number>
-auto max_depth(const Number& n)
-{
-  return internal::with_parameter<internal::max_depth_t>(n);
-}
+auto max_depth(const Number& n);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -186,10 +158,7 @@ a map that gets the limit points that `limit_points()` computes.
 \param map a model of `WritablePropertyMap` from vertices (of a dual scheme, faces) to points
 */
 template <class Map>
-auto limit_point_map(const Map& map)
-{
-  return internal::with_parameter<internal::limit_point_map_t>(map);
-}
+auto limit_point_map(const Map& map);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -198,10 +167,7 @@ unless `surface_normals()` asks for others.
 \param map a model of `WritablePropertyMap` from vertices (of a dual scheme, faces) to vectors
 */
 template <class Map>
-auto limit_normal_map(const Map& map)
-{
-  return internal::with_parameter<internal::limit_normal_map_t>(map);
-}
+auto limit_normal_map(const Map& map);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -209,10 +175,7 @@ a map that gets the estimated errors of the limit points that `limit_points()` c
 \param map a model of `WritablePropertyMap` from vertices (of a dual scheme, faces) to `double`
 */
 template <class Map>
-auto limit_error_map(const Map& map)
-{
-  return internal::with_parameter<internal::limit_error_map_t>(map);
-}
+auto limit_error_map(const Map& map);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -223,10 +186,7 @@ on the side of the faces of the control mesh. Functions that move a mesh then le
 \param yes a `bool`
 */
 template <class Yes>
-auto points(const Yes& yes)
-{
-  return internal::with_parameter<internal::points_t>(yes);
-}
+auto points(const Yes& yes);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -234,10 +194,7 @@ whether limits have the normals of the surface; by default they have the limits 
 \param yes a `bool`
 */
 template <class Yes>
-auto surface_normals(const Yes& yes)
-{
-  return internal::with_parameter<internal::surface_normals_t>(yes);
-}
+auto surface_normals(const Yes& yes);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -245,10 +202,7 @@ whether the limits of a curve have its tangents and normals; by default they hav
 \param yes a `bool`
 */
 template <class Yes>
-auto curve_normals(const Yes& yes)
-{
-  return internal::with_parameter<internal::curve_normals_t>(yes);
-}
+auto curve_normals(const Yes& yes);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -256,10 +210,7 @@ whether limits have curvatures, where they exist; by default they have not.
 \param yes a `bool`
 */
 template <class Yes>
-auto curvatures(const Yes& yes)
-{
-  return internal::with_parameter<internal::curvatures_t>(yes);
-}
+auto curvatures(const Yes& yes);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -268,10 +219,7 @@ that is even, and modified schemes on whether it is before their first round; ot
 \param n an `unsigned`
 */
 template <class Number>
-auto rounds_done(const Number& n)
-{
-  return internal::with_parameter<internal::rounds_done_t>(n);
-}
+auto rounds_done(const Number& n);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -280,10 +228,7 @@ whether the vertices of `Surface_pieces` are moved to the limit surface, as by `
 \param yes a `bool`; what limits need is compiled if the parameter is given
 */
 template <class Yes>
-auto to_limit(const Yes& yes)
-{
-  return internal::with_parameter<internal::to_limit_t>(yes);
-}
+auto to_limit(const Yes& yes);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -291,10 +236,7 @@ whether the distance of the triangles of `tessellate()` from the surface is prov
 \param yes a `bool`; code for proofs is compiled if the parameter is given
 */
 template <class Yes>
-auto proven_bound(const Yes& yes)
-{
-  return internal::with_parameter<internal::proven_bound_t>(yes);
-}
+auto proven_bound(const Yes& yes);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -302,10 +244,7 @@ how vertices are interpolated, by default `Limit_interpolation::Mode::slide`.
 \param mode a `Limit_interpolation::Mode`
 */
 template <class Mode>
-auto interpolation_mode(const Mode& mode)
-{
-  return internal::with_parameter<internal::interpolation_mode_t>(mode);
-}
+auto interpolation_mode(const Mode& mode);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -313,10 +252,7 @@ where the control normals of an interpolating surface or curve come from, by def
 \param normals a `Limit_interpolation::Normals`
 */
 template <class Normals>
-auto interpolation_normals(const Normals& normals)
-{
-  return internal::with_parameter<internal::interpolation_normals_t>(normals);
-}
+auto interpolation_normals(const Normals& normals);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -324,10 +260,7 @@ what becomes of vertices that are not interpolated, by default `Limit_interpolat
 \param free a `Limit_interpolation::Free`
 */
 template <class Free>
-auto free_vertices(const Free& free)
-{
-  return internal::with_parameter<internal::free_vertices_t>(free);
-}
+auto free_vertices(const Free& free);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -335,10 +268,7 @@ which vertices `interpolate_limit_points()` interpolates; by default all.
 \param map a model of `ReadablePropertyMap` from vertices to `bool`
 */
 template <class VertexMap>
-auto vertex_is_interpolated_map(const VertexMap& map)
-{
-  return internal::with_parameter<internal::vertex_is_interpolated_map_t>(map);
-}
+auto vertex_is_interpolated_map(const VertexMap& map);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -346,10 +276,7 @@ the most steps of an interpolation, of which each solves one linear system, or m
 \param n an `unsigned`
 */
 template <class Number>
-auto max_steps(const Number& n)
-{
-  return internal::with_parameter<internal::max_steps_t>(n);
-}
+auto max_steps(const Number& n);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -357,10 +284,7 @@ the limit points that `prescribe_limit_data()` prescribes; by default none.
 \param map a model of `ReadablePropertyMap` from vertices to `std::optional` of a point
 */
 template <class VertexMap>
-auto prescribed_point_map(const VertexMap& map)
-{
-  return internal::with_parameter<internal::prescribed_point_map_t>(map);
-}
+auto prescribed_point_map(const VertexMap& map);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -368,10 +292,7 @@ the surface normals that `prescribe_limit_data()` prescribes; by default none.
 \param map a model of `ReadablePropertyMap` from vertices to `std::optional` of a vector of any length
 */
 template <class VertexMap>
-auto prescribed_normal_map(const VertexMap& map)
-{
-  return internal::with_parameter<internal::prescribed_normal_map_t>(map);
-}
+auto prescribed_normal_map(const VertexMap& map);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -379,10 +300,7 @@ the curvatures that `prescribe_limit_data()` prescribes; by default none.
 \param map a model of `ReadablePropertyMap` from vertices to `std::optional` of a `Prescribed_curvature`
 */
 template <class VertexMap>
-auto prescribed_curvature_map(const VertexMap& map)
-{
-  return internal::with_parameter<internal::prescribed_curvature_map_t>(map);
-}
+auto prescribed_curvature_map(const VertexMap& map);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -390,10 +308,7 @@ within how many rings of faces about the vertices with prescribed data control p
 \param n an `unsigned`
 */
 template <class Number>
-auto rings(const Number& n)
-{
-  return internal::with_parameter<internal::rings_t>(n);
-}
+auto rings(const Number& n);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -402,10 +317,7 @@ default 10<sup>-6</sup>.
 \param x a `double` that is not negative
 */
 template <class Real>
-auto curvature_tolerance(const Real& x)
-{
-  return internal::with_parameter<internal::curvature_tolerance_t>(x);
-}
+auto curvature_tolerance(const Real& x);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -413,10 +325,7 @@ the most steps towards prescribed curvatures, by default 12.
 \param n an `unsigned`
 */
 template <class Number>
-auto max_curvature_steps(const Number& n)
-{
-  return internal::with_parameter<internal::max_curvature_steps_t>(n);
-}
+auto max_curvature_steps(const Number& n);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -425,10 +334,7 @@ where curvature is then bounded. By default they are not.
 \param yes a `bool`
 */
 template <class Yes>
-auto tuned(const Yes& yes)
-{
-  return internal::with_parameter<internal::tuned_t>(yes);
-}
+auto tuned(const Yes& yes);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -437,10 +343,7 @@ whether `CatmullClark_subdivision()` and `Loop_subdivision()` transfer curvature
 \param yes a `bool`
 */
 template <class Yes>
-auto curvature_transfer(const Yes& yes)
-{
-  return internal::with_parameter<internal::curvature_transfer_t>(yes);
-}
+auto curvature_transfer(const Yes& yes);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -449,10 +352,7 @@ part indicates it, by default 8.
 \param n at least 3
 */
 template <class Number>
-auto min_facets(const Number& n)
-{
-  return internal::with_parameter<internal::min_facets_t>(n);
-}
+auto min_facets(const Number& n);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -461,10 +361,7 @@ coordinates and the size of the mesh make of it, see there.
 \param x a positive length
 */
 template <class FT>
-auto surface_tolerance(const FT& x)
-{
-  return internal::with_parameter<internal::surface_tolerance_t>(x);
-}
+auto surface_tolerance(const FT& x);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -472,10 +369,17 @@ the angle in degrees from which on `surface_creases()` makes edges between facet
 \param degrees from 0 to 180
 */
 template <class FT>
-auto sharp_angle(const FT& degrees)
-{
-  return internal::with_parameter<internal::sharp_angle_t>(degrees);
-}
+auto sharp_angle(const FT& degrees);
+
+// all of the above
+#define CGAL_PN_SUBDIVISION_3_FUNCTION(X)                                                          \
+  template <class T>                                                                               \
+  auto X(const T& value)                                                                           \
+  {                                                                                                \
+    return internal::with_parameter<internal::X##_t>(value);                                       \
+  }
+CGAL_PN_SUBDIVISION_3_OWN_PARAMETERS(CGAL_PN_SUBDIVISION_3_FUNCTION)
+#undef CGAL_PN_SUBDIVISION_3_FUNCTION
 
 /*!
 \ingroup PkgPNSubdivision3Attributes
@@ -552,7 +456,6 @@ auto join(const First& first, const Second& second, const Third& third,
 }
 
 } // namespace parameters
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_PARAMETERS_PARAMETERS_H

@@ -19,8 +19,7 @@
 #include <memory>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 template <class FT>
@@ -130,7 +129,6 @@ struct Limit_neighborhood
   bool has_tangent_planes = true;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_ROWS_STENCIL_H

@@ -9,14 +9,13 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEME_PARTS_COSINE_WEIGHTS_H
 #define CGAL_PN_SUBDIVISION_3_SCHEME_PARTS_COSINE_WEIGHTS_H
 
-#include <CGAL/PN_subdivision_3/internal/numbers/cosine_of_number_type.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/Weight_number.h>
 
 #include <array>
 #include <cstdint>
 #include <numeric>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3Schemes
 
@@ -81,7 +80,6 @@ private:
   std::array<FT, 32> table_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEME_PARTS_COSINE_WEIGHTS_H

@@ -11,8 +11,7 @@
 
 #include <stdexcept>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -62,7 +61,6 @@ enum class Tuned_valences {
   diverging
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEME_PARTS_SCHEME_PARAMETER_H

@@ -14,10 +14,8 @@
 
 #include <algorithm>
 #include <type_traits>
-#include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -166,7 +164,6 @@ Scheme_with_normals<Scheme, Normal_scheme> with_normal_scheme(const Scheme& sche
   return {{scheme}, normal_scheme};
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEME_PARTS_SCHEME_ADAPTORS_H

@@ -18,8 +18,7 @@
 #include <type_traits>
 #include <variant>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3Schemes
 
@@ -118,7 +117,6 @@ private:
   On_a_host on_a_host_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_ANY_SCHEME_H

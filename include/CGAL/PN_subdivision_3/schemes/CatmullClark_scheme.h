@@ -14,8 +14,7 @@
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -119,11 +118,8 @@ private:
   bool is_among_quads(Index h) const
   {
     if (level_.uniform_degree() == 4) return true;
-    Index g = h;
-    do {
+    for (const Index g : internal::halfedges_around_target(level_, h))
       if (!level_.has_degree(g, 4)) return false;
-      g = level_.next_around_target(g);
-    } while (g != h);
     return true;
   }
 
@@ -145,15 +141,13 @@ private:
   {
     const FT w = FT(1) / (FT(int(n)) * FT(int(n)));
     FT before = w / FT(int(level_.degree(Level_connectivity::opposite(h))));
-    Index g = h;
-    do {
+    for (const Index g : internal::halfedges_around_target(level_, h)) {
       const FT corner = w / FT(int(level_.degree(g)));
       s.add(level_.source(g), w + before + corner);
       Index c = level_.next(level_.next(g));
       for (; level_.next(c) != g; c = level_.next(c)) s.add(level_.target(c), corner);
       before = corner;
-      g = level_.next_around_target(g);
-    } while (g != h);
+    }
     s.add_rest(level_.target(h));
   }
 
@@ -202,7 +196,7 @@ struct CatmullClark_scheme
 {
   /// with other eigenvalues at separated extraordinary vertices, in `schemes/Tuned_CatmullClark_scheme.h`.
   class Tuned;
-  /// with transfer of curvature at extraordinary vertices, in `schemes/Transfer_CatmullClark_scheme.h`.
+  /// with transfer of curvature at extraordinary vertices, in `schemes/Transfer_schemes.h`.
   class Transfer;
   /// by grid lines, in `schemes/Grid_CatmullClark_scheme.h`.
   struct Grid;
@@ -234,7 +228,6 @@ struct CatmullClark_scheme
   }
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_CATMULLCLARK_SCHEME_H

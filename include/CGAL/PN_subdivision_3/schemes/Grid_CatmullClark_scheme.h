@@ -17,8 +17,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -74,11 +73,8 @@ public:
   void face(Index f, Stencil& s) const
   {
     const Index h = level_.halfedge_of_face(f);
-    Index g = h;
-    do {
+    for (const Index g : internal::halfedges_around_face(level_, h))
       if (is_irregular(level_.target(g))) return plain_.face(f, s);
-      g = level_.next(g);
-    } while (g != h);
     add_grid(h, 4, 4, s);
   }
 
@@ -225,7 +221,6 @@ struct CatmullClark_scheme::Grid
   }
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_GRID_CATMULLCLARK_SCHEME_H

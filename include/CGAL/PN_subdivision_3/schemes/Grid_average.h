@@ -17,8 +17,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 // A grid in a row of a mask: `columns` x `rows` entries, row by row, filled with zero weights up to an even number that
@@ -103,7 +102,7 @@ public:
 
   static Vector unit_or_zero(Vector v)
   {
-    const FT squared_length = dot<FT, 3>(v, v);
+    const FT squared_length = dot(v, v);
     const FT tolerance = Unit_normal_traits<FT>::vanishing_tolerance();
     if (squared_length <= tolerance * tolerance) return zero_vector<FT, 3>();
     make_unit(v, squared_length);
@@ -113,7 +112,7 @@ public:
   // Of exact numbers a unit vector in double: its direction is an estimate anyway, and exact ones grow without bounds.
   static void make_unit(Vector& v, const FT& squared_length)
   {
-    divide_by_length<FT, 3>(v, squared_length);
+    divide_by_length(v, squared_length);
     if constexpr (is_exact_v<FT>)
       for (FT& x : v) x = FT(close_double(x));
   }
@@ -146,7 +145,7 @@ private:
       double largest = 0;
       for (int i = 1; i < size_; ++i)
         if (has(i - 1) && has(i))
-          for (const FT& x : difference<FT, 3>(nodes_[i].value.point, nodes_[i - 1].value.point))
+          for (const FT& x : difference(nodes_[i].value.point, nodes_[i - 1].value.point))
             largest = (std::max)(largest, std::abs(close_double(x)));
       if (largest > 0 && std::isfinite(largest)) exponent_ = -std::ilogb(largest);
     }
@@ -154,7 +153,7 @@ private:
   // from a point to another one, scaled
   Vector chord(int from, int to) const
   {
-    Vector c = difference<FT, 3>(nodes_[to].value.point, nodes_[from].value.point);
+    Vector c = difference(nodes_[to].value.point, nodes_[from].value.point);
     if (exponent_ != 0)
       for (FT& x : c) x = times_power_of_two(x, exponent_);
     return c;
@@ -167,17 +166,17 @@ private:
     if (!has(b)) b = i - 2;
     if (!has(a) || !has(b)) return;
     Vector x = chord(i, a), y = chord(i, b);
-    const FT xx = dot<FT, 3>(x, x), yy = dot<FT, 3>(y, y);
+    const FT xx = dot(x, x), yy = dot(y, y);
     if (!(xx > FT(0)) || !(yy > FT(0))) return;
-    scale<FT, 3>(x, FT(1) / xx);
-    scale<FT, 3>(y, FT(1) / yy);
+    scale(x, FT(1) / xx);
+    scale(y, FT(1) / yy);
     Circle& circle = circles_[i];
-    circle.direction = difference<FT, 3>(y, x);
-    const FT squared_length = dot<FT, 3>(circle.direction, circle.direction);
+    circle.direction = difference(y, x);
+    const FT squared_length = dot(circle.direction, circle.direction);
     if (!(squared_length > FT(0))) return;
     make_unit(circle.direction, squared_length);
     circle.foot = without(x, circle.direction);
-    circle.squared_length = dot<FT, 3>(circle.foot, circle.foot);
+    circle.squared_length = dot(circle.foot, circle.foot);
     circle.squared_size = (std::max)(FT(1) / xx, FT(1) / yy);
     circle.exists = true;
   }
@@ -185,7 +184,7 @@ private:
   // v less its part along the unit vector t
   static Vector without(Vector v, const Vector& t)
   {
-    add_multiple<FT, 3>(v, -dot<FT, 3>(v, t), t);
+    add_multiple(v, -dot(v, t), t);
     return v;
   }
 
@@ -197,11 +196,11 @@ private:
     Circle& circle = circles_[i];
     normals_[i] = n;
     if (!circle.exists) return;
-    const bool has_normal = dot<FT, 3>(n, n) > FT(1) / FT(2);
+    const bool has_normal = dot(n, n) > FT(1) / FT(2);
     Vector t = circle.direction;
     if (has_normal) {
       const Vector tangent = without(t, n);
-      const FT squared_length = dot<FT, 3>(tangent, tangent);
+      const FT squared_length = dot(tangent, tangent);
       if (squared_length > FT(1) / FT(16)) {
         t = tangent;
         make_unit(t, squared_length);
@@ -215,16 +214,15 @@ private:
       normals_[i] = of_surface;
       return;
     }
-    Vector normal = without(opposite_vector<FT, 3>(circle.foot), t);
-    const FT squared_length = dot<FT, 3>(normal, normal);
+    Vector normal = without(opposite_vector(circle.foot), t);
+    const FT squared_length = dot(normal, normal);
     if (!(squared_length > FT(0))) return;
     make_unit(normal, squared_length);
     normals_[i] = normal;
     if (bent == FT(1) || !has_normal) return;
-    scale<FT, 3>(normals_[i], bent);
+    scale(normals_[i], bent);
     const FT rest = FT(1) - bent;
-    add_multiple<FT, 3>(normals_[i], dot<FT, 3>(normal, of_surface) < FT(0) ? -rest : rest,
-                        of_surface);
+    add_multiple(normals_[i], dot(normal, of_surface) < FT(0) ? -rest : rest, of_surface);
     normals_[i] = unit_or_zero(normals_[i]);
   }
 
@@ -233,27 +231,26 @@ private:
   void turn_like(int i, int j)
   {
     const Vector e = chord(i, j);
-    const FT ee = dot<FT, 3>(e, e);
+    const FT ee = dot(e, e);
     Vector mirrored = normals_[i];
-    if (ee > FT(0)) add_multiple<FT, 3>(mirrored, FT(-2) * dot<FT, 3>(mirrored, e) / ee, e);
-    if (dot<FT, 3>(mirrored, normals_[j]) < FT(0))
-      normals_[j] = opposite_vector<FT, 3>(normals_[j]);
+    if (ee > FT(0)) add_multiple(mirrored, FT(-2) * dot(mirrored, e) / ee, e);
+    if (dot(mirrored, normals_[j]) < FT(0)) normals_[j] = opposite_vector(normals_[j]);
   }
 
   // Adds v, turned by the smallest rotation that takes the unit vector a to b; the weight fades as in PN_average.
   static void add_carried(Vector& sum, FT weight, const Vector& v, const Vector& a, const Vector& b)
   {
-    const FT d = FT(1) + dot<FT, 3>(a, b);
+    const FT d = FT(1) + dot(a, b);
     Vector result = v;
     if (!PN_average<FT, 3>::is_zero(a) && !PN_average<FT, 3>::is_zero(b)) {
       if (d <= fade_end<FT>()) return;
       if (d < fade_begin<FT>()) weight *= fade(d);
       Vector both = a;
-      add_multiple<FT, 3>(both, FT(1), b);
-      add_multiple<FT, 3>(result, -dot<FT, 3>(v, both) / d, both);
-      add_multiple<FT, 3>(result, FT(2) * dot<FT, 3>(v, a), b);
+      add_multiple(both, FT(1), b);
+      add_multiple(result, -dot(v, both) / d, both);
+      add_multiple(result, FT(2) * dot(v, a), b);
     }
-    add_multiple<FT, 3>(sum, weight, result);
+    add_multiple(sum, weight, result);
   }
 
   const Nodes& nodes_;
@@ -362,14 +359,13 @@ private:
     if (CGAL::certainly(w == FT(1))) return;
     auto linear = internal::zero_vector<FT, 3>();
     for (const Entry* e = begin; e != end; ++e)
-      internal::add_multiple<FT, 3>(linear, e->weight, old[e->vertex].point);
-    const auto height = internal::difference<FT, 3>(result.point, linear);
+      internal::add_multiple(linear, e->weight, old[e->vertex].point);
+    const auto height = internal::difference(result.point, linear);
     result.point = linear;
-    internal::add_multiple<FT, 3>(result.point, w, height);
+    internal::add_multiple(result.point, w, height);
   }
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_GRID_AVERAGE_H

@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Merged_row.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
@@ -19,11 +19,9 @@
 #include <CGAL/Uncertain.h>
 
 #include <stdexcept>
-#include <string>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -311,7 +309,6 @@ private:
   Scheme_parameter tension_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_KOBBELT_SCHEME_H

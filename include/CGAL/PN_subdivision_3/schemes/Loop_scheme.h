@@ -14,8 +14,7 @@
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -102,7 +101,7 @@ struct Loop_scheme
 {
   /// with other eigenvalues at separated extraordinary vertices, in `schemes/Tuned_Loop_scheme.h`.
   class Tuned;
-  /// with transfer of curvature at extraordinary vertices, in `schemes/Transfer_Loop_scheme.h`.
+  /// with transfer of curvature at extraordinary vertices, in `schemes/Transfer_schemes.h`.
   class Transfer;
 
   /// the host of the scheme.
@@ -126,7 +125,6 @@ struct Loop_scheme
   }
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_LOOP_SCHEME_H

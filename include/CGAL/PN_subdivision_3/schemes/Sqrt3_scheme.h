@@ -14,8 +14,7 @@
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -141,7 +140,6 @@ struct Sqrt3_scheme
   }
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_SQRT3_SCHEME_H

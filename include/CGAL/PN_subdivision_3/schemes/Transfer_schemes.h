@@ -9,13 +9,10 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_TRANSFER_SCHEMES_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_TRANSFER_SCHEMES_H
 
-#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
-#include <CGAL/PN_subdivision_3/rows/Stencil.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -50,40 +47,17 @@ This is no scheme of the paper; neither is it better everywhere, see the manual.
 linear in their size
 \cgalModels{PNSubdivisionScheme_3}
 */
-class CatmullClark_scheme::Transfer
+class CatmullClark_scheme::Transfer : public CatmullClark_scheme::Tuned
 {
 public:
-  /// the host of the scheme.
-  using Host = PQQ_host;
-
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "ct-catmull-clark"; }
-  /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
-  static constexpr unsigned ghost_rings = 3;
-  /// what has to be regular around a vertex for its limit.
-  static constexpr Limit_neighborhood limit_neighborhood =
-    CatmullClark_scheme::Tuned::limit_neighborhood;
-
-  /// along creases the rules are those of the border.
-  static constexpr bool has_crease_rules = true;
 
   /// after every round normals are corrected at separated vertices.
   static constexpr bool transfers_curvature = true;
 
-  /// the mask of a round; see `PNSubdivisionScheme_3`.
-  template <class FT>
-  Tuned_CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned round) const
-  {
-    internal::Ring_tuning tuning;
-    tuning.keeps_quadratic = true;
-    return Tuned_CatmullClark_mask<FT>(level, round, tuning);
-  }
-
-  /// see `estimated_row_entries()`, which counts them twice for the transfer: those of `CatmullClark_scheme::Tuned`.
-  static double dense_row_entries(const Level_connectivity& level, unsigned round)
-  {
-    return CatmullClark_scheme::Tuned::dense_row_entries(level, round);
-  }
+  /// the scheme takes no parameter.
+  Transfer() { tuning_.keeps_quadratic = true; }
 };
 
 /*!
@@ -96,42 +70,19 @@ components of Q the least ones that they allow are taken, and directions of curv
 Accepts triangles only.
 \cgalModels{PNSubdivisionScheme_3}
 */
-class Loop_scheme::Transfer
+class Loop_scheme::Transfer : public Loop_scheme::Tuned
 {
 public:
-  /// the host of the scheme.
-  using Host = PTQ_host;
-
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "ct-loop"; }
-  /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
-  static constexpr unsigned ghost_rings = 3;
-  /// what has to be regular around a vertex for its limit.
-  static constexpr Limit_neighborhood limit_neighborhood = Loop_scheme::Tuned::limit_neighborhood;
-
-  /// along creases the rules are those of the border.
-  static constexpr bool has_crease_rules = true;
 
   /// after every round normals are corrected at separated vertices.
   static constexpr bool transfers_curvature = true;
 
-  /// the mask of a round; see `PNSubdivisionScheme_3`.
-  template <class FT>
-  Tuned_Loop_mask<FT> mask(const Level_connectivity& level, unsigned round) const
-  {
-    internal::Ring_tuning tuning;
-    tuning.keeps_quadratic = true;
-    return Tuned_Loop_mask<FT>(level, round, tuning);
-  }
-
-  /// see `estimated_row_entries()`, which counts them twice for the transfer: those of `Loop_scheme::Tuned`.
-  static double dense_row_entries(const Level_connectivity& level, unsigned round)
-  {
-    return Loop_scheme::Tuned::dense_row_entries(level, round);
-  }
+  /// the scheme takes no parameter.
+  Transfer() { tuning_.keeps_quadratic = true; }
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_TRANSFER_SCHEMES_H

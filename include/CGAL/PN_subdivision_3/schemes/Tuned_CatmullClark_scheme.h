@@ -23,8 +23,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 namespace internal {
 
@@ -212,12 +211,8 @@ public:
   template <class Stencil>
   void face(Index f, Stencil& s) const
   {
-    const Index first = level_.halfedge_of_face(f);
-    Index h = first;
-    do {
+    for (const Index h : internal::halfedges_around_face(level_, level_.halfedge_of_face(f)))
       if (const Weights* const w = separated_.at(level_.target(h))) return ring(h, w->face, s);
-      h = level_.next(h);
-    } while (h != first);
     plain_.face(f, s);
   }
 
@@ -371,11 +366,10 @@ public:
                 internal::squared_irregular_degrees(level));
   }
 
-private:
-  internal::Ring_tuning tuning_;
+protected:
+  internal::Ring_tuning tuning_; ///< what becomes of the eigenvalues.
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_TUNED_CATMULLCLARK_SCHEME_H

@@ -19,8 +19,7 @@
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /// \ingroup PkgPNSubdivision3Schemes
 /// numbers that a scheme takes, by their names.
@@ -117,7 +116,6 @@ Any_scheme<FT> any_scheme(const std::string& name,
   return *found;
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_SCHEME_BY_NAME_H

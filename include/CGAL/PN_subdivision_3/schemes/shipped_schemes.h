@@ -24,8 +24,7 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -76,7 +75,6 @@ void for_each_shipped_scheme(const Function& f)
 template <class Scheme>
 constexpr bool has_parameter_v = std::is_constructible_v<Scheme, double>;
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_SCHEMES_SHIPPED_SCHEMES_H

@@ -12,6 +12,11 @@ using namespace CGAL::PN_subdivision_3;
 
 namespace header_in_use {
 
+bool use_control_element(const Control_element& a, const Control_element& b)
+{
+  return a == b || a < b;
+}
+
 struct Visitor : Default_visitor
 {
   void face_created(int, const Control_element&) {}

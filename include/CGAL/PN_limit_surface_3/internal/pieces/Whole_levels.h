@@ -13,7 +13,6 @@
 #include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Whole_level.h>
-#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <cstddef>
@@ -107,10 +106,10 @@ public:
   Whole_levels(const Level_connectivity& base, unsigned base_round, unsigned last_round)
     : base_round_(base_round)
   {
-    levels_.push_back({base.size(), First_corners(base)});
+    levels_.push_back({base.size(), Face_corners<std::uint64_t>(base)});
     for (unsigned k = base_round + 1; k <= last_round; ++k)
-      levels_.push_back(
-        {Host::refined_size(levels_.back().size, k), First_corners(Host::refined_degree)});
+      levels_.push_back({Host::refined_size(levels_.back().size, k),
+                         Face_corners<std::uint64_t>(Host::refined_degree)});
   }
 
   // after round k

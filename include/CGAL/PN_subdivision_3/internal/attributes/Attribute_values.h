@@ -25,9 +25,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The values of an attribute of the control mesh, which become those of the refined mesh: of faces or edges
 // by a copy, of vertices or corners by rows. What is put can be taken back until it is kept.
@@ -212,8 +210,6 @@ void scalar_averages(const Entry* first, std::size_t length, std::size_t number,
   }
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_ATTRIBUTE_VALUES_H

@@ -13,7 +13,6 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Level_origins.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/parameters/Control_element.h>
 #include <CGAL/PN_subdivision_3/parameters/Default_visitor.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -22,9 +21,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // \name Visitors
 // Of each member: whether there is one of this name, and whether it can be
@@ -173,13 +170,6 @@ struct Carrier
   Attributes& attributes;
 };
 
-struct Nothing_carried
-{
-  static constexpr bool is_empty = true;
-};
-
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIER_H

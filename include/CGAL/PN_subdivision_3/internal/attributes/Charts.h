@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CHARTS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CHARTS_H
 
-#include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
+#include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The wedges of a star between two bounds of charts, by the positions of the ends there, clockwise; both
 // are the same one where a seam ends.
@@ -69,8 +67,8 @@ public:
   template <class FT>
   bool is_on_seam(const Creases<FT>& creases, const Crease_star& star) const
   {
-    for (Index i = 0; i < star.number_of_ends; ++i)
-      if (is_seam(creases.edge(creases.end(star, i)))) return true;
+    for (const Crease_end& e : creases.ends_of(star))
+      if (is_seam(creases.edge(e))) return true;
     return false;
   }
 
@@ -331,8 +329,6 @@ private:
   std::vector<Index> kept_vertices_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CHARTS_H

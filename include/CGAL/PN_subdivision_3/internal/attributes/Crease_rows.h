@@ -22,13 +22,9 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <type_traits>
 #include <utility>
-#include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The linear rows of new vertices on creases, by slots: what Crease_pass does with points where there are no
 // tangents. Values of a slot may be the vertex's own in every wedge, or differ from wedge to wedge.
@@ -131,8 +127,8 @@ private:
                                             [&](const Crease_end& e) { return remains(e); });
     vertex_row(star, slot, parent);
     blend_rules(star, parent, child, [&] {
-      along_crease(star, slot, far_after(creases_.end(star, span.first)),
-                   far_before(creases_.end(star, span.last)));
+      along_crease(star, slot, creases_.far_after(creases_.end(star, span.first)),
+                   creases_.far_before(creases_.end(star, span.last)));
     });
   }
 
@@ -160,8 +156,9 @@ private:
     const Crease_edge<FT>& first = creases_.edge(ends[0]);
     const bool is_behind_first =
       first.has_after(ends[0].side) && join.wedge[star.wedge(first.after[ends[0].side])] == wedge;
-    along_crease(star, slot, is_behind_first ? far_after(ends[0]) : far_before(ends[0]),
-                 is_behind_first ? far_before(ends[1]) : far_after(ends[1]));
+    along_crease(star, slot,
+                 is_behind_first ? creases_.far_after(ends[0]) : creases_.far_before(ends[0]),
+                 is_behind_first ? creases_.far_before(ends[1]) : creases_.far_after(ends[1]));
   }
   void along_crease(const Crease_star& star, Index slot, Index a, Index b)
   {
@@ -177,9 +174,6 @@ private:
     row_.add(b, along[1]);
     row_.add(slot, own);
   }
-  // the slot of the other end of an edge, behind it and before it
-  Index far_after(const Crease_end& e) const { return creases_.edge(e).before[1 - e.side]; }
-  Index far_before(const Crease_end& e) const { return creases_.edge(e).after[1 - e.side]; }
 
   template <class Function>
   void edge(Index i, const Function& f)
@@ -234,8 +228,6 @@ private:
   Row row_, blended_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CREASE_ROWS_H

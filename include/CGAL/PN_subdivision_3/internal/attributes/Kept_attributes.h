@@ -33,16 +33,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The attributes of a refined mesh that nobody holds: read from the control mesh, refined once, and put into the maps
 // of meshes that are made later.
@@ -264,7 +261,7 @@ private:
   template <class Keys>
   static bool has_value([[maybe_unused]] const Level_connectivity& level, [[maybe_unused]] Index i)
   {
-    if constexpr (std::is_same_v<Keys, Corner_keys>)
+    if constexpr (std::is_same_v<Keys, Halfedge_of_mesh>)
       return !level.is_border(i);
     else
       return true;
@@ -282,8 +279,6 @@ private:
   std::size_t memory_ = 0;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_KEPT_ATTRIBUTES_H

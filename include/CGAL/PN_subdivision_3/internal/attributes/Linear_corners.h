@@ -17,19 +17,15 @@
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
-#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // A round of the values of corners linearly inside faces, in a host that splits edges: old corners keep theirs,
 // new ones get the mean of an edge or a face. Values are those of half-edges.
@@ -50,9 +46,7 @@ public:
 
   void operator()(const For_chunks& for_chunks) const
   {
-    const Caller_precision<FT> precision;
-    for_chunks(level_.number_of_faces(), [&](Index begin, Index end) {
-      const typename Caller_precision<FT>::In_this_thread scope(precision);
+    for_chunks.in_precision<FT>(level_.number_of_faces(), [&](Index begin, Index end) {
       Entry_row<FT> row;
       for (Index f = begin; f < end; ++f) face(f, row);
     });
@@ -64,10 +58,8 @@ private:
 
   void face(Index f, Entry_row<FT>& row) const
   {
-    const Index first = level_.halfedge_of_face(f);
     Index in_middle = null; // a new half-edge that leads to the middle of the face
-    Index h = first;
-    do {
+    for (const Index h : halfedges_around_face(level_, level_.halfedge_of_face(f))) {
       const Index n = level_.next(h), begin = split_.second_half(h);
       row.clear();
       row.add(h, FT(1));
@@ -82,8 +74,7 @@ private:
         if (is_behind) // the other edge is behind the corner before
           set_behind(g, h, n, row);
       }
-      h = n;
-    } while (h != first);
+    }
   }
 
   void set(Index value, const Entry_row<FT>& row) const
@@ -116,11 +107,7 @@ private:
     in_middle = g;
     const FT weight = FT(1) / FT(int(level_.degree(h)));
     row.clear();
-    Index x = h;
-    do {
-      row.add(x, weight);
-      x = level_.next(x);
-    } while (x != h);
+    for (const Index x : halfedges_around_face(level_, h)) row.add(x, weight);
     set(g, row);
   }
 
@@ -209,18 +196,17 @@ private:
   template <class Host, class Mask>
   void evaluate_own_rows(const Host& host, const Mask& mask, const For_chunks& for_chunks) const
   {
-    const Caller_precision<FT> precision;
-    for_chunks(static_cast<Index>(needs_own_row_.size()), [&](Index begin, Index end) {
-      const typename Caller_precision<FT>::In_this_thread scope(precision);
-      Stencil_block<FT> row;
-      for (Index v = begin; v < end; ++v) {
-        if (needs_own_row_[v] == 0) continue;
-        row.clear();
-        host.stencil(mask, v, row.row());
-        row.close_row();
-        values_.evaluate(v, row);
-      }
-    });
+    for_chunks.in_precision<FT>(static_cast<Index>(needs_own_row_.size()),
+                                [&](Index begin, Index end) {
+                                  Stencil_block<FT> row;
+                                  for (Index v = begin; v < end; ++v) {
+                                    if (needs_own_row_[v] == 0) continue;
+                                    row.clear();
+                                    host.stencil(mask, v, row.row());
+                                    row.close_row();
+                                    values_.evaluate(v, row);
+                                  }
+                                });
   }
 
   Row_values<FT>& values_;
@@ -232,8 +218,6 @@ private:
   std::optional<Refined_creases<FT>> refined_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_LINEAR_CORNERS_H

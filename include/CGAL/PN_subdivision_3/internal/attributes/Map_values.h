@@ -26,61 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-
-// The kinds of elements that a map may have as keys.
-struct Vertex_keys
-{
-  template <class Mesh>
-  using Descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
-  static std::size_t number(const Level_size& size)
-  {
-    return static_cast<std::size_t>(size.vertices);
-  }
-  template <class Access>
-  static auto at(const Access& access, Level_connectivity::Index i)
-  {
-    return access.vertex(i);
-  }
-};
-struct Corner_keys
-{
-  template <class Mesh>
-  using Descriptor = typename boost::graph_traits<Mesh>::halfedge_descriptor;
-  static std::size_t number(const Level_size& size)
-  {
-    return static_cast<std::size_t>(size.halfedges());
-  }
-  template <class Access>
-  static auto at(const Access& access, Level_connectivity::Index i)
-  {
-    return access.halfedge_at(i);
-  }
-};
-struct Edge_keys
-{
-  template <class Mesh>
-  using Descriptor = typename boost::graph_traits<Mesh>::edge_descriptor;
-  static std::size_t number(const Level_size& size) { return static_cast<std::size_t>(size.edges); }
-  template <class Access>
-  static auto at(const Access& access, Level_connectivity::Index i)
-  {
-    return access.edge_at(i);
-  }
-};
-struct Face_keys
-{
-  template <class Mesh>
-  using Descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
-  static std::size_t number(const Level_size& size) { return static_cast<std::size_t>(size.faces); }
-  template <class Access>
-  static auto at(const Access& access, Level_connectivity::Index i)
-  {
-    return access.face_at(i);
-  }
-};
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class Map>
 constexpr bool is_readable_v = std::is_convertible_v<typename boost::property_traits<Map>::category,
@@ -244,7 +190,7 @@ public:
 
   bool are_equal(Index a, Index b) const override
   {
-    if constexpr (std::is_same_v<Keys, Corner_keys>)
+    if constexpr (std::is_same_v<Keys, Halfedge_of_mesh>)
       return map_.old()[position_[a]] == map_.old()[position_[b]];
     else
       return a == b;
@@ -361,8 +307,6 @@ private:
   bool puts_at_once_ = false;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_MAP_VALUES_H

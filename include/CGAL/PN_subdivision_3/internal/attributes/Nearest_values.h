@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The shares that control vertices have in a place of the control mesh, by linear interpolation: one at a control vertex,
 // two on an edge, those of its corners in a face.
@@ -156,8 +154,6 @@ private:
   std::vector<Control_shares> old_, new_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_NEAREST_VALUES_H

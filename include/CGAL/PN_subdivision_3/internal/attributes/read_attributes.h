@@ -10,7 +10,6 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_READ_ATTRIBUTES_H
 
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
-#include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
@@ -20,9 +19,10 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Level_origins.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/parameters/Control_element.h>
+#include <CGAL/PN_subdivision_3/parameters/Default_visitor.h>
 
 #include <boost/property_map/property_map.hpp>
+#include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,25 +32,16 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
-template <class T, class = void>
-struct Has_sum : std::false_type
-{};
 template <class T>
-struct Has_sum<T, std::void_t<decltype(T(std::declval<const T&>() + std::declval<const T&>()))>>
-  : std::true_type
-{};
-template <class T, class = void>
-struct Has_equality : std::false_type
-{};
+using Sum_of = decltype(T(std::declval<const T&>() + std::declval<const T&>()));
 template <class T>
-struct Has_equality<
-  T, std::void_t<decltype(bool(std::declval<const T&>() == std::declval<const T&>()))>>
-  : std::true_type
-{};
+using Has_sum = boost::is_detected<Sum_of, T>;
+template <class T>
+using Equality_of = decltype(bool(std::declval<const T&>() == std::declval<const T&>()));
+template <class T>
+using Has_equality = boost::is_detected<Equality_of, T>;
 
 // whether averages of values of an attribute can be computed in FT
 template <class T, class FT>
@@ -78,7 +69,7 @@ constexpr bool check_attribute_values()
     "PN_subdivision_3: the values of an attribute of vertices or corners have no sum a + "
     "b, no product a * 0.5 or no default constructor: see PNSubdivisionAttribute, or "
     "specialize Attribute_traits; labels of vertices are named by nearest_attribute()");
-  if constexpr (can_be_averaged && std::is_same_v<Keys, Corner_keys>) {
+  if constexpr (can_be_averaged && std::is_same_v<Keys, Halfedge_of_mesh>) {
     constexpr bool can_be_compared = Has_equality<typename Attribute_traits<T, FT>::Sum>::value;
     static_assert(can_be_compared, "PN_subdivision_3: the values of an attribute of corners cannot "
                                    "be compared by ==, which finds its seams");
@@ -133,7 +124,7 @@ constexpr bool check_direction()
 template <class Map, class Rule>
 struct Vertex_attribute_by
 {
-  using Keys = Vertex_keys;
+  using Keys = Vertex_of_mesh;
 
   template <class FT>
   static auto& list(Carried_attributes<FT>& c)
@@ -182,7 +173,7 @@ inline std::vector<Level_connectivity::Index> corners_of(const Level_connectivit
 template <class Map>
 struct Corner_attribute
 {
-  using Keys = Corner_keys;
+  using Keys = Halfedge_of_mesh;
 
   template <class FT>
   static auto& list(Carried_attributes<FT>& c)
@@ -201,8 +192,8 @@ struct Corner_attribute
   Corner_rule rule;
 };
 
-// The others have no rows. `In` tells in which list they are.
-template <class Map, class Keys_, template <class, class, class> class Values, class In>
+// The others have no rows. `list_of` tells in which list they are.
+template <class Map, class Keys_, template <class, class, class> class Values, const auto& list_of>
 struct Item_without_rows
 {
   using Keys = Keys_;
@@ -210,7 +201,7 @@ struct Item_without_rows
   template <class FT>
   static auto& list(Carried_attributes<FT>& c)
   {
-    return In()(c);
+    return list_of(c);
   }
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
@@ -221,61 +212,41 @@ struct Item_without_rows
   Map map;
 };
 
-struct In_edges
+inline constexpr auto edge_list = [](auto& c) -> auto&
 {
-  template <class Carried>
-  auto& operator()(Carried& c) const
-  {
-    return c.edges;
-  }
+  return c.edges;
 };
-struct In_faces
+inline constexpr auto face_list = [](auto& c) -> auto&
 {
-  template <class Carried>
-  auto& operator()(Carried& c) const
-  {
-    return c.faces;
-  }
+  return c.faces;
 };
-struct In_vertex_origins
+inline constexpr auto vertex_origin_list = [](auto& c) -> auto&
 {
-  template <class Carried>
-  auto& operator()(Carried& c) const
-  {
-    return c.vertex_origins;
-  }
+  return c.vertex_origins;
 };
-struct In_edge_origins
+inline constexpr auto edge_origin_list = [](auto& c) -> auto&
 {
-  template <class Carried>
-  auto& operator()(Carried& c) const
-  {
-    return c.edge_origins;
-  }
+  return c.edge_origins;
 };
-struct In_face_origins
+inline constexpr auto face_origin_list = [](auto& c) -> auto&
 {
-  template <class Carried>
-  auto& operator()(Carried& c) const
-  {
-    return c.face_origins;
-  }
+  return c.face_origins;
 };
 
 template <class Map>
-struct Edge_attribute : Item_without_rows<Map, Edge_keys, Copied_map, In_edges>
+struct Edge_attribute : Item_without_rows<Map, Edge_of_mesh, Copied_map, edge_list>
 {};
 template <class Map>
-struct Face_attribute : Item_without_rows<Map, Face_keys, Copied_map, In_faces>
+struct Face_attribute : Item_without_rows<Map, Face_of_mesh, Copied_map, face_list>
 {};
 template <class Map>
-struct Face_parents : Item_without_rows<Map, Face_keys, Origin_map, In_face_origins>
+struct Face_parents : Item_without_rows<Map, Face_of_mesh, Origin_map, face_origin_list>
 {};
 template <class Map>
-struct Vertex_parents : Item_without_rows<Map, Vertex_keys, Origin_map, In_vertex_origins>
+struct Vertex_parents : Item_without_rows<Map, Vertex_of_mesh, Origin_map, vertex_origin_list>
 {};
 template <class Map>
-struct Edge_parents : Item_without_rows<Map, Edge_keys, Origin_map, In_edge_origins>
+struct Edge_parents : Item_without_rows<Map, Edge_of_mesh, Origin_map, edge_origin_list>
 {};
 
 // the result of attributes()
@@ -354,7 +325,7 @@ Carried_attributes<FT> read_attributes(const Access&, const Level_connectivity& 
 template <class Access, class Map>
 bool has_seam(const Access& access, const Level_connectivity& level, const Map& map)
 {
-  Row_map<Access, Map, Corner_keys, double> values(access, map, corners_of(level));
+  Row_map<Access, Map, Halfedge_of_mesh, double> values(access, map, corners_of(level));
   return Charts<double>(level, Corner_rule::none, Control_sharpness(),
                         [&](auto h, auto g) { return values.are_equal(h, g); })
     .has_seams();
@@ -400,8 +371,6 @@ private:
   std::vector<Index> of_edge_, of_vertex_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_READ_ATTRIBUTES_H

@@ -10,12 +10,13 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_VECTORS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/utils.h>
+
+#include <boost/type_traits/type_identity.hpp>
 
 #include <algorithm>
 #include <array>
@@ -24,9 +25,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class FT, int dimension>
 Coordinates<FT, dimension> zero_vector()
@@ -83,20 +82,21 @@ std::array<FT, dimension> opposite_vector(std::array<FT, dimension> a)
 }
 
 template <class FT, std::size_t dimension>
-void scale(std::array<FT, dimension>& v, const FT& factor)
+void scale(std::array<FT, dimension>& v, const boost::type_identity_t<FT>& factor)
 {
   for (FT& x : v) x *= factor;
 }
 
 // \pre squared_length > 0
 template <class FT, std::size_t dimension>
-void divide_by_length(std::array<FT, dimension>& v, const FT& squared_length)
+void divide_by_length(std::array<FT, dimension>& v,
+                      const boost::type_identity_t<FT>& squared_length)
 {
   if constexpr (std::is_floating_point_v<FT>) {
     const FT length = std::sqrt(squared_length);
     for (FT& x : v) x /= length;
   } else
-    scale<FT, dimension>(v, Unit_normal_traits<FT>::inverse_length(squared_length));
+    scale(v, Unit_normal_traits<FT>::inverse_length(squared_length));
 }
 
 template <class FT>
@@ -114,24 +114,25 @@ FT length_of(std::array<FT, dimension> v)
 {
   if constexpr (is_interval_v<FT>) {
     const int exponent = scale_harmlessly(v);
-    return times_power_of_two(root_of_square<FT>(dot<FT, dimension>(v, v)), -exponent);
+    return times_power_of_two(root_of_square<FT>(dot(v, v)), -exponent);
   } else {
     FT largest(0);
     for (const FT& x : v) largest = (CGAL::max)(largest, FT(CGAL::abs(x)));
     if (largest == FT(0)) return largest;
     for (FT& x : v) x /= largest;
-    return largest * root_of_square<FT>(dot<FT, dimension>(v, v));
+    return largest * root_of_square<FT>(dot(v, v));
   }
 }
 
 // The unit vector of v, zero if the length of v is at most the tolerance times `scale`.
 template <class FT, std::size_t dimension>
-std::array<FT, dimension> unit_or_zero(std::array<FT, dimension> v, const FT& scale)
+std::array<FT, dimension> unit_or_zero(std::array<FT, dimension> v,
+                                       const boost::type_identity_t<FT>& scale)
 {
   const FT least = Unit_normal_traits<FT>::vanishing_tolerance() * scale;
-  const FT squared_length = dot<FT, dimension>(v, v);
+  const FT squared_length = dot(v, v);
   if (squared_length <= least * least) return zero_vector<FT, dimension>();
-  divide_by_length<FT, dimension>(v, squared_length);
+  divide_by_length(v, squared_length);
   return v;
 }
 
@@ -220,12 +221,12 @@ template <class FT, std::size_t dimension>
 bool is_shorter_than_tangents(const std::array<FT, dimension>& t)
 {
   const FT length = FT(1) / FT(1000000);
-  return CGAL::certainly(dot<FT, dimension>(t, t) < length * length);
+  return CGAL::certainly(dot(t, t) < length * length);
 }
 template <class FT, std::size_t dimension>
 void drop_short_tangent(std::array<FT, dimension>& t)
 {
-  if (is_shorter_than_tangents<FT, dimension>(t)) t.fill(FT(0));
+  if (is_shorter_than_tangents(t)) t.fill(FT(0));
 }
 
 template <class FT>
@@ -235,7 +236,7 @@ using Pair = std::array<FT, 2>;
 template <class FT>
 void normalize(Coordinates<FT, 3>& v)
 {
-  const FT length = square_root_of<FT>(dot<FT, 3>(v, v));
+  const FT length = square_root_of<FT>(dot(v, v));
   if (length > FT(0))
     for (FT& x : v) x /= length;
 }
@@ -258,9 +259,9 @@ public:
     const auto smallest = std::min_element(normal.begin(), normal.end(), smaller);
     Vector axis{};
     axis[static_cast<std::size_t>(smallest - normal.begin())] = FT(1);
-    e1_ = cross<FT>(axis, normal);
+    e1_ = cross(axis, normal);
     normalize(e1_);
-    e2_ = cross<FT>(normal, e1_);
+    e2_ = cross(normal, e1_);
   }
 
   const Vector& origin() const { return origin_; }
@@ -300,8 +301,6 @@ Pair<FT> solve(const std::array<Pair<FT>, 2>& m, const Pair<FT>& b)
   return {(b[0] * m[1][1] - b[1] * m[0][1]) / det, (m[0][0] * b[1] - m[1][0] * b[0]) / det};
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_VECTORS_H

@@ -12,7 +12,7 @@
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
-#include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -28,9 +28,7 @@
 // What the surface functions ask of their arguments, each said in one readable line at compile time.
 // A function whose check returns false has nothing else to compile.
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // \name Property maps
 
@@ -409,8 +407,6 @@ constexpr bool check_estimation_arguments()
     return false;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CALLS_CONCEPT_CHECKS_H

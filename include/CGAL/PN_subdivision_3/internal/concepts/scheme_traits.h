@@ -10,13 +10,17 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CONCEPTS_SCHEME_TRAITS_H
 
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/rows/Stencil.h>
 
+#include <boost/type_traits/detected_or.hpp>
+#include <boost/type_traits/is_detected.hpp>
+
+#include <algorithm>
 #include <string>
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 template <class Scheme, class Normal_scheme>
 struct Scheme_with_normals;
@@ -29,105 +33,80 @@ template <class Scheme>
 struct Scheme_with_border;
 
 // What the type of a scheme says of it. Of a scheme that is chosen at run time the type says what may be, and
-// scheme_facts.h what is.
+// the functions below what is.
+
+template <template <class...> class Template, class T>
+struct Is_instance : std::false_type
+{};
+template <template <class...> class Template, class... Arguments>
+struct Is_instance<Template, Template<Arguments...>> : std::true_type
+{};
 
 template <class Scheme>
-struct Is_on_host : std::false_type
-{};
-template <class Host, class FT>
-struct Is_on_host<Scheme_on_host<Host, FT>> : std::true_type
-{};
+using Is_on_host = Is_instance<Scheme_on_host, Scheme>;
 
 // whether the scheme says that its border rules serve along creases
-template <class Scheme, class = void>
-struct Has_crease_rules : std::false_type
-{};
 template <class Scheme>
-struct Has_crease_rules<Scheme, std::void_t<decltype(Scheme::has_crease_rules)>>
-  : std::bool_constant<Scheme::has_crease_rules>
-{};
+using Crease_rules_of = std::bool_constant<Scheme::has_crease_rules>;
+template <class Scheme>
+using Has_crease_rules = boost::detected_or_t<std::false_type, Crease_rules_of, Scheme>;
 
 // whether the scheme says that it is a linear twin
-template <class Scheme, class = void>
-struct Is_linear : std::false_type
-{};
 template <class Scheme>
-struct Is_linear<Scheme, std::void_t<decltype(Scheme::is_linear)>>
-  : std::bool_constant<Scheme::is_linear>
-{};
+using Linearity_of = std::bool_constant<Scheme::is_linear>;
+template <class Scheme>
+using Is_linear = boost::detected_or_t<std::false_type, Linearity_of, Scheme>;
 
 // whether the scheme says that the normals have a mask of their own
-template <class Scheme, class = void>
-struct Has_normal_mask : std::false_type
-{};
 template <class Scheme>
-struct Has_normal_mask<Scheme, std::void_t<decltype(Scheme::has_normal_mask)>>
-  : std::bool_constant<Scheme::has_normal_mask>
-{};
+using Normal_mask_of = std::bool_constant<Scheme::has_normal_mask>;
+template <class Scheme>
+using Has_normal_mask = boost::detected_or_t<std::false_type, Normal_mask_of, Scheme>;
 
 // whether the scheme transfers curvature to the normals after a round, at the vertices that its mask
 // names in separated_vertices()
-template <class Scheme, class = void>
-struct Has_curvature_transfer : std::false_type
-{};
 template <class Scheme>
-struct Has_curvature_transfer<Scheme, std::void_t<decltype(Scheme::transfers_curvature)>>
-  : std::bool_constant<Scheme::transfers_curvature>
-{};
+using Curvature_transfer_of = std::bool_constant<Scheme::transfers_curvature>;
+template <class Scheme>
+using Has_curvature_transfer = boost::detected_or_t<std::false_type, Curvature_transfer_of, Scheme>;
 
-template <class Scheme, class Element_names, class = void>
-struct Has_check : std::false_type
-{};
 template <class Scheme, class Element_names>
-struct Has_check<
-  Scheme, Element_names,
-  std::void_t<decltype(std::declval<const Scheme&>().check(
-    std::declval<const Level_connectivity&>(), std::declval<const Element_names&>()))>>
-  : std::true_type
-{};
+using Result_of_check = decltype(std::declval<const Scheme&>().check(
+  std::declval<const Level_connectivity&>(), std::declval<const Element_names&>()));
 
 // refuses a level that the host cannot refine, or the scheme if it has a check() of its own
 template <class Scheme, class Element_names>
 void check_scheme(const Scheme& scheme, const Level_connectivity& level, const Element_names& names)
 {
   Scheme::Host::check(level, names);
-  if constexpr (Has_check<Scheme, Element_names>::value) scheme.check(level, names);
+  if constexpr (boost::is_detected<Result_of_check, Scheme, Element_names>::value)
+    scheme.check(level, names);
 }
 
-template <class Scheme, class = void>
-struct Has_dense_row_entries : std::false_type
-{};
 template <class Scheme>
-struct Has_dense_row_entries<Scheme, std::void_t<decltype(Scheme::dense_row_entries(
-                                       std::declval<const Level_connectivity&>(), 1u))>>
-  : std::true_type
-{};
+using Dense_row_entries_of =
+  decltype(Scheme::dense_row_entries(std::declval<const Level_connectivity&>(), 1u));
+template <class Scheme>
+using Has_dense_row_entries = boost::is_detected<Dense_row_entries_of, Scheme>;
 
 // how many rings of faces around its own a piece needs to be refined without the rest, 0 if the scheme
 // does not tell
-template <class Scheme, class = void>
-struct Ghost_rings : std::integral_constant<unsigned, 0>
-{};
 template <class Scheme>
-struct Ghost_rings<Scheme, std::void_t<decltype(Scheme::ghost_rings)>>
-  : std::integral_constant<unsigned, Scheme::ghost_rings>
-{};
+using Ghost_rings_of = std::integral_constant<unsigned, Scheme::ghost_rings>;
+template <class Scheme>
+using Ghost_rings =
+  boost::detected_or_t<std::integral_constant<unsigned, 0>, Ghost_rings_of, Scheme>;
 
-template <class Scheme, class = void>
-struct Is_adaptor : std::false_type
-{};
 template <class Scheme>
-struct Is_adaptor<Scheme, std::void_t<typename Scheme::Adapted_scheme>> : std::true_type
-{};
+using Adapted_by = typename Scheme::Adapted_scheme;
+template <class Scheme>
+using Is_adaptor = boost::is_detected<Adapted_by, Scheme>;
 
 // whether the scheme says that its rows hold grids, which Grid_average reads
-template <class Scheme, class = void>
-struct Has_grid_rows : std::false_type
-{};
 template <class Scheme>
-struct Has_grid_rows<Scheme, std::void_t<decltype(Scheme::has_grid_rows)>>
-  : std::bool_constant<Scheme::has_grid_rows>
-{};
+using Grid_rows_of = std::bool_constant<Scheme::has_grid_rows>;
+template <class Scheme>
+using Has_grid_rows = boost::detected_or_t<std::false_type, Grid_rows_of, Scheme>;
 
 // asked by what averages rows in its own way, or takes the weights for the whole rule
 template <class Scheme>
@@ -141,18 +120,9 @@ constexpr bool check_no_grid_rows()
 }
 
 template <class Scheme>
-struct Is_with_normals : std::false_type
-{};
-template <class Scheme, class Normal_scheme>
-struct Is_with_normals<Scheme_with_normals<Scheme, Normal_scheme>> : std::true_type
-{};
-
+using Is_with_normals = Is_instance<Scheme_with_normals, Scheme>;
 template <class Scheme>
-struct Is_with_border : std::false_type
-{};
-template <class Scheme>
-struct Is_with_border<Scheme_with_border<Scheme>> : std::true_type
-{};
+using Is_with_border = Is_instance<Scheme_with_border, Scheme>;
 
 // A pointer to the outermost one of nested schemes that is of a kind, or nullptr. Of the schemes of
 // points and of normals the one of points is searched.
@@ -183,42 +153,162 @@ constexpr bool is_chosen_at_run_time()
 }
 
 // whether the scheme says from which round on its rules are the same in all: a modified one does
-template <class Scheme, class = void>
-struct Has_first_round : std::false_type
-{};
 template <class Scheme>
-struct Has_first_round<Scheme, std::void_t<decltype(std::declval<const Scheme&>().first_round())>>
-  : std::true_type
-{};
+using First_round_of = decltype(std::declval<const Scheme&>().first_round());
+template <class Scheme>
+using Has_first_round = boost::is_detected<First_round_of, Scheme>;
 
-template <class Scheme, class = void>
-struct Has_limit_neighborhood : std::false_type
-{};
 template <class Scheme>
-struct Has_limit_neighborhood<Scheme, std::void_t<decltype(Scheme::limit_neighborhood)>>
-  : std::true_type
-{};
+using Limit_neighborhood_of = decltype(Scheme::limit_neighborhood);
+template <class Scheme>
+using Has_limit_neighborhood = boost::is_detected<Limit_neighborhood_of, Scheme>;
 
-template <class Scheme, class = void>
-struct Has_name : std::false_type
-{};
 template <class Scheme>
-struct Has_name<Scheme, std::void_t<decltype(std::string(std::declval<const Scheme&>().name()))>>
-  : std::true_type
-{};
+using Name_of = decltype(std::string(std::declval<const Scheme&>().name()));
+template <class Scheme>
+using Has_name = boost::is_detected<Name_of, Scheme>;
 
 // whether a mask tells what corners of faces have as such of its weights
-template <class Mask, class = void>
-struct Has_face_parts : std::false_type
-{};
 template <class Mask>
-struct Has_face_parts<Mask,
-                      std::void_t<decltype(std::declval<const Mask&>().face_part_of_edge(0u))>>
-  : std::true_type
-{};
+using Face_part_of = decltype(std::declval<const Mask&>().face_part_of_edge(0u));
+template <class Mask>
+using Has_face_parts = boost::is_detected<Face_part_of, Mask>;
+
+// What a scheme tells of itself: in its type or, if it was chosen at run time, as data.
+
+// f of what is adapted; what the schemes of points and of normals say is joined
+template <class Scheme, class Function, class Join>
+auto of_adapted(const Scheme& scheme, const Function& f, [[maybe_unused]] const Join& join)
+{
+  if constexpr (Is_with_normals<Scheme>::value)
+    return join(f(scheme.scheme), f(scheme.normal_scheme));
+  else
+    return f(scheme.scheme);
+}
+
+// whether the border rules serve along creases
+template <class Scheme>
+bool has_crease_rules([[maybe_unused]] const Scheme& scheme)
+{
+  if constexpr (!is_chosen_at_run_time<Scheme>())
+    return Has_crease_rules<Scheme>::value;
+  else if constexpr (Is_on_host<Scheme>::value)
+    return scheme.facts().has_crease_rules;
+  else
+    return of_adapted(
+      scheme, [](const auto& s) { return has_crease_rules(s); },
+      [](bool points, bool normals) { return points && normals; });
+}
+
+// whether a round transfers curvature to the normals
+template <class Scheme>
+bool transfers_curvature([[maybe_unused]] const Scheme& scheme)
+{
+  if constexpr (!is_chosen_at_run_time<Scheme>() || !Has_curvature_transfer<Scheme>::value)
+    return Has_curvature_transfer<Scheme>::value;
+  else if constexpr (Is_on_host<Scheme>::value)
+    return scheme.facts().transfers_curvature;
+  else
+    return transfers_curvature(scheme.scheme);
+}
+
+// whether the normals have a mask of their own
+template <class Scheme>
+bool has_normal_mask([[maybe_unused]] const Scheme& scheme)
+{
+  if constexpr (!is_chosen_at_run_time<Scheme>() || !Has_normal_mask<Scheme>::value ||
+                Is_with_normals<Scheme>::value)
+    return Has_normal_mask<Scheme>::value;
+  else if constexpr (Is_on_host<Scheme>::value)
+    return scheme.facts().has_normal_mask();
+  else
+    return has_normal_mask(scheme.scheme);
+}
+
+// how many rings of faces around its own a piece needs to be refined without the rest, 0 if the scheme
+// does not tell
+template <class Scheme>
+unsigned ghost_rings([[maybe_unused]] const Scheme& scheme)
+{
+  if constexpr (!is_chosen_at_run_time<Scheme>())
+    return Ghost_rings<Scheme>::value;
+  else if constexpr (Is_on_host<Scheme>::value)
+    return scheme.facts().ghost_rings;
+  else
+    return of_adapted(
+      scheme, [](const auto& s) { return ghost_rings(s); },
+      [](unsigned points, unsigned normals) {
+        return points == 0 || normals == 0 ? 0u : (std::max)(points, normals);
+      });
+}
+
+// the first round from which on the rules are the same in all
+template <class Scheme>
+unsigned first_tuned_round([[maybe_unused]] const Scheme& scheme)
+{
+  if constexpr (Has_first_round<Scheme>::value)
+    return scheme.first_round();
+  else if constexpr (Is_adaptor<Scheme>::value)
+    return of_adapted(
+      scheme, [](const auto& s) { return first_tuned_round(s); },
+      [](unsigned points, unsigned normals) { return (std::max)(points, normals); });
+  else
+    return 1;
+}
+
+template <class Scheme>
+Limit_neighborhood limit_neighborhood([[maybe_unused]] const Scheme& scheme)
+{
+  if constexpr (Is_on_host<Scheme>::value)
+    return scheme.facts().limit_neighborhood;
+  else if constexpr (Has_limit_neighborhood<Scheme>::value)
+    return Scheme::limit_neighborhood;
+  else if constexpr (Is_adaptor<Scheme>::value)
+    return of_adapted(
+      scheme, [](const auto& s) { return limit_neighborhood(s); },
+      [](const Limit_neighborhood& points, const Limit_neighborhood& normals) {
+        Limit_neighborhood both;
+        both.regular_rings = (std::max)(points.regular_rings, normals.regular_rings);
+        both.takes_border = points.takes_border && normals.takes_border;
+        both.keeps_points = points.keeps_points && normals.keeps_points;
+        both.has_tangent_planes = points.has_tangent_planes && normals.has_tangent_planes;
+        return both;
+      });
+  else
+    return {};
+}
+
+// the number that a scheme tells, see estimated_row_entries()
+template <class Scheme>
+double dense_row_entries([[maybe_unused]] const Scheme& scheme,
+                         [[maybe_unused]] const Level_connectivity& level,
+                         [[maybe_unused]] unsigned round)
+{
+  if constexpr (Is_on_host<Scheme>::value)
+    return scheme.facts().dense_row_entries(level, round);
+  else if constexpr (Has_dense_row_entries<Scheme>::value)
+    return Scheme::dense_row_entries(level, round);
+  else if constexpr (Is_adaptor<Scheme>::value)
+    return of_adapted(
+      scheme, [&](const auto& s) { return dense_row_entries(s, level, round); },
+      [](double points, double normals) { return points + normals; });
+  else
+    return 0;
+}
+
+// as it is called in messages
+template <class Scheme>
+std::string name_in_message([[maybe_unused]] const Scheme& scheme)
+{
+  if constexpr (Is_adaptor<Scheme>::value)
+    return name_in_message(scheme.scheme);
+  else if constexpr (Has_name<Scheme>::value)
+    return "the scheme " + std::string(scheme.name());
+  else
+    return "this scheme";
+}
 
 } // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CONCEPTS_SCHEME_TRAITS_H

@@ -15,10 +15,10 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
-#include <CGAL/PN_subdivision_3/internal/normals/area_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
+#include <CGAL/PN_subdivision_3/internal/normals/face_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/roundness.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Whole vertices of a level that is cut open, with area normals.
 template <class FT>
@@ -92,12 +90,12 @@ public:
     for (Index slot = 0; slot < values_.size(); ++slot) {
       if (is_given[slot] || !sectors_.is_at_crease(slot) || sectors_.is_empty(slot)) continue;
       Vector n = sectors_.area_normal(slot);
-      if (is_zero_not_unit<FT, 3>(n)) continue;
+      if (is_zero_not_unit(n)) continue;
       const double share = share_of_reciprocal(slot);
       if (share >= 1) continue;
-      scale<FT, 3>(n, FT(1 - share));
-      add_multiple<FT, 3>(n, FT(share), values_[slot].normal);
-      changed.emplace_back(slot, unit_or_zero<FT, 3>(n, FT(1)));
+      scale(n, FT(1 - share));
+      add_multiple(n, FT(share), values_[slot].normal);
+      changed.emplace_back(slot, unit_or_zero(n, FT(1)));
     }
     for (const auto& [slot, n] : changed) values_[slot].normal = n;
   }
@@ -111,15 +109,15 @@ private:
     double unit = 0; // of length
     for_each_halfedge(cut_, fan_of_vertex(cut_, slot), [&](Index h) {
       const Value &p = values_[slot], &q = values_[cut_.source(h)];
-      const auto e = to_double_3<FT>(difference<FT, 3>(q.point, p.point));
+      const auto e = to_double_3<FT>(difference(q.point, p.point));
       const double e_length = length(e);
       const auto other = to_double_3<FT>(q.normal);
       if (!(e_length > 0) || !std::isfinite(e_length) || is_zero(other)) return;
       if (unit == 0) unit = e_length;
       const auto u = quotient(e, e_length);
-      const auto of_other = dot<double, 3>(other, u);
-      const double first = dot<double, 3>(r, u) + of_other;
-      const double second = dot<double, 3>(a, u) + of_other;
+      const auto of_other = dot(other, u);
+      const double first = dot(r, u) + of_other;
+      const double second = dot(a, u) + of_other;
       const double curvature = unit / e_length;
       m.add(first * first, second * second, curvature * curvature);
     });
@@ -176,23 +174,22 @@ private:
   {
     double least = 1, miss = 0; // cosine of the turns; arcs
     int ends = 0;
-    for (Index i = 0; i < star.number_of_ends; ++i) {
-      const Crease_end& end = creases_.end(star, i);
+    for (const Crease_end& end : creases_.ends_of(star)) {
       const Crease_edge<FT>& e = creases_.edge(end);
       const Index v = star.vertex, w = level_.source(creases_.halfedge(end));
-      const Vector edge = to_double_3<FT>(difference<FT, 3>(values_[w].point, values_[v].point));
+      const Vector edge = to_double_3<FT>(difference(values_[w].point, values_[v].point));
       const double edge_length = length(edge);
       if (!(edge_length > 0) || !std::isfinite(edge_length)) continue;
       const Vector u = quotient(edge, edge_length);
       const Vector t = to_double_3<FT>(e.tangent_from[1 - end.side]);
-      const auto cosine = dot<double, 3>(t, u);
+      const auto cosine = dot(t, u);
       least = (std::min)(least, cosine);
       if (is_dart_[w]) return 0;
       ends += is_inside_[w] ? 0 : 1;
       if (!is_inside_[w]) continue;
       Vector difference_of_arcs = to_double_3<FT>(e.tangent_from[end.side]);
-      add_multiple<double, 3>(difference_of_arcs, 2 * cosine, u);
-      add_multiple<double, 3>(difference_of_arcs, -1, t);
+      add_multiple(difference_of_arcs, 2 * cosine, u);
+      add_multiple(difference_of_arcs, -1, t);
       miss = (std::max)(miss, length(difference_of_arcs));
     }
     if (ends > 1) // through any three points there is an arc
@@ -295,8 +292,7 @@ private:
     const Vector none = zero_vector<FT, 3>();
     std::vector<Vector> after(star.number_of_wedges, none), before = after;
     std::vector<bool> has_after(star.number_of_wedges, false), has_before = has_after;
-    for (Index i = 0; i < star.number_of_ends; ++i) {
-      const Crease_end& e = creases_.end(star, i);
+    for (const Crease_end& e : creases_.ends_of(star)) {
       const Crease_edge<FT>& crease = creases_.edge(e);
       const Vector& t = crease.tangent_from[1 - e.side];
       if (crease.has_after(e.side)) {
@@ -315,7 +311,7 @@ private:
         n = strip<FT>(n, after[w], before[w]);
       else
         n = strip<FT>(n, has_after[w] ? after[w] : before[w]);
-      n = unit_or_zero<FT, 3>(n, FT(1));
+      n = unit_or_zero(n, FT(1));
     }
   }
 
@@ -326,8 +322,6 @@ private:
   const Control_normal_estimate estimate_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_CREASES_H

@@ -13,7 +13,6 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/normals/roundness.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
@@ -26,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // x without its part along the direction of u, as far as the squared length of u says that there is
 // one: that is 2 strength if u is the sum or difference of two unit vectors.
@@ -37,10 +34,10 @@ void strip_direction(Coordinates<FT, 3>& x, const Coordinates<FT, 3>& original,
                      Coordinates<FT, 3> u, const FT& strength)
 {
   const FT f = smoothstep<FT>(FT(64) * strength);
-  const FT squared_length = dot<FT, 3>(u, u);
+  const FT squared_length = dot(u, u);
   if (f == FT(0) || squared_length == FT(0)) return;
-  divide_by_length<FT, 3>(u, squared_length);
-  add_multiple<FT, 3>(x, FT(-(f * dot<FT, 3>(original, u))), u);
+  divide_by_length(u, squared_length);
+  add_multiple(x, FT(-(f * dot(original, u))), u);
 }
 
 // x without its part in the span of a and b; continuous also where these become parallel
@@ -48,11 +45,11 @@ template <class FT>
 Coordinates<FT, 3> strip(const Coordinates<FT, 3>& x, const Coordinates<FT, 3>& a,
                          const Coordinates<FT, 3>& b)
 {
-  const FT c = dot<FT, 3>(a, b);
+  const FT c = dot(a, b);
   Coordinates<FT, 3> sum = a, result = x;
-  add_multiple<FT, 3>(sum, FT(1), b);
+  add_multiple(sum, FT(1), b);
   strip_direction<FT>(result, x, sum, FT(1) + c);
-  strip_direction<FT>(result, x, difference<FT, 3>(a, b), FT(1) - c);
+  strip_direction<FT>(result, x, difference(a, b), FT(1) - c);
   return result;
 }
 
@@ -61,7 +58,7 @@ template <class FT>
 Coordinates<FT, 3> strip(const Coordinates<FT, 3>& x, const Coordinates<FT, 3>& a)
 {
   Coordinates<FT, 3> sum = a, result = x;
-  add_multiple<FT, 3>(sum, FT(1), a);
+  add_multiple(sum, FT(1), a);
   strip_direction<FT>(result, x, sum, FT(2));
   return result;
 }
@@ -95,9 +92,8 @@ public:
     turn_at_joints();
     for (const Crease_star& star : creases_.stars)
       if (creases_.rule(star) != Vertex_rule::crease)
-        for (Index i = 0; i < star.number_of_ends; ++i)
-          if (const Crease_end& e = creases_.end(star, i); !is_given(e))
-            decided<FT>([&] { make_end_tangent(e); }, Name{star});
+        for (const Crease_end& e : creases_.ends_of(star))
+          if (!is_given(e)) decided<FT>([&] { make_end_tangent(e); }, Name{star});
     if (creases_.has_fixed_border)
       for (Crease_edge<FT>& e : creases_.edges)
         if (e.is_border()) e.tangent_from = {zero_vector<FT, 3>(), zero_vector<FT, 3>()};
@@ -117,32 +113,27 @@ private:
   Vector along(const Crease_end& e) const
   {
     const Index h = creases_.halfedge(e);
-    return difference<FT, 3>(point_(level_.source(h)), point_(level_.target(h)));
+    return difference(point_(level_.source(h)), point_(level_.target(h)));
   }
-  Vector& tangent_from(const Crease_end& e)
+  bool is_given(const Crease_end& e) const
   {
-    return creases_.edges[e.crease].tangent_from[1 - e.side];
-  }
-
-  bool is_given(const Crease_end& e)
-  {
-    return !are_certainly_equal<FT, 3>(tangent_from(e), zero_vector<FT, 3>());
+    return !are_certainly_equal(creases_.tangent_from(e), zero_vector<FT, 3>());
   }
 
   void make_crease_tangents(const Crease_star& star)
   {
     const Crease_end &to_a = creases_.end(star, 0), &to_b = creases_.end(star, 1);
-    Vector &a = tangent_from(to_a), &b = tangent_from(to_b);
+    Vector &a = creases_.tangent_from(to_a), &b = creases_.tangent_from(to_b);
     if (is_given(to_a) && is_given(to_b))
       make_opposite_vectors<FT>(a, b);
     else if (is_given(to_a))
-      b = opposite_vector<FT, 3>(a);
+      b = opposite_vector(a);
     else {
       if (!is_given(to_b)) {
         b = made_certain(arc_tangent(along(to_a), along(to_b)), to_b);
         if (may_turn(to_b)) free_.push_back(&star);
       }
-      a = opposite_vector<FT, 3>(b);
+      a = opposite_vector(b);
     }
     for (const Crease_end& e : {to_a, to_b}) is_at_crease_vertex_[e.crease][1 - e.side] = true;
   }
@@ -155,25 +146,25 @@ private:
     for (const Crease_star* star : free_)
       decided<FT>([&] { tangents.push_back(joint_tangent(*star)); }, Name{*star});
     for (std::size_t i = 0; i < free_.size(); ++i) {
-      tangent_from(creases_.end(*free_[i], 0)) = opposite_vector<FT, 3>(tangents[i]);
-      tangent_from(creases_.end(*free_[i], 1)) = tangents[i];
+      creases_.tangent_from(creases_.end(*free_[i], 0)) = opposite_vector(tangents[i]);
+      creases_.tangent_from(creases_.end(*free_[i], 1)) = tangents[i];
     }
   }
 
   Vector joint_tangent(const Crease_star& star)
   {
     const Crease_end &to_a = creases_.end(star, 0), &to_b = creases_.end(star, 1);
-    const Vector circle = tangent_from(to_b), x = along(to_b), y = along(to_a);
-    const FT x_length = length_of<FT, 3>(x), y_length = length_of<FT, 3>(y);
-    if (is_zero_not_unit<FT, 3>(circle) || x_length == FT(0) || y_length == FT(0)) return circle;
+    const Vector circle = creases_.tangent_from(to_b), x = along(to_b), y = along(to_a);
+    const FT x_length = length_of(x), y_length = length_of(y);
+    if (is_zero_not_unit(circle) || x_length == FT(0) || y_length == FT(0)) return circle;
     const FT of_x = x_length / (x_length + y_length), of_y = FT(1) - of_x;
     Vector line = zero_vector<FT, 3>();
     add_part(line, FT(of_x * of_x), x, x_length);
     add_part(line, FT(-(of_y * of_y)), y, y_length);
-    line = unit_or_zero<FT, 3>(line, FT(1));
-    if (is_zero_not_unit<FT, 3>(line)) return circle;
+    line = unit_or_zero(line, FT(1));
+    if (is_zero_not_unit(line)) return circle;
 
-    const FT circle_length = length_of<FT, 3>(circle);
+    const FT circle_length = length_of(circle);
     Vector t = circle;
     for (FT& c : t) c /= circle_length;
     Curvature_mismatch m;
@@ -181,10 +172,10 @@ private:
     add_mismatch(m, to_b, t, line, FT(-1), FT(1));
     const double share = m.share_of_first(vanishing_tolerance<FT>());
     if (share >= 1) return circle;
-    scale<FT, 3>(t, FT(share));
-    add_multiple<FT, 3>(t, FT(1 - share), line);
-    t = unit_or_zero<FT, 3>(t, FT(1));
-    scale<FT, 3>(t, circle_length);
+    scale(t, FT(share));
+    add_multiple(t, FT(1 - share), line);
+    t = unit_or_zero(t, FT(1));
+    scale(t, circle_length);
     return t;
   }
 
@@ -194,17 +185,17 @@ private:
                     const Vector& second, const FT& sign, const FT& relative_length) const
   {
     if (!is_at_crease_vertex_[e.crease][e.side]) return;
-    Vector other = creases_.edges[e.crease].tangent_from[e.side], u = along(e);
-    if (is_zero_not_unit<FT, 3>(other)) return;
-    scale<FT, 3>(other, sign);
-    const FT length = length_of<FT, 3>(u);
+    Vector other = creases_.tangent_towards(e), u = along(e);
+    if (is_zero_not_unit(other)) return;
+    scale(other, sign);
+    const FT length = length_of(u);
     for (FT& c : u) c /= length;
     const auto square_of_difference = [&](const Vector& t) {
       Vector d = zero_vector<FT, 3>();
-      add_multiple<FT, 3>(d, FT(FT(2) * dot<FT, 3>(t, u)), u);
-      d = difference<FT, 3>(difference<FT, 3>(d, t), other);
+      add_multiple(d, FT(FT(2) * dot(t, u)), u);
+      d = difference(difference(d, t), other);
       const auto x = to_double_3<FT>(d);
-      return dot<double, 3>(x, x);
+      return dot(x, x);
     };
     const double l = close_double(relative_length);
     m.add(square_of_difference(first), square_of_difference(second), 1 / (l * l));
@@ -226,13 +217,13 @@ private:
         for (FT& coordinate : x) coordinate /= x_length;
         factor = multiple;
       }
-    add_multiple<FT, 3>(t, factor, x);
+    add_multiple(t, factor, x);
   }
 
   // of the circle from y through 0 to x, there; (x/|x|^2 - y/|y|^2) / (1/|x| + 1/|y|)
   static Vector arc_tangent(Vector y, Vector x)
   {
-    const FT x_length = length_of<FT, 3>(x), y_length = length_of<FT, 3>(y);
+    const FT x_length = length_of(x), y_length = length_of(y);
     Vector t = zero_vector<FT, 3>();
     if (x_length == FT(0) && y_length == FT(0)) return t;
     const FT sum = x_length + y_length;
@@ -251,21 +242,21 @@ private:
   void make_end_tangent(const Crease_end& e)
   {
     Vector u = along(e);
-    const FT length = length_of<FT, 3>(u);
+    const FT length = length_of(u);
     if (length == FT(0)) {
-      tangent_from(e) = zero_vector<FT, 3>();
+      creases_.tangent_from(e) = zero_vector<FT, 3>();
       return;
     }
     for (FT& x : u) x /= length;
-    const Vector s = opposite_vector<FT, 3>(creases_.edges[e.crease].tangent_from[e.side]);
+    const Vector s = opposite_vector(creases_.tangent_towards(e));
     Vector t0 = u;
-    const FT squared_length = dot<FT, 3>(s, s);
+    const FT squared_length = dot(s, s);
     if (is_at_crease_vertex_[e.crease][e.side] && squared_length != FT(0)) {
-      const FT factor = FT(2) * dot<FT, 3>(s, u) + FT(1) - root_of_square<FT>(squared_length);
-      scale<FT, 3>(t0, factor);
-      t0 = difference<FT, 3>(t0, s);
+      const FT factor = FT(2) * dot(s, u) + FT(1) - root_of_square<FT>(squared_length);
+      scale(t0, factor);
+      t0 = difference(t0, s);
     }
-    tangent_from(e) = made_certain(t0, e);
+    creases_.tangent_from(e) = made_certain(t0, e);
   }
 
   // made orthogonal to the given normals beside the edge, of length 1 unless that leaves too little
@@ -275,23 +266,22 @@ private:
     Vector n1 = zero_vector<FT, 3>(), n2 = n1;
     if (crease.has_after(e.side)) n1 = given_normal_(crease.after[e.side]);
     if (crease.has_before(e.side)) n2 = given_normal_(crease.before[e.side]);
-    if (is_zero_not_unit<FT, 3>(n1)) std::swap(n1, n2);
-    if (is_zero_not_unit<FT, 3>(n1)) return of_certain_length(t0, t0);
-    const bool has_both = !is_zero_not_unit<FT, 3>(n2);
+    if (is_zero_not_unit(n1)) std::swap(n1, n2);
+    if (is_zero_not_unit(n1)) return of_certain_length(t0, t0);
+    const bool has_both = !is_zero_not_unit(n2);
     return of_certain_length(t0, has_both ? strip<FT>(t0, n1, n2) : strip<FT>(t0, n1));
   }
 
   static Vector of_certain_length(const Vector& t0, Vector t)
   {
     const FT tau = Unit_normal_traits<FT>::vanishing_tolerance();
-    const FT t0_square = dot<FT, 3>(t0, t0), t_square = dot<FT, 3>(t, t);
+    const FT t0_square = dot(t0, t0), t_square = dot(t, t);
     if (t0_square <= tau * tau || t_square <= tau * tau * t0_square) return zero_vector<FT, 3>();
-    divide_by_length<FT, 3>(t, t_square);
-    if (FT(64) * t0_square < FT(1))
-      scale<FT, 3>(t, smoothstep<FT>(FT(8) * root_of_square<FT>(t0_square)));
+    divide_by_length(t, t_square);
+    if (FT(64) * t0_square < FT(1)) scale(t, smoothstep<FT>(FT(8) * root_of_square<FT>(t0_square)));
     if (FT(4) * t_square < t0_square)
-      scale<FT, 3>(t, smoothstep<FT>(FT(2) * root_of_square<FT>(t_square / t0_square)));
-    drop_short_tangent<FT, 3>(t);
+      scale(t, smoothstep<FT>(FT(2) * root_of_square<FT>(t_square / t0_square)));
+    drop_short_tangent(t);
     return t;
   }
 
@@ -320,8 +310,6 @@ void make_control_tangents(const Level_connectivity& level, Creases<FT>& creases
                                                                               given, has_joint)();
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_TANGENTS_H

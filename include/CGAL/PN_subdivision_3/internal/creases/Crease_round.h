@@ -18,7 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -32,16 +32,14 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // f a + (1 - f) b
 template <class FT>
 Coordinates<FT, 3> mixed(Coordinates<FT, 3> a, const Coordinates<FT, 3>& b, const FT& f)
 {
-  scale<FT, 3>(a, f);
-  add_multiple<FT, 3>(a, FT(FT(1) - f), b);
+  scale(a, f);
+  add_multiple(a, FT(FT(1) - f), b);
   return a;
 }
 
@@ -69,15 +67,12 @@ public:
     const auto stars = static_cast<Index>(data_.creases.stars.size());
     const auto edges = static_cast<Index>(data_.creases.edges.size());
     place_results(stars, edges);
-    const Precision precision;
-    for_chunks(stars, [&](Index begin, Index end) {
-      const typename Precision::In_this_thread scope(precision);
+    for_chunks.in_precision<FT>(stars, [&](Index begin, Index end) {
       Rules rules(data_);
       for (Index i = begin; i < end; ++i)
         decided(data_.creases.stars[i].vertex, [&] { star(rules, i); });
     });
-    for_chunks(edges, [&](Index begin, Index end) {
-      const typename Precision::In_this_thread scope(precision);
+    for_chunks.in_precision<FT>(edges, [&](Index begin, Index end) {
       Rules rules(data_);
       for (Index i = begin; i < end; ++i) decided(new_vertex(i), [&] { edge(rules, i); });
     });
@@ -89,7 +84,6 @@ private:
   static constexpr Index null = Level_connectivity::null;
   using Rule_value = typename Rules::Value;
   using Vector = Coordinates<FT, 3>;
-  using Precision = Caller_precision<FT>;
 
   static void mix(Vector& a, const Vector& b, const FT& f) { a = mixed<FT>(a, b, f); }
 
@@ -196,7 +190,7 @@ private:
         [&](Index w) { return first_side + w; });
     if (rank == null) return;
     auto& edges = refined_.creases.edges;
-    edges[refined_.first_half(rank, 0)].tangent_from[1] = opposite_vector<FT, 3>(value.tangents[0]);
+    edges[refined_.first_half(rank, 0)].tangent_from[1] = opposite_vector(value.tangents[0]);
     edges[refined_.first_half(rank, 1)].tangent_from[0] = value.tangents[0];
   }
 
@@ -489,9 +483,7 @@ private:
   No_creases refined_creases_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #include <CGAL/PN_subdivision_3/internal/creases/Gone_round.h>
 

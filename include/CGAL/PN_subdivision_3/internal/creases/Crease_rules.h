@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // A new point at a vertex or edge, its normal in each wedge, and the tangents from it: along the ends
 // of a star, or in the direction of travel along an edge.
@@ -87,9 +85,8 @@ public:
     std::array<FT, 2> weight{FT(0), FT(0)};
     for (const auto* entry = row_.begin(); entry != row_.end(); ++entry)
       weight[entry->vertex == b ? 1 : 0] += entry->weight;
-    const std::array<Entry, 2> entries{
-      {{weight[0], point(a), e.tangent_from[0]},
-       {weight[1], point(b), opposite_vector<FT, 3>(e.tangent_from[1])}}};
+    const std::array<Entry, 2> entries{{{weight[0], point(a), e.tangent_from[0]},
+                                        {weight[1], point(b), opposite_vector(e.tangent_from[1])}}};
     std::vector<FT> roundness;
     for (Index side = 0; has_roundness && side < 2; ++side)
       if (e.has_after(side))
@@ -124,11 +121,11 @@ public:
     Value result =
       smooth([star_index](const Smooth_rows<FT>& rows) { return rows.of_star(star_index); });
     for (const Index i : join.ends) {
-      Vector t = tangent_from(data_.creases.end(star, i));
+      Vector t = data_.creases.tangent_from(data_.creases.end(star, i));
       if constexpr (is_pn) {
-        const FT length = root_of_square<FT>(dot<FT, 3>(t, t));
-        add_multiple<FT, 3>(t, FT(-dot<FT, 3>(t, result.normals[0])), result.normals[0]);
-        t = unit_or_zero<FT, 3>(t, length);
+        const FT length = root_of_square<FT>(dot(t, t));
+        add_multiple(t, FT(-dot(t, result.normals[0])), result.normals[0]);
+        t = unit_or_zero(t, length);
       }
       result.tangents.push_back(t);
     }
@@ -186,18 +183,6 @@ private:
     return normal<2>(average, normals);
   }
 
-  const Vector& tangent_from(const Crease_end& e) const
-  {
-    return data_.creases.edge(e).tangent_from[1 - e.side];
-  }
-  const Vector& tangent_towards(const Crease_end& e) const
-  {
-    return data_.creases.edge(e).tangent_from[e.side];
-  }
-  // the slot of the other end of the edge, behind it and before it
-  Index far_after(const Crease_end& e) const { return data_.creases.edge(e).before[1 - e.side]; }
-  Index far_before(const Crease_end& e) const { return data_.creases.edge(e).after[1 - e.side]; }
-
   Value corner(const Crease_star& star) const
   {
     Value result{point(star.vertex), {}, {}, {}};
@@ -206,8 +191,8 @@ private:
         result.normals.push_back(normal(star.slot(w)));
     for (Index w = 0; has_roundness && w < star.number_of_wedges; ++w)
       result.roundness.push_back(roundness(star.slot(w)));
-    for (Index i = 0; i < star.number_of_ends; ++i)
-      result.tangents.push_back(tangent_from(data_.creases.end(star, i)));
+    for (const Crease_end& e : data_.creases.ends_of(star))
+      result.tangents.push_back(data_.creases.tangent_from(e));
     return result;
   }
 
@@ -216,12 +201,13 @@ private:
     const Crease_end& to_a = data_.creases.end(star, join.ends[0]);
     const Crease_end& to_b = data_.creases.end(star, join.ends[1]);
     const std::array<FT, 3> weights = crease_weights(star.vertex);
-    const Vector to_last = opposite_vector<FT, 3>(tangent_towards(to_b));
+    const Vector to_last = opposite_vector(data_.creases.tangent_towards(to_b));
     const Index a = data_.cut.source(data_.creases.halfedge(to_a));
     const Index b = data_.cut.source(data_.creases.halfedge(to_b));
-    const std::array<Entry, 3> entries{{{weights[0], point(a), tangent_towards(to_a)},
-                                        {weights[1], point(b), to_last},
-                                        {weights[2], point(star.vertex), tangent_from(to_b)}}};
+    const std::array<Entry, 3> entries{
+      {{weights[0], point(a), data_.creases.tangent_towards(to_a)},
+       {weights[1], point(b), to_last},
+       {weights[2], point(star.vertex), data_.creases.tangent_from(to_b)}}};
     std::vector<FT> roundness;
     if constexpr (has_roundness) {
       roundness.resize(star.number_of_wedges, FT(1));
@@ -231,7 +217,7 @@ private:
     }
     const Rule average(entries.data(), entries.data() + 3, largest(roundness));
     Value result{average.point(), {}, {}, roundness};
-    result.tangents = {opposite_vector<FT, 3>(average.tangent()), average.tangent()};
+    result.tangents = {opposite_vector(average.tangent()), average.tangent()};
     if constexpr (is_pn) {
       result.normals.resize(star.number_of_wedges, zero_vector<FT, 3>());
       for_each_wedge(star, to_a, to_b, [&](Index w, const std::array<Index, 3>& slot_ids) {
@@ -252,7 +238,8 @@ private:
       const Crease_edge<FT>& crease = data_.creases.edge(first);
       if (!crease.has_after(first.side)) continue;
       const Index slot = crease.after[first.side];
-      std::array<Index, 3> slot_ids{far_after(first), far_before(last), slot};
+      std::array<Index, 3> slot_ids{data_.creases.far_after(first), data_.creases.far_before(last),
+                                    slot};
       if (is_reversed) std::swap(slot_ids[0], slot_ids[1]);
       f(star.wedge(slot), slot_ids);
     }
@@ -299,8 +286,6 @@ private:
   Row row_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASE_RULES_H

@@ -9,10 +9,11 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASES_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASES_H
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
@@ -25,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 constexpr double infinite_sharpness = std::numeric_limits<double>::infinity();
 
@@ -68,9 +67,9 @@ struct Crease_edge
 template <class FT>
 void make_opposite_vectors(Coordinates<FT, 3>& a, Coordinates<FT, 3>& b)
 {
-  if (are_certainly_equal<FT, 3>(a, opposite_vector<FT, 3>(b))) return;
-  b = unit_or_zero<FT, 3>(difference<FT, 3>(b, a), FT(2));
-  a = opposite_vector<FT, 3>(b);
+  if (are_certainly_equal(a, opposite_vector(b))) return;
+  b = unit_or_zero(difference(b, a), FT(2));
+  a = opposite_vector(b);
 }
 
 // A half-edge of a crease edge that leads to a vertex.
@@ -133,14 +132,36 @@ struct Creases
   bool empty() const { return edges.empty() && stars.empty(); }
 
   const Crease_end& end(const Crease_star& star, Index i) const { return ends[star.first_end + i]; }
+  // all of a star, clockwise
+  auto ends_of(const Crease_star& star) const
+  {
+    const auto first = ends.begin() + star.first_end;
+    return CGAL::make_range(first, first + star.number_of_ends);
+  }
   const Crease_edge<FT>& edge(const Crease_end& e) const { return edges[e.crease]; }
   Index halfedge(const Crease_end& e) const { return edge(e).halfedge(e.side); }
   bool is_inner(const Crease_end& e) const { return !edge(e).is_border(); }
+  // in the direction of travel from the star along the edge, and the one that arrives at the other end backwards
+  Coordinates<FT, 3>& tangent_from(const Crease_end& e)
+  {
+    return edges[e.crease].tangent_from[1 - e.side];
+  }
+  const Coordinates<FT, 3>& tangent_from(const Crease_end& e) const
+  {
+    return edge(e).tangent_from[1 - e.side];
+  }
+  const Coordinates<FT, 3>& tangent_towards(const Crease_end& e) const
+  {
+    return edge(e).tangent_from[e.side];
+  }
+  // the slot of the other end of the edge, behind it and before it
+  Index far_after(const Crease_end& e) const { return edge(e).before[1 - e.side]; }
+  Index far_before(const Crease_end& e) const { return edge(e).after[1 - e.side]; }
 
   Vertex_rule rule(const Crease_star& star) const
   {
     bool has_inner = false;
-    for (Index i = 0; i < star.number_of_ends; ++i) has_inner = has_inner || is_inner(end(star, i));
+    for (const Crease_end& e : ends_of(star)) has_inner = has_inner || is_inner(e);
     return vertex_rule(star.sharpness, star.number_of_ends, star.is_border && has_inner);
   }
 
@@ -299,11 +320,9 @@ private:
   void refine_star(const Creases<FT>& old, const Crease_star& s)
   {
     const auto first_end = static_cast<Index>(creases.ends.size());
-    for (Index i = 0; i < s.number_of_ends; ++i) {
-      const Crease_end& e = old.end(s, i);
+    for (const Crease_end& e : old.ends_of(s))
       if (rank[e.crease] != null)
         creases.ends.push_back({second_half(rank[e.crease], e.side), e.side});
-    }
     const double sharpness = refined_sharpness(s.sharpness);
     if (creases.ends.size() == first_end && !(sharpness > 0)) return star.push_back(null);
     star.push_back(static_cast<Index>(creases.stars.size()));
@@ -340,18 +359,15 @@ void for_each_crease_vertex(
     Value value = slot_values[i].second;
     int wedges = 1;
     for (++i; i < slot_values.size() && slot_values[i].first >= number_of_vertices; ++i, ++wedges)
-      if constexpr (has_normals)
-        add_multiple<FT, 3>(value.normal, FT(1), slot_values[i].second.normal);
+      if constexpr (has_normals) add_multiple(value.normal, FT(1), slot_values[i].second.normal);
     if constexpr (has_normals)
       if (wedges > 1)
-        decided<FT>([&] { value.normal = unit_or_zero<FT, 3>(value.normal, FT(wedges)); },
+        decided<FT>([&] { value.normal = unit_or_zero(value.normal, FT(wedges)); },
                     [&] { return "the mean normal of vertex " + std::to_string(v); });
     f(first, v, value);
   }
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASES_H

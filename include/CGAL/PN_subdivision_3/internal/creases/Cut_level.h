@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // For smooth rules on a level that is not cut open: crease vertices and corners are not extraordinary, darts
 // count but have no rules of their own.
@@ -236,18 +234,14 @@ void for_each_corner(const Level_connectivity& level, const Level_connectivity& 
 {
   using Index = Level_connectivity::Index;
   for (Index face = 0; face < level.number_of_faces(); ++face) {
-    const Index first = level.halfedge_of_face(face);
-    Index h = first, g = cut.halfedge_of_face(face); // the same one, and so on
-    do {
+    Index g = cut.halfedge_of_face(face); // the same one, and so on
+    for (const Index h : halfedges_around_face(level, level.halfedge_of_face(face))) {
       f(h, cut.target(g));
-      h = level.next(h);
       g = cut.next(g);
-    } while (h != first);
+    }
   }
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CUT_LEVEL_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // whether less than a round is left
 inline bool is_fraction(double s)
@@ -53,15 +51,14 @@ void for_each_corner_of_star(const Level_connectivity& level, const Creases<FT>&
   const Index first = star.is_border
                         ? level.next_around_target(level.halfedge_of_vertex(star.vertex))
                         : creases.halfedge(creases.end(star, 0));
-  Index h = first, wedge = 0, i = 0;
-  do {
+  Index wedge = 0, i = 0;
+  for (const Index h : halfedges_around_target(level, first)) {
     if (i < star.number_of_ends && creases.halfedge(creases.end(star, i)) == h) {
       const Crease_end& e = creases.end(star, i++);
       if (creases.edge(e).has_after(e.side)) wedge = star.wedge(creases.edge(e).after[e.side]);
     }
     if (!level.is_border(h)) f(h, wedge);
-    h = level.next_around_target(h);
-  } while (h != first);
+  }
 }
 
 // Calls f(half-edge, joined wedge, s) for the corners at a star in faces that touch an edge of the star that ends: those of
@@ -77,8 +74,7 @@ void for_each_corner_at_ended(const Level_connectivity& level, const Creases<FT>
   const Wedge_join join = keep(creases, star, [&](const Crease_end& e) { return !is_ended(e); });
   if (join.ends.size() == star.number_of_ends) return;
   Short_vector<double> least(join.number_of_wedges, infinite_sharpness);
-  for (Index i = 0; i < star.number_of_ends; ++i) {
-    const Crease_end& e = creases.end(star, i);
+  for (const Crease_end& e : creases.ends_of(star)) {
     const Crease_edge<FT>& crease = creases.edge(e);
     if (!is_ended(e)) continue;
     double& s = least[join.wedge[star.wedge(crease.after[e.side])]];
@@ -162,8 +158,8 @@ struct Gone_creases
       const Crease_star& star = creases.stars[star_[i]];
       if (creases.rule(star) == Vertex_rule::crease &&
           old.rule(old.stars[i]) == Vertex_rule::corner)
-        make_opposite_vectors<FT>(tangent_from(creases.end(star, 0)),
-                                  tangent_from(creases.end(star, 1)));
+        make_opposite_vectors<FT>(creases.tangent_from(creases.end(star, 0)),
+                                  creases.tangent_from(creases.end(star, 1)));
     }
   }
 
@@ -210,18 +206,12 @@ private:
   {
     return star_[i] == Level_connectivity::null ? star.vertex : creases.stars[star_[i]].slot(wedge);
   }
-  Coordinates<FT, 3>& tangent_from(const Crease_end& e)
-  {
-    return creases.edges[e.crease].tangent_from[1 - e.side];
-  }
 
   void add_star(const Creases<FT>& old, const Crease_star& star)
   {
     const auto first_end = static_cast<Index>(creases.ends.size());
-    for (Index i = 0; i < star.number_of_ends; ++i) {
-      const Crease_end& e = old.end(star, i);
+    for (const Crease_end& e : old.ends_of(star))
       if (!is_fraction(old.edge(e).sharpness)) creases.ends.push_back({rank_[e.crease], e.side});
-    }
     const double sharpness = is_fraction(star.sharpness) ? 0 : star.sharpness;
     if (creases.ends.size() == first_end && !(sharpness > 0))
       return star_.push_back(Level_connectivity::null);
@@ -235,11 +225,8 @@ private:
     const Corner_slots<FT> slot_of(level, creases);
     for (const Crease_star& star : old.stars)
       for_each_corner_at_ended(level, old, star, is_fraction, [&](Index h, Index, double s) {
-        Index g = h;
-        do {
+        for (const Index g : halfedges_around_face(level, h))
           reach[slot_of(g)] = (std::min)(reach[slot_of(g)], s);
-          g = level.next(g);
-        } while (g != h);
       });
   }
 
@@ -263,8 +250,6 @@ void keep_without_fractions(const Level_connectivity& level, Creases<FT>& crease
   creases.without_fractions = std::move(without);
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_CREASES_H

@@ -16,7 +16,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Gone_creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -26,12 +26,9 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The other half of a round with edges of which less than a round is left, 0 < s < 1: the round in which they are gone.
 //
@@ -151,27 +148,18 @@ private:
     const std::vector<bool> old = is_near;
     for (Index f = 0; f < level.number_of_faces(); ++f) {
       bool is_any = false;
-      for_each_halfedge_of_face(level, f,
-                                [&](Index h) { is_any = is_any || old[level.target(h)]; });
+      const auto halfedges = halfedges_around_face(level, level.halfedge_of_face(f));
+      for (const Index h : halfedges) is_any = is_any || old[level.target(h)];
       if (is_any)
-        for_each_halfedge_of_face(level, f, [&](Index h) { is_near[level.target(h)] = true; });
+        for (const Index h : halfedges) is_near[level.target(h)] = true;
     }
   }
 
   void find_parts_of_ended(const Creases<FT>& creases)
   {
     for (const Crease_star& star : creases.stars) {
-      double sum = 0;
-      int number = 0;
-      const auto add = [&](double s) {
-        if (!is_fraction(s)) return;
-        sum += s;
-        ++number;
-      };
-      add(star.sharpness);
-      for (Index i = 0; i < star.number_of_ends; ++i)
-        add(creases.edge(creases.end(star, i)).sharpness);
-      if (number != 0) part_[star.vertex] = sum / number;
+      const double part = mean_sharpness(creases, star, is_fraction);
+      if (part < 1) part_[star.vertex] = part;
     }
     for (const Crease_edge<FT>& e : creases.edges)
       if (is_fraction(e.sharpness))
@@ -207,7 +195,7 @@ private:
   static void mix(Value& value, const Value& other, const FT& part)
   {
     value.point = mixed<FT>(value.point, other.point, part);
-    value.normal = unit_or_zero<FT, 3>(mixed<FT>(value.normal, other.normal, part), FT(1));
+    value.normal = unit_or_zero(mixed<FT>(value.normal, other.normal, part), FT(1));
     if constexpr (has_roundness_v<Value>)
       value.roundness = part * value.roundness + (FT(1) - part) * other.roundness;
   }
@@ -215,11 +203,9 @@ private:
   void mix_tangents(const Crease_star& star, const FT& part, Creases<FT>& refined) const
   {
     const Creases<FT>& gone = round_->refined().creases;
-    for (Index i = 0; i < star.number_of_ends; ++i) {
-      const Crease_end& e = refined.end(star, i);
-      Coordinates<FT, 3>& t = refined.edges[e.crease].tangent_from[1 - e.side];
-      t = unit_or_zero<FT, 3>(mixed<FT>(t, gone.edges[e.crease].tangent_from[1 - e.side], part),
-                              FT(1));
+    for (const Crease_end& e : refined.ends_of(star)) {
+      Coordinates<FT, 3>& t = refined.tangent_from(e);
+      t = unit_or_zero(mixed<FT>(t, gone.tangent_from(e), part), FT(1));
     }
   }
 
@@ -240,8 +226,6 @@ private:
   std::vector<Index> rows_; // of its vertices those whose values are those of rows
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_ROUND_H

@@ -18,13 +18,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The slots of the corners of a whole level. Those of further wedges are stored, star by star.
 template <class FT>
@@ -96,8 +93,7 @@ public:
     const Index n = level_.valence(v);
     const Index first = level_.halfedge_of_vertex(v);
     const bool is_border = level_.is_border(first);
-    Index h = first;
-    do {
+    for (const Index h : halfedges_around_target(level_, first))
       if (!level_.is_border(h)) {
         FT part(0);
         if constexpr (Has_face_parts<Mask>::value)
@@ -105,8 +101,6 @@ public:
         add_face(h, part,
                  [&](Index g) { return g == h || g == level_.next(h) || level_.next(g) == h; });
       }
-      h = level_.next_around_target(h);
-    } while (h != first);
     mask_row_.clear();
     mask_.vertex(v, mask_row_);
     share_out(row);
@@ -140,12 +134,8 @@ private:
   void add_face(Index h, const FT& part, const Takes_rest& takes_rest)
   {
     // from the same corner on, whatever h is
-    const Index first = level_.halfedge_of_face(level_.face(h));
-    Index g = first;
-    do {
+    for (const Index g : halfedges_around_face(level_, level_.halfedge_of_face(level_.face(h))))
       corners_.push_back({level_.target(g), slots_(g), part, takes_rest(g)});
-      g = level_.next(g);
-    } while (g != first);
   }
 
   void share_out(Row& row)
@@ -258,8 +248,6 @@ private:
   std::vector<std::size_t> star_end_, edge_end_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_SMOOTH_ROWS_H

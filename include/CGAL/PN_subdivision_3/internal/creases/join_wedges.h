@@ -15,13 +15,10 @@
 
 #include <boost/container/small_vector.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // few in general
 template <class T>
@@ -36,22 +33,29 @@ inline bool is_same_rule(Vertex_rule a, Vertex_rule b)
   return smooth(a) == smooth(b);
 }
 
+// Of the sharpness of a star and its edges, as far as it counts(s) as less than a round; 1 if none does.
+template <class FT, class Counts>
+double mean_sharpness(const Creases<FT>& creases, const Crease_star& star, const Counts& counts)
+{
+  double sum = 0;
+  int number = 0;
+  const auto add = [&](double s) {
+    if (!counts(s)) return;
+    sum += s;
+    ++number;
+  };
+  add(star.sharpness);
+  for (const Crease_end& e : creases.ends_of(star)) add(creases.edge(e).sharpness);
+  return number == 0 ? 1 : sum / number;
+}
+
 // the weight of a vertex's rule before the round beside that after it: the mean sharpness of what is sharp no
 // more after the round, at most 1
 template <class FT>
 double weight_of_parent_rule(const Creases<FT>& creases, const Crease_star& star)
 {
-  double sum = 0;
-  int number = 0;
-  const auto add = [&](double s) {
-    if (!(s > 0) || refined_sharpness(s) > 0) return;
-    sum += s;
-    ++number;
-  };
-  add(star.sharpness);
-  for (Level_connectivity::Index i = 0; i < star.number_of_ends; ++i)
-    add(creases.edge(creases.end(star, i)).sharpness);
-  return number == 0 ? 1 : sum / number;
+  return mean_sharpness(creases, star,
+                        [](double s) { return s > 0 && !(refined_sharpness(s) > 0); });
 }
 
 // Which ends of a star remain, and how the others join its wedges.
@@ -98,8 +102,7 @@ Wedge_join keep(const Creases<FT>& creases, const Crease_star& star, const Remai
   join.wedge.assign(star.number_of_wedges, 0);
   // the wedges before the first end that remains end there
   Index wedge = star.is_border ? 0 : join.number_of_wedges - 1, rank = 0;
-  for (Index i = 0; i < star.number_of_ends; ++i) {
-    const Crease_end& e = creases.end(star, i);
+  for (const Crease_end& e : creases.ends_of(star)) {
     const Crease_edge<FT>& crease = creases.edge(e);
     if (crease.is_border()) continue;
     if (remains(e)) {
@@ -120,16 +123,14 @@ std::vector<Coordinates<FT, 3>> join_normals(const std::vector<Coordinates<FT, 3
   std::vector<Coordinates<FT, 3>> result(join.number_of_wedges, zero_vector<FT, 3>());
   Short_vector<int> count(join.number_of_wedges, 0);
   for (std::size_t w = 0; w < normals.size(); ++w) {
-    add_multiple<FT, 3>(result[join.wedge[w]], FT(1), normals[w]);
+    add_multiple(result[join.wedge[w]], FT(1), normals[w]);
     ++count[join.wedge[w]];
   }
   for (std::size_t w = 0; w < result.size(); ++w)
-    if (count[w] > 1) result[w] = unit_or_zero<FT, 3>(result[w], FT(count[w]));
+    if (count[w] > 1) result[w] = unit_or_zero(result[w], FT(count[w]));
   return result;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_JOIN_WEDGES_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // What is sharp on a control level, beside seams; empty if nothing is.
 struct Control_sharpness
@@ -114,15 +112,13 @@ private:
     if (end != first) {
       const Index own = level_.halfedge_of_vertex(v);
       const Index start = is_border ? level_.next_around_target(own) : own;
-      Index h = start;
-      do {
+      for (const Index h : halfedges_around_target(level_, start)) {
         const auto it = std::lower_bound(
           sorted_.begin() + std::ptrdiff_t(first), sorted_.begin() + std::ptrdiff_t(end), h,
           [](const Sorted_end& a, Index halfedge) { return a.halfedge < halfedge; });
         if (it != sorted_.begin() + std::ptrdiff_t(end) && it->halfedge == h)
           creases_.ends.push_back(it->end);
-        h = level_.next_around_target(h);
-      } while (h != start);
+      }
     }
     creases_.add_star({v, sharpness, is_border}, first_end);
   }
@@ -182,16 +178,12 @@ void take_slot_values(const Level_connectivity& part, const Creases<FT>& creases
     values[v] = whole_values[slot_of(halfedge_origin(h))];
   }
   for (const Crease_star& star : creases.stars)
-    for (Index i = 0; i < star.number_of_ends; ++i) {
-      const Crease_end& e = creases.end(star, i);
+    for (const Crease_end& e : creases.ends_of(star))
       if (creases.edge(e).has_after(e.side))
         values[creases.edge(e).after[e.side]] =
           whole_values[slot_of(halfedge_origin(creases.halfedge(e)))];
-    }
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_MAKE_CREASES_H

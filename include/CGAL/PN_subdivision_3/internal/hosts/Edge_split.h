@@ -9,7 +9,6 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_EDGE_SPLIT_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_EDGE_SPLIT_H
 
-#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/container/vector.hpp>
@@ -18,9 +17,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The numbers that the primal quadrisections have in common: of the old vertices, the new vertex on
 // every edge, and the halves of the edges. Edge e keeps its number on the half at the source of half-edge
@@ -36,7 +33,6 @@ public:
     , edges_(static_cast<Index>(size.edges))
   {}
 
-  Index vertex_of_vertex(Index v) const { return v; }
   Index vertex_of_edge(Index e) const { return vertices_ + e; }
   // the vertices and edges that follow belong to faces
   Index number_of_vertices() const { return vertices_ + edges_; }
@@ -83,12 +79,9 @@ public:
   template <class Child, class For_chunks>
   void connect(Child& child, const For_chunks& for_chunks) const
   {
-    for_chunks(level_.number_of_vertices(), [&](Index begin, Index end) {
-      for (Index v = begin; v < end; ++v) connect_vertex(v, child);
-    });
-    for_chunks(level_.number_of_edges(), [&](Index begin, Index end) {
-      for (Index e = begin; e < end; ++e) connect_edge(e, child);
-    });
+    for_each_index(for_chunks, level_.number_of_vertices(),
+                   [&](Index v) { connect_vertex(v, child); });
+    for_each_index(for_chunks, level_.number_of_edges(), [&](Index e) { connect_edge(e, child); });
   }
 
 private:
@@ -183,8 +176,6 @@ private:
   boost::container::vector<Index> first_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_EDGE_SPLIT_H

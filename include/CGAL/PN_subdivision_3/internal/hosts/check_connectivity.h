@@ -17,9 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // What the elements of a control level are called in messages. Virtual, so that checks need not be
 // instantiated for every mesh.
@@ -148,16 +146,14 @@ private:
     if (first >= level_.number_of_halfedges() || level_.target(first) != v)
       refuse(names_.vertex_name(v) + " has no valid half-edge: the connectivity is broken");
     Index gaps = 0, valence = 0;
-    Index h = first;
-    do {
+    for (const Index h : halfedges_around_target(level_, first)) {
       ++valence;
       reached[h] = true;
       if (level_.is_border(h)) {
         ++gaps;
         level_.set_halfedge_of_vertex(v, h);
       }
-      h = level_.next_around_target(h);
-    } while (h != first);
+    }
     if (gaps > 1) refuse_several_fans(v);
     if (gaps == 1) size_.border_valences += valence;
   }
@@ -166,14 +162,9 @@ private:
   [[noreturn]] void refuse_several_loops() const
   {
     std::vector<bool> reached(level_.number_of_halfedges(), false);
-    for (Index f = 0; f < level_.number_of_faces(); ++f) {
-      const Index first = level_.halfedge_of_face(f);
-      Index h = first;
-      do {
+    for (Index f = 0; f < level_.number_of_faces(); ++f)
+      for (const Index h : halfedges_around_face(level_, level_.halfedge_of_face(f)))
         reached[h] = true;
-        h = level_.next(h);
-      } while (h != first);
-    }
     Index h = 0;
     while (level_.is_border(h) || reached[h]) ++h;
     refuse(names_.face_name(level_.face(h)) + " has several loops of half-edges, one with " +
@@ -236,8 +227,6 @@ void check_interior_valences(const Level_connectivity& level, const Element_name
   }
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_CHECK_CONNECTIVITY_H

@@ -16,9 +16,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Any function object by reference, for the time of a call. What takes it is instantiated once for
 // all of them. Used where a call does the work of many elements, so that the jump costs nothing.
@@ -45,9 +43,7 @@ private:
   Result (*call_)(const void*, Arguments...);
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/blocked_range.h>
@@ -56,9 +52,7 @@ private:
 #  include <tbb/task_group.h>
 #endif
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class Concurrency_tag>
 constexpr bool is_parallel_v = std::is_convertible_v<Concurrency_tag, Parallel_tag>;
@@ -70,6 +64,41 @@ constexpr auto task_kind = tbb::task_group_context::isolated;
 constexpr auto task_traits =
   tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings;
 #endif
+
+// The precision that new numbers of a multiprecision type get is a setting of the thread: what
+// computes for a caller takes over the caller's, and gives the thread its own back.
+template <class FT, bool = Has_default_precision<FT>::value>
+class Caller_precision
+{
+public:
+  struct In_this_thread
+  {
+    explicit In_this_thread(const Caller_precision&) {}
+    ~In_this_thread() {} // NOLINT(modernize-use-equals-default): used, as far as compilers warn
+  };
+};
+
+template <class FT>
+class Caller_precision<FT, true>
+{
+public:
+  class In_this_thread
+  {
+  public:
+    explicit In_this_thread(const Caller_precision& caller)
+      : own_(FT::set_default_precision(caller.precision_))
+    {}
+    ~In_this_thread() { FT::set_default_precision(own_); }
+    In_this_thread(const In_this_thread&) = delete;
+    In_this_thread& operator=(const In_this_thread&) = delete;
+
+  private:
+    decltype(FT::get_default_precision()) own_;
+  };
+
+private:
+  decltype(FT::get_default_precision()) precision_ = FT::get_default_precision();
+};
 
 // Calls f(begin, end) for pieces that cover [0, n), in this thread or in several. Every element has
 // one owner, so that the result does not depend on the pieces nor on the number of threads.
@@ -103,6 +132,16 @@ public:
   void operator()(Index n, Function f) const
   {
     run_(n, f);
+  }
+  // where new numbers get the caller's precision
+  template <class FT>
+  void in_precision(Index n, Function f) const
+  {
+    const Caller_precision<FT> precision;
+    run_(n, [&](Index begin, Index end) {
+      const typename Caller_precision<FT>::In_this_thread scope(precision);
+      f(begin, end);
+    });
   }
   bool has_threads() const
   {
@@ -148,43 +187,6 @@ void run_together(Function_ref<void()> f, Function_ref<void()> g)
   f();
 }
 
-// The precision that new numbers of a multiprecision type get is a setting of the thread: what
-// computes for a caller takes over the caller's, and gives the thread its own back.
-template <class FT, bool = Has_default_precision<FT>::value>
-class Caller_precision
-{
-public:
-  struct In_this_thread
-  {
-    explicit In_this_thread(const Caller_precision&) {}
-    ~In_this_thread() {} // NOLINT(modernize-use-equals-default): used, as far as compilers warn
-  };
-};
-
-template <class FT>
-class Caller_precision<FT, true>
-{
-public:
-  class In_this_thread
-  {
-  public:
-    explicit In_this_thread(const Caller_precision& caller)
-      : own_(FT::set_default_precision(caller.precision_))
-    {}
-    ~In_this_thread() { FT::set_default_precision(own_); }
-    In_this_thread(const In_this_thread&) = delete;
-    In_this_thread& operator=(const In_this_thread&) = delete;
-
-  private:
-    decltype(FT::get_default_precision()) own_;
-  };
-
-private:
-  decltype(FT::get_default_precision()) precision_ = FT::get_default_precision();
-};
-
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_FOR_CHUNKS_H

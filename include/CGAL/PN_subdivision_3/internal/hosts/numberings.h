@@ -10,16 +10,13 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_NUMBERINGS_H
 
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
-#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/container/vector.hpp>
 
 #include <algorithm>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The numbers of the children in the primal quadrilateral quadrisection, and back. Corners are numbered
 // face by face, in a face from the target of its half-edge on: the corner at the target of h has the quad
@@ -27,14 +24,14 @@ namespace internal {
 //
 // vertices: old ones, edges, faces. Edges: halves of edges, spokes by corners. Faces: the first quads of
 // all faces, then the other ones.
-template <class Index, class Corners = Face_corners<Index>>
+template <class Index>
 class PQQ_numbering
 {
 public:
   using Parent = Basic_element_parent<Index>;
 
   // `corners` must stay
-  PQQ_numbering(const Level_size& size, const Corners& corners)
+  PQQ_numbering(const Level_size& size, const Face_corners<Index>& corners)
     : halves_(size)
     , faces_(static_cast<Index>(size.faces))
     , corners_(corners)
@@ -74,7 +71,7 @@ public:
 private:
   Edge_halves<Index> halves_;
   Index faces_;
-  const Corners& corners_;
+  const Face_corners<Index>& corners_;
 };
 
 // The numbers of the children in the primal triangle quadrisection, and back.
@@ -274,8 +271,6 @@ private:
   const Table& face_of_center_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_NUMBERINGS_H

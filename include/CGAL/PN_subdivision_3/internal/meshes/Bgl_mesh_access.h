@@ -15,30 +15,25 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <new>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
-template <class Descriptor, class = void>
-struct Has_idx : std::false_type
-{};
 template <class Descriptor>
-struct Has_idx<Descriptor, std::void_t<decltype(std::declval<const Descriptor&>().idx())>>
-  : std::true_type
-{};
+using Idx_of = decltype(std::declval<const Descriptor&>().idx());
+template <class Descriptor>
+using Has_idx = boost::is_detected<Idx_of, Descriptor>;
 
 // Names of elements in messages: the descriptor's own number where it has one, otherwise the
 // position in the order of iteration.
@@ -59,7 +54,7 @@ template <class Descriptor>
 constexpr std::uint64_t index_limit()
 {
   if constexpr (Has_idx<Descriptor>::value) {
-    using Index = std::decay_t<decltype(std::declval<const Descriptor&>().idx())>;
+    using Index = std::decay_t<Idx_of<Descriptor>>;
     constexpr auto largest = static_cast<std::uint64_t>((std::numeric_limits<Index>::max)());
     return largest < Level_connectivity::null ? largest : Level_connectivity::null;
   } else
@@ -241,14 +236,12 @@ public:
         set_face(d, level.is_border(h) ? Traits::null_face() : faces_[level.face(h)], graph_);
       }
     });
-    for_chunks(level.number_of_vertices(), [&](Index begin, Index end) {
-      for (Index v = begin; v < end; ++v)
-        if (!level.is_isolated(v))
-          set_halfedge(vertices_[v], halfedge_descriptor(level.halfedge_of_vertex(v)), graph_);
+    for_each_index(for_chunks, level.number_of_vertices(), [&](Index v) {
+      if (!level.is_isolated(v))
+        set_halfedge(vertices_[v], halfedge_descriptor(level.halfedge_of_vertex(v)), graph_);
     });
-    for_chunks(level.number_of_faces(), [&](Index begin, Index end) {
-      for (Index f = begin; f < end; ++f)
-        set_halfedge(faces_[f], halfedge_descriptor(level.halfedge_of_face(f)), graph_);
+    for_each_index(for_chunks, level.number_of_faces(), [&](Index f) {
+      set_halfedge(faces_[f], halfedge_descriptor(level.halfedge_of_face(f)), graph_);
     });
     if constexpr (Mesh_traits::has_adjust_outgoing_halfedge)
       for (Vertex v : vertices_)
@@ -302,8 +295,6 @@ private:
   Level_size old_size_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_BGL_MESH_ACCESS_H

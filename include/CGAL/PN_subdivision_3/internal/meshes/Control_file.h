@@ -33,9 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 [[noreturn]] inline void refuse_file(const std::string& name, const std::string& what)
 {
@@ -265,8 +263,6 @@ Level_connectivity level_of_file(const Control_file& file)
   return level;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONTROL_FILE_H

@@ -22,9 +22,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Where the vertices of a mesh come in their order, by their indices; it outlives the mesh.
 template <class Mesh>
@@ -82,8 +80,6 @@ private:
   bool is_order_ = true;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONTROL_VERTICES_H

@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_WRITER_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
@@ -20,60 +20,13 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-
-// \name Elements
-// what the key of an index is, and how it is called
-struct Vertex_of_mesh
-{
-  template <class Access>
-  static auto at(const Access& access, Level_connectivity::Index v)
-  {
-    return access.vertex(v);
-  }
-  template <class Access>
-  static std::string name(const Access& access, Level_connectivity::Index v)
-  {
-    return access.vertex_name(v);
-  }
-};
-
-struct Edge_of_mesh
-{
-  template <class Access>
-  static auto at(const Access& access, Level_connectivity::Index e)
-  {
-    return access.edge_at(e);
-  }
-  template <class Access>
-  static std::string name(const Access& access, Level_connectivity::Index e)
-  {
-    return "the edge of " + access.halfedge_name(2 * e);
-  }
-};
-
-struct Halfedge_of_mesh
-{
-  template <class Access>
-  static auto at(const Access& access, Level_connectivity::Index h)
-  {
-    return access.halfedge_at(h);
-  }
-  template <class Access>
-  static std::string name(const Access& access, Level_connectivity::Index h)
-  {
-    return access.halfedge_name(h);
-  }
-};
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class Map>
 constexpr bool is_writable_map_v =
@@ -130,16 +83,9 @@ struct No_old_values
   void put_back(const Access&) noexcept
   {}
 };
-template <>
-class Old_values<No_normal_map, Vertex_of_mesh> : public No_old_values
-{
-  using No_old_values::No_old_values;
-};
-template <>
-class Old_values<No_roundness, Vertex_of_mesh> : public No_old_values
-{
-  using No_old_values::No_old_values;
-};
+template <class Map, class Not_given>
+using Old_values_if_given = std::conditional_t<std::is_same_v<Map, Not_given>, No_old_values,
+                                               Old_values<Map, Vertex_of_mesh>>;
 
 // Lets a mesh grow and puts points, normals and roundness of its new vertices. Unless keep() is called, the mesh
 // and its maps get back what they had.
@@ -221,8 +167,8 @@ private:
   bool is_kept_ = false;
   Index number_of_old_vertices_;
   Old_values<Point_map, Vertex_of_mesh> old_points_;
-  Old_values<Normal_map, Vertex_of_mesh> old_normals_;
-  Old_values<Roundness_map, Vertex_of_mesh> old_roundness_;
+  Old_values_if_given<Normal_map, No_normal_map> old_normals_;
+  Old_values_if_given<Roundness_map, No_roundness> old_roundness_;
 };
 
 // whether the child of a host may be the mesh itself
@@ -255,8 +201,6 @@ void put_connectivity(const Round& last, Access& access, const For_chunks& for_c
   }
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_WRITER_H

@@ -20,9 +20,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Removes what a mesh got, unless keep() is called.
 template <class Access>
@@ -79,8 +77,6 @@ void build_mesh(Access& access, const Level_connectivity& level, Point_map point
   growth.keep();
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_BUILD_MESH_H

@@ -10,13 +10,13 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CREASE_MAPS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
@@ -27,17 +27,13 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
 #include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // of a value of a map of constraints: true is infinitely sharp, and so is the largest integer
 template <class Value>
@@ -242,11 +238,11 @@ private:
     const auto name = [&] { return access_.halfedge_name(h); };
     check_finite<FT, 3>(t, "tangent", name);
     const FT longest = FT(1) + Unit_normal_traits<FT>::unit_tolerance();
-    if (CGAL::certainly(is_greater(dot<FT, 3>(t, t), longest)))
+    if (CGAL::certainly(is_greater(dot(t, t), longest)))
       throw std::invalid_argument("PN_subdivision_3: the tangent of " + name() +
                                   " is longer than 1: give unit vectors, or zero where the tangent "
                                   "is to be made");
-    if (is_shorter_than_tangents<FT, 3>(t) && !is_zero(t))
+    if (is_shorter_than_tangents(t) && !is_zero(t))
       throw std::invalid_argument(
         "PN_subdivision_3: the tangent of " + name() +
         " is shorter than 1e-6, as of a map that has not been set: give unit vectors, and "
@@ -275,8 +271,6 @@ public:
   void keep() {}
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CREASE_MAPS_H

@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_ESTIMATE_CORNER_NORMALS_H
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
@@ -20,13 +20,10 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <cstddef>
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class Map, class Key, class FT>
 void put_roundness(const Map& map, const Key& key, const FT& w)
@@ -43,7 +40,7 @@ void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
                              const NamedParameters& np)
 {
   using Halfedge = typename boost::graph_traits<PolygonMesh>::halfedge_descriptor;
-  constexpr bool is_of_corners = std::is_same_v<typename Key_of_map<Roundness_map>::type, Halfedge>;
+  constexpr bool is_of_corners = std::is_same_v<Key_of_map<Roundness_map>, Halfedge>;
   using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
   using FT = typename Parameters::FT;
   using Index = Level_connectivity::Index;
@@ -95,8 +92,6 @@ void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
   }
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_ESTIMATE_CORNER_NORMALS_H

@@ -21,9 +21,9 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
+#include <boost/type_traits/detected_or.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -33,9 +33,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // stands for a map of constraints that the user has not given
 struct No_constraint_map
@@ -57,20 +55,9 @@ struct No_attributes
 {};
 
 template <class Map>
-struct Key_of_map
-{
-  using type = typename boost::property_traits<Map>::key_type;
-};
-template <>
-struct Key_of_map<No_normal_map>
-{
-  using type = void;
-};
-template <>
-struct Key_of_map<No_roundness>
-{
-  using type = void;
-};
+using Key_type_of = typename boost::property_traits<Map>::key_type;
+template <class Map>
+using Key_of_map = boost::detected_or_t<void, Key_type_of, Map>;
 
 template <class T>
 T& unwrapped(T& t)
@@ -192,10 +179,9 @@ template <class PolygonMesh, class NamedParameters>
 struct Surface_call
 {
   using FT = typename GetGeomTraits<PolygonMesh, NamedParameters>::type::FT;
-  static constexpr bool has_corner_normals =
-    std::is_same_v<typename Key_of_map<
-                     typename Surface_parameters<PolygonMesh, NamedParameters>::Normal_map>::type,
-                   typename boost::graph_traits<PolygonMesh>::halfedge_descriptor>;
+  static constexpr bool has_corner_normals = std::is_same_v<
+    Key_of_map<typename Surface_parameters<PolygonMesh, NamedParameters>::Normal_map>,
+    typename boost::graph_traits<PolygonMesh>::halfedge_descriptor>;
 };
 
 // The property map of a CGAL::Surface_mesh that has this name and type, if it has one.
@@ -296,8 +282,6 @@ T roundness_as(const FT& w)
     return T(CGAL::to_double(w));
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NAMED_PARAMETERS_H

@@ -10,12 +10,12 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_SLOT_NORMALS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -26,14 +26,12 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // whether the map has a normal for every corner: at the target of a half-edge in its face
 template <class Access, class Map>
 constexpr bool is_of_halfedges_v =
-  std::is_same_v<std::decay_t<typename Key_of_map<Map>::type>,
+  std::is_same_v<std::decay_t<Key_of_map<Map>>,
                  std::decay_t<decltype(std::declval<const Access&>().halfedge_at(0))>>;
 
 // The control normals of a map of corners: of every slot the one that its corners have or, where they
@@ -65,13 +63,13 @@ void read_corner_normals(const Access& access, const Level_connectivity& level,
     }
     if (count[slot]++ == 0)
       values[slot].normal = n;
-    else if (!are_certainly_equal<FT, 3>(n, values[slot].normal))
+    else if (!are_certainly_equal(n, values[slot].normal))
       differ[slot] = true;
-    add_multiple<FT, 3>(sum[slot], FT(1), n);
+    add_multiple(sum[slot], FT(1), n);
   });
   for (std::size_t slot = 0; slot < values.size(); ++slot)
     if (differ[slot])
-      decided<FT>([&] { values[slot].normal = unit_or_zero<FT, 3>(sum[slot], FT(count[slot])); },
+      decided<FT>([&] { values[slot].normal = unit_or_zero(sum[slot], FT(count[slot])); },
                   [] { return "whether the normals of the corners of a wedge cancel"; });
 }
 
@@ -229,8 +227,7 @@ public:
     for (const Crease_star& star : creases.stars) {
       if (star.number_of_wedges == 1) continue;
       while (value->first != star.vertex) ++value;
-      for (Level_connectivity::Index i = 0; i < star.number_of_ends; ++i) {
-        const Crease_end& e = creases.end(star, i);
+      for (const Crease_end& e : creases.ends_of(star)) {
         if (!creases.edge(e).has_after(e.side)) continue;
         const auto wedge = star.wedge(creases.edge(e).after[e.side]);
         const auto& of_wedge = (value + std::ptrdiff_t(wedge))->second;
@@ -260,8 +257,6 @@ struct Normal_writers<Access, Wedge_normals<Corners, Vertices>, true>
   static Vertex_map vertex_map(const Map& map) { return map.vertices; }
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_SLOT_NORMALS_H

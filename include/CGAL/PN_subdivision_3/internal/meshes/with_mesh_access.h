@@ -13,7 +13,10 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/Bgl_mesh_access.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <new>
 #include <string>
@@ -192,22 +195,18 @@ public:
   template <class For_chunks>
   void write(const Level_connectivity& level, const For_chunks& for_chunks)
   {
-    for_chunks(level.number_of_halfedges(), [&](Index begin, Index end) {
-      for (Index h = begin; h < end; ++h) {
-        const Halfedge d = halfedge_at(h);
-        mesh_.set_target(d, vertex(level.target(h)));
-        mesh_.set_next(d, halfedge_at(level.next(h)));
-        mesh_.set_face(d, level.is_border(h) ? Mesh::null_face() : face_at(level.face(h)));
-      }
+    for_each_index(for_chunks, level.number_of_halfedges(), [&](Index h) {
+      const Halfedge d = halfedge_at(h);
+      mesh_.set_target(d, vertex(level.target(h)));
+      mesh_.set_next(d, halfedge_at(level.next(h)));
+      mesh_.set_face(d, level.is_border(h) ? Mesh::null_face() : face_at(level.face(h)));
     });
-    for_chunks(level.number_of_vertices(), [&](Index begin, Index end) {
-      for (Index v = begin; v < end; ++v)
-        if (!level.is_isolated(v))
-          mesh_.set_halfedge(vertex(v), halfedge_at(level.halfedge_of_vertex(v)));
+    for_each_index(for_chunks, level.number_of_vertices(), [&](Index v) {
+      if (!level.is_isolated(v))
+        mesh_.set_halfedge(vertex(v), halfedge_at(level.halfedge_of_vertex(v)));
     });
-    for_chunks(level.number_of_faces(), [&](Index begin, Index end) {
-      for (Index f = begin; f < end; ++f)
-        mesh_.set_halfedge(face_at(f), halfedge_at(level.halfedge_of_face(f)));
+    for_each_index(for_chunks, level.number_of_faces(), [&](Index f) {
+      mesh_.set_halfedge(face_at(f), halfedge_at(level.halfedge_of_face(f)));
     });
   }
 
@@ -252,6 +251,76 @@ private:
   Mesh& mesh_;
   Slot_numbers vertices_, edges_, faces_;
   Level_size old_size_;
+};
+
+// The kinds of elements: the keys of maps of a mesh, how many there are, the key of an index, and how it is called.
+struct Vertex_of_mesh
+{
+  using Index = Level_connectivity::Index;
+
+  template <class Mesh>
+  using Descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
+  static auto number(const Level_size& size) { return static_cast<std::size_t>(size.vertices); }
+  template <class Access>
+  static auto at(const Access& access, Index v)
+  {
+    return access.vertex(v);
+  }
+  template <class Access>
+  static std::string name(const Access& access, Index v)
+  {
+    return access.vertex_name(v);
+  }
+};
+
+struct Halfedge_of_mesh
+{
+  using Index = Level_connectivity::Index;
+
+  template <class Mesh>
+  using Descriptor = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+  static auto number(const Level_size& size) { return static_cast<std::size_t>(size.halfedges()); }
+  template <class Access>
+  static auto at(const Access& access, Index h)
+  {
+    return access.halfedge_at(h);
+  }
+  template <class Access>
+  static std::string name(const Access& access, Index h)
+  {
+    return access.halfedge_name(h);
+  }
+};
+
+struct Edge_of_mesh
+{
+  using Index = Level_connectivity::Index;
+
+  template <class Mesh>
+  using Descriptor = typename boost::graph_traits<Mesh>::edge_descriptor;
+  static auto number(const Level_size& size) { return static_cast<std::size_t>(size.edges); }
+  template <class Access>
+  static auto at(const Access& access, Index e)
+  {
+    return access.edge_at(e);
+  }
+  template <class Access>
+  static std::string name(const Access& access, Index e)
+  {
+    return "the edge of " + access.halfedge_name(2 * e);
+  }
+};
+
+struct Face_of_mesh
+{
+  template <class Mesh>
+  using Descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
+  static auto number(const Level_size& size) { return static_cast<std::size_t>(size.faces); }
+  template <class Access>
+  static auto at(const Access& access, Level_connectivity::Index f)
+  {
+    return access.face_at(f);
+  }
 };
 
 // Whether different keys may be put by different threads: known of the maps of Surface_mesh only,

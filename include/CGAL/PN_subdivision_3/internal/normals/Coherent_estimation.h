@@ -12,10 +12,8 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
-#include <CGAL/PN_subdivision_3/internal/normals/Lift_above_neighbors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
-#include <CGAL/PN_subdivision_3/internal/normals/Spread_of_arcs.h>
-#include <CGAL/PN_subdivision_3/internal/normals/area_normals.h>
+#include <CGAL/PN_subdivision_3/internal/normals/face_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/roundness.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -24,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Estimates normals and roundness of sectors. A closed fan has the reciprocal normal where that agrees
 // with the neighbors and the fan is not wide, the area normal where not; an open one that of
@@ -174,17 +170,17 @@ private:
     for_each_edge([&](Index i, Index j, Index h) {
       Estimate &s = estimates_[i], &t = estimates_[j];
       const Vector e = edge(h);
-      const double squared = dot<double, 3>(e, e), inverse = 1 / squared;
+      const double squared = dot(e, e), inverse = 1 / squared;
       inverse_of_shortest = (std::max)(inverse_of_shortest, inverse);
       if (!std::isfinite(inverse) || !s.has_normal || !t.has_normal) return;
       longest = (std::max)(longest, squared);
-      const auto dip_s = dot<double, 3>(s.normal, e), dip_t = dot<double, 3>(t.normal, e);
+      const auto dip_s = dot(s.normal, e), dip_t = dot(t.normal, e);
       s.dips.add(dip_s * dip_s, inverse);
       t.dips.add(dip_t * dip_t, inverse);
-      const double of_s = is_mirrored(i) ? dot<double, 3>(evidence(i), e) : dip_s;
-      const double of_t = is_mirrored(j) ? dot<double, 3>(evidence(j), e) : dip_t;
-      add_mismatch(s, of_s + of_t, dot<double, 3>(s.area(), e) + of_t, inverse);
-      add_mismatch(t, of_s + of_t, dot<double, 3>(t.area(), e) + of_s, inverse);
+      const double of_s = is_mirrored(i) ? dot(evidence(i), e) : dip_s;
+      const double of_t = is_mirrored(j) ? dot(evidence(j), e) : dip_t;
+      add_mismatch(s, of_s + of_t, dot(s.area(), e) + of_t, inverse);
+      add_mismatch(t, of_s + of_t, dot(t.area(), e) + of_s, inverse);
     });
     longest_squared_ = longest;
     is_uneven_ = may_lift(inverse_of_shortest);
@@ -212,9 +208,8 @@ private:
     for_each_edge([&](Index i, Index j, Index h) {
       const Vector e = edge(h), n = evidence(i), m = evidence(j);
       const double e_length = quick_length(e);
-      const double miss = e_length > 0
-                            ? std::abs(dot<double, 3>(n, e) + dot<double, 3>(m, e)) / e_length
-                            : quick_length(difference<double, 3>(n, m));
+      const double miss =
+        e_length > 0 ? std::abs(dot(n, e) + dot(m, e)) / e_length : quick_length(difference(n, m));
       for (Index s : {i, j}) result[s] = (std::max)(result[s], miss);
     });
     return result;
@@ -266,8 +261,7 @@ private:
     Dips result;
     for_each_halfedge(level_, sectors_.fan(s), [&](Index h) {
       const Vector e = edge(h);
-      const double dip = dot<double, 3>(estimates_[s].normal, e),
-                   inverse = 1 / dot<double, 3>(e, e);
+      const double dip = dot(estimates_[s].normal, e), inverse = 1 / dot(e, e);
       if (std::isfinite(inverse)) result.add(dip * dip, inverse);
     });
     return result;
@@ -284,14 +278,14 @@ private:
   {
     inverted_.assign(level_, sectors_.fan(s), point_);
     Estimate& e = estimates_[s];
-    return regularity(quick_length(difference<double, 3>(e.normal, e.area())),
+    return regularity(quick_length(difference(e.normal, e.area())),
                       std::sqrt(e.largest_squared_arc_error()), evenness(inverted_));
   }
 
   static Vector mixed(double share, const Vector& a, const Vector& b)
   {
     Vector n = multiple(share, a);
-    add_multiple<double, 3>(n, 1 - share, b);
+    add_multiple(n, 1 - share, b);
     const double n_length = quick_length(n);
     return n_length > vanishing_tolerance<FT>() ? quotient(n, n_length) : b;
   }
@@ -307,7 +301,7 @@ private:
       if (is_round(i) && is_round(j)) return;
       const Vector e = edge(h);
       const double e_length = quick_length(e);
-      const double miss = std::abs(dot<double, 3>(s.normal, e) + dot<double, 3>(t.normal, e));
+      const double miss = std::abs(dot(s.normal, e) + dot(t.normal, e));
       const auto beside = [&](Index own, Index k) {
         const double share = uneven.empty() ? 0 : uneven[k];
         const bool is_evidence = e_length > 0 && !(is_mirrored(own) && !is_mirrored(k));
@@ -331,7 +325,7 @@ private:
     std::vector<double> result(estimates_.size(), 0);
     for_each_edge([&](Index i, Index j, Index h) { // first the squared lengths of the longest edges
       const Vector e = edge(h);
-      for (Index s : {i, j}) result[s] = (std::max)(result[s], dot<double, 3>(e, e));
+      for (Index s : {i, j}) result[s] = (std::max)(result[s], dot(e, e));
     });
     for (Index s = 0; s < result.size(); ++s)
       result[s] = share_of_uneven(result[s], 1 / estimates_[s].dips.of_shortest);
@@ -353,17 +347,18 @@ private:
     for (Index f = 0; f < level_.number_of_faces(); ++f) {
       arcs_.clear();
       bool are_linear = true;
-      for_each_halfedge_of_face(level_, f, [&](Index h) {
+      const auto halfedges = halfedges_around_face(level_, level_.halfedge_of_face(f));
+      for (const Index h : halfedges) {
         const Index s = sectors_.at_target(h);
         are_linear = are_linear && !(estimates_[s].weight * shares[s] > 0);
         arcs_.add(edge(h), estimates_[s].normal);
-      });
+      }
       const double share = are_linear ? 1 : arcs_.share();
       if (share < 1)
-        for_each_halfedge_of_face(level_, f, [&](Index h) {
+        for (const Index h : halfedges) {
           double& of_corner = of_faces[sectors_.at_target(h)];
           of_corner = (std::min)(of_corner, share);
-        });
+        }
     }
     for (Index s = 0; s < shares.size(); ++s) shares[s] *= of_faces[s];
   }
@@ -373,8 +368,7 @@ private:
     lift_.clear();
     for_each_halfedge(level_, sectors_.fan(s), [&](Index h) {
       const Vector e = difference_(level_.source(h), level_.target(h));
-      if (std::isfinite(1 / dot<double, 3>(e, e)))
-        lift_.add(e, estimates_[sectors_.at_source(h)].normal);
+      if (std::isfinite(1 / dot(e, e))) lift_.add(e, estimates_[sectors_.at_source(h)].normal);
     });
     return lift_.share(estimates_[s].normal);
   }
@@ -392,8 +386,6 @@ private:
   bool is_uneven_ = false;           // some vertex may be lifted
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_COHERENT_ESTIMATION_H

@@ -21,9 +21,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The half-edges with the same target v, one after the other clockwise. A closed fan has all of
 // them, an open one those from `first` to `last`; the faces of a closed fan are those of its
@@ -62,12 +60,7 @@ template <class Function>
 void for_each_halfedge_of_face(const Level_connectivity& level, Level_connectivity::Index f,
                                const Function& function)
 {
-  const Level_connectivity::Index first = level.halfedge_of_face(f);
-  Level_connectivity::Index h = first;
-  do {
-    function(h);
-    h = level.next(h);
-  } while (h != first);
+  for (const auto h : halfedges_around_face(level, level.halfedge_of_face(f))) function(h);
 }
 
 // The edges e of a fan inverted at its vertex, W = e/|e|^2, and the cross products of neighboring
@@ -151,7 +144,7 @@ private:
         for (double& x : e) x = std::ldexp(x, -exponent);
         counts = largest_coordinate(e) <= largest;
       }
-      ray.squared = counts ? 1 / dot<double, 3>(e, e) : 0;
+      ray.squared = counts ? 1 / dot(e, e) : 0;
       for (double& x : e) x = counts ? x * ray.squared : 0;
     }
   }
@@ -165,7 +158,7 @@ private:
     for (std::size_t i = 0; i < count; ++i) {
       const Ray &a = rays_[i], &b = rays_[i + 1 < n ? i + 1 : 0];
       const Vector c = cross(b.inverted, a.inverted);
-      const auto squared = dot<double, 3>(c, c);
+      const auto squared = dot(c, c);
       const double nearer = (std::max)(a.squared, b.squared);
       const double rounding = 256 * (squared_error * nearer + conversion_error * conversion_error);
       corners_[i] = {c, squared, squared > rounding * a.squared * b.squared};
@@ -208,8 +201,6 @@ private:
   const Level_connectivity& level_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_FAN_H

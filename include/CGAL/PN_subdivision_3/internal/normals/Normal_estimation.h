@@ -10,10 +10,10 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_NORMAL_ESTIMATION_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
-#include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
+#include <CGAL/PN_subdivision_3/internal/normals/face_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/reciprocal_normals.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -22,9 +22,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Estimates the normals of sectors: closed fans by reciprocal weights, open ones by the arcs to the
 // closed ones, then those open ones whose neighbors are all open by the arcs to the former, and
@@ -206,9 +204,9 @@ private:
     if (!inverted_.has_ends() || inverted_.rays().size() < 2) return {0, 0, 0};
     const auto &first = inverted_.rays().front(), &last = inverted_.rays().back();
     Vector t = first.inverted;
-    add_multiple<double, 3>(t, -1, last.inverted);
+    add_multiple(t, -1, last.inverted);
     const double size = std::sqrt(first.squared) + std::sqrt(last.squared);
-    const double t_length = std::sqrt(dot<double, 3>(t, t));
+    const double t_length = std::sqrt(dot(t, t));
     if (!(t_length > vanishing_tolerance<FT>() * size)) return {0, 0, 0};
     return quotient(t, t_length);
   }
@@ -232,18 +230,14 @@ private:
   bool is_reflex(Index s, const Vector& angle_weighted)
   {
     inverted_.assign(level_, sectors_.fan(s), point_);
-    return dot<double, 3>(inverted_.corners().front().normal, angle_weighted) < 0;
+    return dot(inverted_.corners().front().normal, angle_weighted) < 0;
   }
 
   template <class Predicate>
   bool all_corners(Index f, const Predicate& predicate) const
   {
-    const Index first = level_.halfedge_of_face(f);
-    Index h = first;
-    do {
+    for (const Index h : halfedges_around_face(level_, level_.halfedge_of_face(f)))
       if (!predicate(sectors_.at_target(h))) return false;
-      h = level_.next(h);
-    } while (h != first);
     return true;
   }
 
@@ -256,7 +250,7 @@ private:
       if (const Fan fan = sectors_.fan(s); fan.closed)
         return blended_in_number_type(fan, e, angle_weighted);
     Vector n = multiple(e.weight, e.normal);
-    add_multiple<double, 3>(n, 1 - e.weight, other);
+    add_multiple(n, 1 - e.weight, other);
     const double n_length = length(n);
     if (!(n_length > vanishing_tolerance<FT>())) return angle_weighted;
     return converted(quotient(n, n_length));
@@ -266,10 +260,10 @@ private:
                                             const Coordinates<FT, 3>& angle_weighted) const
   {
     Coordinates<FT, 3> n = exact_normal(fan, e.normal);
-    scale<FT, 3>(n, FT(e.weight));
-    add_multiple<FT, 3>(n, FT(1 - e.weight), angle_weighted);
-    const Coordinates<FT, 3> unit = unit_or_zero<FT, 3>(n, FT(1));
-    return is_zero_not_unit<FT, 3>(unit) ? angle_weighted : unit;
+    scale(n, FT(e.weight));
+    add_multiple(n, FT(1 - e.weight), angle_weighted);
+    const Coordinates<FT, 3> unit = unit_or_zero(n, FT(1));
+    return is_zero_not_unit(unit) ? angle_weighted : unit;
   }
 
   const Level_connectivity& level_;
@@ -281,8 +275,6 @@ private:
   std::vector<Border_arc> arcs_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_NORMAL_ESTIMATION_H

@@ -13,14 +13,12 @@
 #include <CGAL/PN_subdivision_3/internal/normals/Coherent_estimation.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
-#include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/normals/face_normals.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 struct Ignore_roundness
 {
@@ -96,8 +94,6 @@ void estimate_normals(const Level_connectivity& level, Control_normal_estimate e
                        set_roundness);
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ESTIMATE_NORMALS_H

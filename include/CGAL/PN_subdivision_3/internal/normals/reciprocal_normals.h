@@ -12,7 +12,7 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 
@@ -25,9 +25,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // N. Max, Weights for computing vertex normals from facet normals, 1999: the sum of the cross
 // products of the inverted edges. Inversion at a point of a sphere maps the sphere to a plane; the
@@ -50,7 +48,7 @@ Coordinates<T, 3> reciprocal_sum(const Level_connectivity& level, const Fan& fan
   for_each_halfedge(level, fan, [&](Level_connectivity::Index h) {
     const auto& q = point(level.source(h));
     Vector w{T(q[0]) - T(p[0]), T(q[1]) - T(p[1]), T(q[2]) - T(p[2])};
-    const T squared = dot<T, 3>(w, w);
+    const T squared = dot(w, w);
     if (CGAL::certainly(squared == T(0))) return;
     if (!CGAL::certainly(is_greater(squared, T(0)))) is_decided = false;
     for (T& x : w) x /= squared;
@@ -77,7 +75,7 @@ Coordinates<double, 3> reciprocal_normal(const Level_connectivity& level, const 
   for (const auto& ray : inverted.rays()) size += ray.squared;
   for (const auto& corner : inverted.corners())
     for (int k = 0; k < 3; ++k) sum[k] += corner.normal[k];
-  double sum_length = std::sqrt(dot<double, 3>(sum, sum));
+  double sum_length = std::sqrt(dot(sum, sum));
   if (!(sum_length > vanishing_tolerance<FT>() * size)) {
     size = 0;
     const auto& rays = inverted.rays();
@@ -111,9 +109,9 @@ struct Border_arcs_sum
   Border_arcs_sum(const std::vector<Border_arc>& arcs, const Vector& n, const Vector& derivative)
   {
     for (const Border_arc& arc : arcs) {
-      const auto x = dot<double, 3>(n, arc.direction);
-      const auto d = dot<double, 3>(derivative, arc.direction);
-      const double r = x + dot<double, 3>(arc.normal, arc.direction);
+      const auto x = dot(n, arc.direction);
+      const auto d = dot(derivative, arc.direction);
+      const double r = x + dot(arc.normal, arc.direction);
       slope += d * d;
       first += r * d;
       second += d * d - r * x; // the second derivative of n is -n
@@ -147,7 +145,7 @@ arc_border_normal(const Coordinates<double, 3>& open_normal, const Coordinates<d
 
   if (is_zero(open_normal) || is_zero(tangent)) return std::nullopt;
   Vector a = open_normal;
-  add_multiple<double, 3>(a, -dot<double, 3>(a, tangent), tangent);
+  add_multiple(a, -dot(a, tangent), tangent);
   const double a_length = length(a);
   if (!(a_length > solved)) return std::nullopt;
   a = quotient(a, a_length);
@@ -164,10 +162,10 @@ arc_border_normal(const Coordinates<double, 3>& open_normal, const Coordinates<d
     const double change = sum.newton_step(longest_step);
     phi += change;
     n = multiple(std::cos(phi), a);
-    add_multiple<double, 3>(n, std::sin(phi), b);
+    add_multiple(n, std::sin(phi), b);
     if (std::abs(change) <= solved) break;
   }
-  if (!(dot<double, 3>(n, open_normal) > least_agreement)) return std::nullopt;
+  if (!(dot(n, open_normal) > least_agreement)) return std::nullopt;
   return n;
 }
 
@@ -185,12 +183,12 @@ double blend_weight(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan
   for (std::size_t i = 0; i < fan.corners().size(); ++i) {
     const auto& corner = fan.corners()[i];
     if (!corner.has_area) continue;
-    const auto d = dot<double, 3>(n, corner.normal);
+    const auto d = dot(n, corner.normal);
     double turn = 1; // its cosine
     if (!(d > 0 && d * d >= cos_40 * cos_40 * corner.squared)) {
       turn = d / std::sqrt(corner.squared);
       if (turn > 0) {
-        const double gain = dot<double, 3>(n, face_normal(fan.rays()[i].halfedge)) - turn;
+        const double gain = dot(n, face_normal(fan.rays()[i].halfedge)) - turn;
         turn += smoothstep<double>(turn / cos_60) * (std::max)(gain, 0.);
       }
     }
@@ -201,8 +199,6 @@ double blend_weight(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan
   return smoothstep<double>((least - cos_60) / (cos_40 - cos_60));
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_RECIPROCAL_NORMALS_H

@@ -16,10 +16,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The windows by which Coherent_estimation decides, each from 0 to 1 and smooth.
 
@@ -73,7 +72,7 @@ double roundness_of_turn(const Coordinates<double, 3>& n, const Inverted_fan<FT>
   double least = 2;
   for (const auto& corner : fan.corners()) {
     if (!corner.has_area) continue;
-    const auto d = dot<double, 3>(n, corner.normal);
+    const auto d = dot(n, corner.normal);
     if (d > 0 && d * d >= cos_36 * cos_36 * corner.squared)
       least = (std::min)(least, 1.);
     else
@@ -90,7 +89,7 @@ bool is_narrow(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan)
   bool has_area = false;
   for (const auto& corner : fan.corners()) {
     if (!corner.has_area) continue;
-    const auto d = dot<double, 3>(n, corner.normal);
+    const auto d = dot(n, corner.normal);
     if (!(d > 0 && d * d >= cosine * cosine * corner.squared)) return false;
     has_area = true;
   }
@@ -99,8 +98,8 @@ bool is_narrow(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan)
 
 inline bool is_close(const Coordinates<double, 3>& n, const Coordinates<double, 3>& m)
 {
-  const auto d = difference<double, 3>(n, m);
-  return dot<double, 3>(d, d) <= 0x1p-10;
+  const auto d = difference(n, m);
+  return dot(d, d) <= 0x1p-10;
 }
 
 // the length of the shortest edge over that of the longest one
@@ -148,9 +147,9 @@ struct Dips
 inline double arc_height(const Coordinates<double, 3>& m, const Coordinates<double, 3>& p,
                          const Coordinates<double, 3>& q, const Coordinates<double, 3>& n)
 {
-  const auto d = difference<double, 3>(p, q);
-  const double numerator = dot<double, 3>(m, d) + dot<double, 3>(n, d);
-  return numerator / (1 + (std::max)(0., dot<double, 3>(m, n)));
+  const auto d = difference(p, q);
+  const double numerator = dot(m, d) + dot(n, d);
+  return numerator / (1 + (std::max)(0., dot(m, n)));
 }
 
 // a or b
@@ -177,8 +176,147 @@ inline double roundness_beside(double neighbor, double arc_error)
   return 1 - (1 - neighbor) * smooth_window(arc_error, 0.3, 0.6);
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+// How far a round would lift the new point of a vertex above its tangent plane and all its neighbors,
+// or below them all: not at all on spheres, cylinders and whatever bends like them. But where a large
+// plane ends in short bevels, the linear point slides far along the plane, the new normal tilts a
+// little, by the normals of the bevels, and the point leaves the plane by the tilt times the way: thin
+// plates swell. The weights are those of a regular vertex of Loop's scheme, near those of Catmull-Clark.
+class Lift_above_neighbors
+{
+public:
+  using Vector = Coordinates<double, 3>;
+
+  static constexpr double least_unevenness = 4; // the longest edge over the shortest one
+
+  void clear() { neighbors_.clear(); }
+  // the edge to a neighbor, of positive length, and the neighbor's normal
+  void add(const Vector& edge, const Vector& normal) { neighbors_.push_back({edge, normal}); }
+
+  // what is left of the roundness of the vertex
+  double share(const Vector& normal) const
+  {
+    const double x = excess(normal);
+    return x > 0 ? 1 - smooth_window(x, 0.5, 1) : 1;
+  }
+
+private:
+  struct Neighbor
+  {
+    Vector edge, normal;
+  };
+
+  static constexpr double weight_of_neighbors = 3 / 8.;
+
+  // in lengths of the shortest edge, times what the longest one is longer than four of that
+  double excess(const Vector& normal) const
+  {
+    double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+    for (const Neighbor& j : neighbors_) {
+      const double squared = dot(j.edge, j.edge);
+      shortest = (std::min)(shortest, squared);
+      longest = (std::max)(longest, squared);
+    }
+    shortest = std::sqrt(shortest);
+    const double unevenness = std::sqrt(longest) / shortest - least_unevenness;
+    return unevenness > 0 ? excess_in_length(normal) / shortest * unevenness : 0;
+  }
+
+  double excess_in_length(const Vector& normal) const
+  {
+    const double own = 1 - weight_of_neighbors,
+                 each = weight_of_neighbors / double(neighbors_.size());
+    Vector slide{0, 0, 0}, n = multiple(own, normal);
+    double lowest = 0, highest = 0;
+    for (const Neighbor& j : neighbors_) {
+      add_multiple(slide, each, j.edge);
+      add_multiple(n, each, j.normal);
+      const auto height = dot(normal, j.edge);
+      lowest = (std::min)(lowest, height);
+      highest = (std::max)(highest, height);
+    }
+    n = quotient(n, quick_length(n)); // at least a quarter
+    double lift = own * arc_height(normal, {0, 0, 0}, slide, n);
+    for (const Neighbor& j : neighbors_) lift += each * arc_height(j.normal, j.edge, slide, n);
+    const double height = dot(normal, slide) + lift * dot(normal, n);
+    return (std::max)(height - highest, lowest - height);
+  }
+
+  std::vector<Neighbor> neighbors_;
+};
+
+// How far the arcs from the corners of a face to the point over its middle miss each other: not at all on spheres and
+// cylinders. Over a long and narrow face at the corner of a bevel they do by more than the face is wide, and
+// the new point would fold it.
+class Spread_of_arcs
+{
+public:
+  using Vector = Coordinates<double, 3>;
+
+  void clear()
+  {
+    corners_.clear();
+    last_ = Vector{0, 0, 0};
+    longest_ = 0;
+  }
+
+  // the edge to a corner, from the one before, and the corner's normal
+  void add(const Vector& edge, const Vector& normal)
+  {
+    add_multiple(last_, 1., edge);
+    corners_.push_back({last_, normal, dot(edge, edge), 0});
+    longest_ = (std::max)(longest_, corners_.back().squared_edge);
+  }
+
+  // what is left of the roundness of the corners
+  double share()
+  {
+    const double shortest = squared_width(), uneven = share_of_uneven(longest_, shortest);
+    return uneven > 0 ? 1 - smooth_window(uneven * mean_error() / std::sqrt(shortest), 0.2, 0.4)
+                      : 1;
+  }
+
+private:
+  struct Corner
+  {
+    Vector point, normal;
+    double squared_edge; // to here
+    double height;       // of the arc from here over the middle
+  };
+
+  // that of the shortest edge, or of what points that coincide may miss each other by
+  double squared_width() const
+  {
+    double shortest = longest_;
+    for (const Corner& c : corners_) shortest = (std::min)(shortest, c.squared_edge);
+    return (std::max)(shortest, 0x1p-20 * longest_);
+  }
+
+  // of the heights
+  double mean_error()
+  {
+    const double weight = 1. / double(corners_.size());
+    Vector q{0, 0, 0}, n{0, 0, 0};
+    for (const Corner& c : corners_) {
+      add_multiple(q, weight, c.point);
+      add_multiple(n, weight, c.normal);
+    }
+    const double n_length = quick_length(n);
+    if (!(n_length > 0)) return 0; // the new point is the linear one
+    n = quotient(n, n_length);
+    double mean = 0, error = 0;
+    for (Corner& c : corners_) {
+      c.height = arc_height(c.normal, c.point, q, n);
+      mean += weight * c.height;
+    }
+    for (const Corner& c : corners_) error += weight * std::abs(c.height - mean);
+    return error;
+  }
+
+  std::vector<Corner> corners_;
+  Vector last_{0, 0, 0};
+  double longest_ = 0; // squared
+};
+
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ROUNDNESS_H

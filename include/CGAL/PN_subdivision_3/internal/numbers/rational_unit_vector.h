@@ -18,9 +18,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // x 2^k, of any k
 template <class FT>
@@ -97,8 +95,6 @@ inline std::atomic<int>& bits_of_refined_normals()
   return bits;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NUMBERS_RATIONAL_UNIT_VECTOR_H

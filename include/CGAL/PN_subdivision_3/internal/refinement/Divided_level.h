@@ -17,9 +17,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Divides the faces of a level into pieces with about equally many corners, by planes across the longest
 // extent of what is divided. The same on all machines: ties go by the numbers of the faces.
@@ -39,12 +37,10 @@ public:
       const Index first = level.halfedge_of_face(f);
       const double m = level.degree(first);
       Center center{0, 0, 0};
-      Index h = first;
-      do {
+      for (const Index h : halfedges_around_face(level, first)) {
         const Center p = point(level.target(h));
         for (std::size_t i = 0; i < 3; ++i) center[i] += p[i] / m;
-        h = level.next(h);
-      } while (h != first);
+      }
       faces[f] = {center, m, f};
     }
     const auto differs = [](const Face& f, const Face& g) { return f.corners != g.corners; };
@@ -189,8 +185,6 @@ private:
   std::vector<Index> isolated_vertices_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_DIVIDED_LEVEL_H

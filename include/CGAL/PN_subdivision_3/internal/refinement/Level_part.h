@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Some faces of a level as a level of their own, and what their elements are in the whole: whatever has a value for each
 // of these is cut by these lists.
@@ -103,8 +101,6 @@ Values values_of_part(const Values& whole, const Level_part::Origins& origins)
   return part;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_LEVEL_PART_H

@@ -21,9 +21,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The child that a host makes of its level: of this size, with room for what a cut adds to it.
 template <class Host>
@@ -125,7 +123,6 @@ public:
   // once nothing is evaluated any more
   void release_values() { Values().swap(values_); }
   Level_connectivity take_level() { return std::move(level_); }
-  Level_creases take_creases() { return std::move(creases_); }
   unsigned rounds_done() const { return rounds_done_; }
 
   // \pre the level stays while the round is used
@@ -191,8 +188,6 @@ private:
   For_chunks for_chunks_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_LEVEL_REFINER_H

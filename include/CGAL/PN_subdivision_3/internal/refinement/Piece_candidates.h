@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // each six bits of it are others (de Bruijn)
 constexpr std::uint64_t sequence_of_places = 0x03f79d71b4cb0a89;
@@ -237,14 +235,10 @@ private:
   template <class Function>
   void for_each_halfedge(std::size_t first_face, const Function& f) const
   {
-    for (std::size_t i = first_face; i < faces_.elements().size(); ++i) {
-      const Index first = level_.halfedge_of_face(faces_.elements()[i]);
-      Index h = first;
-      do {
+    for (std::size_t i = first_face; i < faces_.elements().size(); ++i)
+      for (const Index h :
+           halfedges_around_face(level_, level_.halfedge_of_face(faces_.elements()[i])))
         f(h);
-        h = level_.next(h);
-      } while (h != first);
-    }
   }
   // of the faces from there on
   void add_vertices(std::size_t first_face)
@@ -257,12 +251,8 @@ private:
   }
   void add_faces(Index v)
   {
-    const Index first = level_.halfedge_of_vertex(v);
-    Index h = first;
-    do {
+    for (const Index h : halfedges_around_target(level_, level_.halfedge_of_vertex(v)))
       if (!level_.is_border(h)) faces_.add(level_.face(h));
-      h = level_.next_around_target(h);
-    } while (h != first);
   }
 
   const Level_connectivity& level_;
@@ -294,8 +284,6 @@ private:
   std::vector<Table> free_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_PIECE_CANDIDATES_H

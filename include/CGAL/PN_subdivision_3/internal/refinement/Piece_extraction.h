@@ -18,9 +18,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Elements of one kind in a piece: their numbers in the whole level, and whether the piece owns them. Every
 // element of the whole level has one owner.
@@ -193,21 +191,16 @@ private:
   {
     bool any_inside = false;
     Index outside = null;
-    Index h = first;
-    do {
+    const auto ring = halfedges_around_target(whole_, first);
+    for (const Index h : ring)
       if (is_inside(h))
         any_inside = true;
       else
         outside = h;
-      h = whole_.next_around_target(h);
-    } while (h != first);
     if (!any_inside) return;
     if (outside != null) return add_sectors(v, outside);
     const Index copy = add_copy(v, new_halfedge(first));
-    do {
-      piece_.set_target(new_halfedge(h), copy);
-      h = whole_.next_around_target(h);
-    } while (h != first);
+    for (const Index h : ring) piece_.set_target(new_halfedge(h), copy);
   }
 
   // a copy of v for each run of faces between two that are missing
@@ -271,8 +264,6 @@ private:
   Old_vertices old_vertex_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_PIECE_EXTRACTION_H

@@ -11,49 +11,19 @@
 
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
-#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/numberings.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
-#include <cstddef>
 #include <cstdint>
-#include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-
-// The number of the first corner of each face, if corners are counted face by face.
-class First_corners
-{
-public:
-  using Number = std::uint64_t;
-
-  explicit First_corners(Level_connectivity::Index uniform_degree = 0)
-    : degree_(uniform_degree)
-  {}
-  explicit First_corners(const Level_connectivity& level)
-  {
-    first_.reserve(std::size_t(level.size().faces) + 1);
-    Number corner = 0;
-    for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f) {
-      first_.push_back(corner);
-      corner += level.degree(level.halfedge_of_face(f));
-    }
-    first_.push_back(corner);
-  }
-
-  Number first(Number f) const { return degree_ != 0 ? degree_ * f : first_[f]; }
-
-private:
-  Number degree_ = 0; // 0 if they differ
-  std::vector<Number> first_;
-};
+namespace CGAL::PN_subdivision_3::internal {
 
 // What the numbers of the children of a level depend on, besides their parents.
 struct Whole_level
 {
   Level_size size;
-  First_corners corners;
+  Face_corners<std::uint64_t> corners;
 };
 
 // The numbers that the children of elements have in a level that is not held, from those of their parents.
@@ -92,7 +62,7 @@ public:
   }
 
 private:
-  PQQ_numbering<Number, First_corners> numbering_;
+  PQQ_numbering<Number> numbering_;
 };
 
 template <>
@@ -126,8 +96,6 @@ private:
   PTQ_numbering<Number> numbering_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_WHOLE_LEVEL_H

@@ -11,14 +11,15 @@
 
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Control_values.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // What a refiner keeps of a control mesh, a scheme and a number of rounds, so that other control values
 // are refined without anything of the connectivity.
@@ -61,19 +62,83 @@ protected:
 
   void in_chunks(Index n, For_chunks::Function f) const
   {
-    using Precision = Caller_precision<typename Average::FT>;
-    const Precision precision;
-    for_chunks_(n, [&](Index begin, Index end) {
-      const typename Precision::In_this_thread scope(precision);
-      f(begin, end);
-    });
+    for_chunks_.in_precision<typename Average::FT>(n, f);
   }
 
   For_chunks for_chunks_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+// Finds the new vertices of a round whose rows read any of some old ones. Finds out in the first call what reads what:
+// the rows of the round, transposed.
+class Row_readers
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  // in the order of the numbers
+  template <class Round>
+  std::vector<Index> operator()(const Round& round, std::size_t number_of_old_vertices,
+                                const std::vector<Index>& old)
+  {
+    if (begin_.empty()) {
+      is_marked_.assign(round.refined_size().vertices, 0);
+      transpose(round, number_of_old_vertices);
+    }
+    std::vector<Index> readers;
+    for (Index v : old)
+      for (std::size_t i = begin_[v]; i < begin_[v + 1]; ++i) { // some come more than once
+        const Index r = readers_[i];
+        if (is_marked_[r] != 0) continue;
+        is_marked_[r] = 1;
+        readers.push_back(r);
+      }
+    // unless there are few, looking at all marks costs less than sorting
+    if (readers.size() < is_marked_.size() / 256)
+      std::sort(readers.begin(), readers.end());
+    else
+      collect_marks(readers);
+    for (Index r : readers) is_marked_[r] = 0;
+    return readers;
+  }
+
+  std::size_t memory() const
+  {
+    return begin_.capacity() * sizeof(std::size_t) + readers_.capacity() * sizeof(Index) +
+           is_marked_.size();
+  }
+
+private:
+  template <class Round>
+  void transpose(const Round& round, std::size_t number_of_old_vertices)
+  {
+    std::vector<std::size_t> begin(number_of_old_vertices + 1, 0);
+    const auto n = static_cast<Index>(is_marked_.size());
+    Stencil_block<typename Round::FT> buffer;
+    for (Index r = 0; r < n; ++r) round.for_each_entry(r, buffer, [&](Index v) { ++begin[v + 1]; });
+    for (std::size_t v = 0; v < number_of_old_vertices; ++v) begin[v + 1] += begin[v];
+    // while the lists are filled, the end of each is where it begins
+    readers_.resize(begin.back());
+    for (Index r = n; r-- > 0;)
+      round.for_each_entry(r, buffer, [&](Index v) { readers_[--begin[v + 1]] = r; });
+    begin.erase(begin.begin());
+    begin.push_back(readers_.size());
+    begin_ = std::move(begin);
+  }
+
+  void collect_marks(std::vector<Index>& marked) const
+  {
+    auto end = marked.begin();
+    const char* const marks = is_marked_.data();
+    const char* const last = marks + is_marked_.size();
+    for (const char* m = marks; (m = std::find(m, last, 1)) != last; ++m)
+      *end++ = static_cast<Index>(m - marks);
+  }
+
+  std::vector<std::size_t> begin_; // of the readers of each old vertex
+  std::vector<Index> readers_;
+  std::vector<char> is_marked_; // none of the new vertices between two calls
+};
+
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_REFINEMENT_H

@@ -18,7 +18,6 @@
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Control_values.h>
-#include <CGAL/PN_subdivision_3/internal/refiner/Dependents.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Kept_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -35,9 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // whether two values are the same, bit by bit; other numbers are not compared
 template <class FT>
@@ -401,8 +398,6 @@ private:
   Slot_values last_on_creases_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_ROUNDS_H

@@ -16,9 +16,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // whether points are averaged together with normals
 template <class Scheme>
@@ -65,8 +63,6 @@ Average average_of([[maybe_unused]] const Scheme& scheme)
   return average;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_AVERAGE_OF_SCHEME_H

@@ -10,8 +10,9 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_CURVATURE_TRANSFER_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Ring_functionals.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -21,37 +22,29 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <optional>
+#include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-
-template <class FT>
-using Triple_of = std::array<FT, 3>;
-
-template <class FT>
-FT dot_of_triples(const Triple_of<FT>& a, const Triple_of<FT>& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+namespace CGAL::PN_subdivision_3::internal {
 
 // The shortest x with A x = b, for the columns of a 3x3 matrix A. Singular values below 1e-8 of the
 // largest count as 0. By rotations of pairs of columns until all are perpendicular (one-sided Jacobi
 // method), always in the same order.
 template <class FT>
-Triple_of<FT> least_norm_solution(std::array<Triple_of<FT>, 3> columns, const Triple_of<FT>& b)
+Coordinates<FT, 3> least_norm_solution(std::array<Coordinates<FT, 3>, 3> columns,
+                                       const Coordinates<FT, 3>& b)
 {
-  std::array<Triple_of<FT>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  std::array<Coordinates<FT, 3>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   constexpr std::size_t pairs[3][2] = {{0, 1}, {0, 2}, {1, 2}};
   for (int sweep = 0; sweep < 12; ++sweep)
     for (const auto& [i, j] : pairs) {
-      const FT product = dot_of_triples(columns[i], columns[j]);
+      const FT product = dot(columns[i], columns[j]);
       if (product == FT(0)) continue;
-      const FT difference =
-        dot_of_triples(columns[j], columns[j]) - dot_of_triples(columns[i], columns[i]);
+      const FT difference = dot(columns[j], columns[j]) - dot(columns[i], columns[i]);
       // tan of the smaller angle that makes them perpendicular
       const FT zeta = difference / (2 * product);
       const FT t = sign_of(zeta) / (absolute_value(zeta) + square_root_of<FT>(1 + zeta * zeta));
@@ -65,14 +58,14 @@ Triple_of<FT> least_norm_solution(std::array<Triple_of<FT>, 3> columns, const Tr
     }
   FT largest(0);
   for (const auto& column : columns) {
-    const FT square = dot_of_triples(column, column);
+    const FT square = dot(column, column);
     if (square > largest) largest = square;
   }
-  Triple_of<FT> x{};
+  Coordinates<FT, 3> x{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const FT square = dot_of_triples(columns[k], columns[k]);
+    const FT square = dot(columns[k], columns[k]);
     if (!(square > FT(1e-16) * largest)) continue;
-    const FT share = dot_of_triples(columns[k], b) / square;
+    const FT share = dot(columns[k], b) / square;
     for (std::size_t r = 0; r < 3; ++r) x[r] += share * axes[k][r];
   }
   return x;
@@ -88,8 +81,8 @@ struct Quadratic_part
   // of vectors in space
   Real operator()(const Coordinates<Real, 3>& a, const Coordinates<Real, 3>& b) const
   {
-    const Real a1 = dot<Real, 3>(a, frame.e1()), a2 = dot<Real, 3>(a, frame.e2());
-    const Real b1 = dot<Real, 3>(b, frame.e1()), b2 = dot<Real, 3>(b, frame.e2());
+    const Real a1 = dot(a, frame.e1()), a2 = dot(a, frame.e2());
+    const Real b1 = dot(b, frame.e1()), b2 = dot(b, frame.e2());
     return xx * a1 * b1 + xy * (a1 * b2 + a2 * b1) + yy * a2 * b2;
   }
 
@@ -125,7 +118,7 @@ public:
     const auto* const mask = functionals_.limit().data();
     const Value limit = PN_average<Real, 3>()(mask, mask + size(), ring.data());
     for (const Value& v : ring)
-      if (!(dot<Real, 3>(v.normal, limit.normal) >= Real(1) / 2)) return std::nullopt;
+      if (!(dot(v.normal, limit.normal) >= Real(1) / 2)) return std::nullopt;
     const Local_frame<Real> frame(limit.point, limit.normal);
     std::vector<Pair<Real>> u(size());
     std::vector<Real> w(size());
@@ -138,7 +131,7 @@ public:
     if (!is_finite_number(slope[0]) || !is_finite_number(slope[1])) return std::nullopt;
     for (std::size_t j = 0; j < size(); ++j) w[j] -= slope[0] * u[j][0] + slope[1] * u[j][1];
 
-    Triple_of<Real> rest{};
+    Coordinates<Real, 3> rest{};
     for (std::size_t k = 0; k < functionals_.quadratic().size(); ++k)
       rest[k] = applied(functionals_.quadratic()[k], [&](std::size_t j) { return w[j]; });
     const auto exceeds = [&](const Real& x) { return absolute_value(x) > noise; };
@@ -173,17 +166,17 @@ private:
   // not depend on the frame, if the unknown besides the diagonal is sqrt(2) Q_xy.
   std::optional<Quadratic_part<Real>> with_rest(const Local_frame<Real>& frame,
                                                 const std::vector<Pair<Real>>& u,
-                                                const Triple_of<Real>& rest) const
+                                                const Coordinates<Real, 3>& rest) const
   {
     const Real root = square_root_of(Real(2));
-    std::array<Triple_of<Real>, 3> columns{};
+    std::array<Coordinates<Real, 3>, 3> columns{};
     for (std::size_t k = 0; k < functionals_.quadratic().size(); ++k) {
       const Functional& f = functionals_.quadratic()[k];
       columns[0][k] = applied(f, [&](std::size_t j) { return u[j][0] * u[j][0] / 2; });
       columns[1][k] = applied(f, [&](std::size_t j) { return u[j][1] * u[j][1] / 2; });
       columns[2][k] = applied(f, [&](std::size_t j) { return u[j][0] * u[j][1] / root; });
     }
-    const Triple_of<Real> q = least_norm_solution(columns, rest);
+    const Coordinates<Real, 3> q = least_norm_solution(columns, rest);
     for (const Real& x : q)
       if (!is_finite_number(x)) return std::nullopt;
     return Quadratic_part<Real>{frame, q[0], q[2] / root, q[1]};
@@ -243,11 +236,11 @@ public:
       Pair<Real> g = part.gradient(part.frame.u(ring_[j].point));
       if (exponent_ != 0)
         for (Real& x : g) x = scaled(x, exponent_);
-      const Real half = dot<Real, 3>(ring_[j].normal, part.frame.normal()) / 2;
+      const Real half = dot(ring_[j].normal, part.frame.normal()) / 2;
       Coordinates<FT, 3>& n = normal(j);
       for (std::size_t c = 0; c < 3; ++c)
         n[c] -= FT(half * (g[0] * part.frame.e1()[c] + g[1] * part.frame.e2()[c]));
-      n = unit_or_zero<FT, 3>(n, FT(1));
+      n = unit_or_zero(n, FT(1));
     }
   }
 
@@ -288,8 +281,104 @@ private:
   int exponent_ = 0; // of the power of two by which `ring_` is divided
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+// of a round whose normals are those of the rows
+struct No_transfers
+{
+  bool is_empty() const { return true; }
+  template <class Index, class Value>
+  void put(Index, Index, Value*) const
+  {}
+};
+
+// The normals that a round gives to the rings of its separated vertices by the transfer of curvature.
+// The rows of the rings are evaluated for it, besides the round itself, which is not stored in any
+// call: a round's values go by in blocks. Rings have no vertex in common, and each has one owner among
+// the threads.
+template <class FT, class Value>
+class Transferred_normals
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  // none
+  Transferred_normals() = default;
+
+  // evaluate(vertices, how many, values) gives the new vertices their values by the rows.
+  template <class Host, class Function>
+  Transferred_normals(const Level_connectivity& level, const Host& host,
+                      const std::vector<Index>& separated, Index degree,
+                      const For_chunks& for_chunks, const Function& evaluate)
+  {
+    if (separated.empty()) return;
+    if constexpr (is_interval_v<FT>)
+      throw std::invalid_argument("PN_subdivision_3: the transfer of curvature is computed in "
+                                  "double, and its results are not "
+                                  "intervals: take another scheme or number type");
+    std::vector<std::size_t> begin{0};
+    for (const Index v : separated) {
+      append_ring(level, host, v);
+      begin.push_back(vertices_.size());
+    }
+    std::vector<Point_normal<FT, 3>> values(vertices_.size());
+    std::vector<char> is_changed(separated.size(), 0);
+    for_chunks.in_precision<FT>(static_cast<Index>(separated.size()), [&](Index first, Index last) {
+      std::map<std::size_t, Normal_transfer<FT>> transfers; // for each size of a ring
+      std::vector<Value> of_ring;
+      std::vector<Point_normal<FT, 3>> ring;
+      for (Index i = first; i < last; ++i) {
+        const std::size_t size = begin[i + 1] - begin[i];
+        of_ring.resize(size);
+        evaluate(&vertices_[begin[i]], static_cast<Index>(size), of_ring.data());
+        ring.assign(of_ring.begin(), of_ring.end());
+        auto transfer = transfers.find(size);
+        if (transfer == transfers.end())
+          transfer =
+            transfers.emplace(size, Normal_transfer<FT>(degree, level.valence(separated[i]))).first;
+        const auto part = transfer->second(ring);
+        if (!part) continue;
+        transfer->second.add_half(
+          *part, [&](std::size_t j) -> auto& { return ring[j].normal; });
+        is_changed[i] = 1;
+        std::copy(ring.begin(), ring.end(), values.begin() + static_cast<std::ptrdiff_t>(begin[i]));
+      }
+    });
+    for (std::size_t i = 0; i < separated.size(); ++i)
+      if (is_changed[i] != 0)
+        for (std::size_t j = begin[i]; j < begin[i + 1]; ++j)
+          normals_.emplace_back(vertices_[j], values[j].normal);
+    std::vector<Index>().swap(vertices_);
+    std::sort(normals_.begin(), normals_.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+  }
+
+  bool is_empty() const { return normals_.empty(); }
+  // into the values of the new vertices [first, first + n)
+  void put(Index first, Index n, Value* values) const
+  {
+    if (normals_.empty()) return;
+    auto it = std::lower_bound(normals_.begin(), normals_.end(), first,
+                               [](const auto& a, Index v) { return a.first < v; });
+    for (; it != normals_.end() && it->first - first < n; ++it)
+      values[it->first - first].normal = it->second;
+  }
+
+private:
+  // in the order of Ring_functionals
+  template <class Host>
+  void append_ring(const Level_connectivity& level, const Host& host, Index v)
+  {
+    vertices_.push_back(v);
+    const auto ring = halfedges_around_target(level, level.halfedge_of_vertex(v));
+    for (const Index h : ring)
+      vertices_.push_back(host.vertex_of_edge(Level_connectivity::edge(h)));
+    if constexpr (Host::refined_degree == 4)
+      for (const Index h : ring) vertices_.push_back(host.vertex_of_face(level.face(h)));
+  }
+
+  std::vector<Index> vertices_; // of the rings
+  std::vector<std::pair<Index, Coordinates<FT, 3>>> normals_;
+};
+
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_CURVATURE_TRANSFER_H

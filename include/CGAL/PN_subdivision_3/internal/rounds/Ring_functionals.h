@@ -15,14 +15,11 @@
 #include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // the double subdominant eigenvalue of Catmull-Clark (degree 4) and Loop subdivision
 template <class FT>
@@ -144,8 +141,6 @@ private:
   std::vector<Functional> quadratic_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_RING_FUNCTIONALS_H

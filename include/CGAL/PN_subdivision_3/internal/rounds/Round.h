@@ -9,13 +9,13 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_ROUND_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_ROUND_H
 
+#include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
-#include <CGAL/PN_subdivision_3/internal/rounds/Transferred_normals.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/internal/rows/PN_average_block.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/Uncertain.h>
@@ -24,15 +24,12 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // One round of a scheme: its host on a level, its mask, and the average of the rows. The mask may
 // see another level than the host; the old values are those of the mask's level.
@@ -66,7 +63,6 @@ public:
     , normal_mask_(make_normal_mask(scheme, level, number))
     , has_own_normals_(internal::has_normal_mask(scheme))
     , average_(average_of<Average>(scheme))
-    , number_of_old_vertices_(level.number_of_vertices())
     , number_(number)
   {}
 
@@ -247,14 +243,10 @@ private:
       result = Value{};
       return;
     }
-    try {
-      average_row();
-    } catch (const Uncertain_conversion_exception&) {
-      throw std::domain_error("PN_subdivision_3: the precision of the number type does not decide "
-                              "whether the normal of vertex " +
-                              std::to_string(vertex) + " in round " + std::to_string(number_) +
-                              " vanishes or is opposite to a neighbor's: use a higher precision");
-    }
+    decided<FT>(average_row, [&] {
+      return "whether the normal of vertex " + std::to_string(vertex) + " in round " +
+             std::to_string(number_) + " vanishes or is opposite to a neighbor's";
+    });
   }
 
   const Level_connectivity& mask_level_;
@@ -264,7 +256,6 @@ private:
   Normal_mask normal_mask_;
   bool has_own_normals_;
   Average average_;
-  Index number_of_old_vertices_;
   unsigned number_;
   std::vector<Index> of_others_;
 };
@@ -279,10 +270,7 @@ void evaluate_rows(const One_round& round, typename One_round::Index begin,
                    const typename One_round::Rows_sink* rows_sink = nullptr)
 {
   using Index = typename One_round::Index;
-  using Precision = Caller_precision<typename One_round::FT>;
-  const Precision precision;
-  for_chunks(end - begin, [&](Index first, Index last) {
-    const typename Precision::In_this_thread scope(precision);
+  for_chunks.in_precision<typename One_round::FT>(end - begin, [&](Index first, Index last) {
     round.evaluate(begin + first, begin + last, old, transfers, sink, rows_sink);
   });
 }
@@ -294,16 +282,11 @@ void evaluate_rows(const One_round& round, const typename One_round::Index* vert
                    const For_chunks& for_chunks, typename One_round::List_sink sink)
 {
   using Index = typename One_round::Index;
-  using Precision = Caller_precision<typename One_round::FT>;
-  const Precision precision;
-  for_chunks(number, [&](Index first, Index last) {
-    const typename Precision::In_this_thread scope(precision);
+  for_chunks.in_precision<typename One_round::FT>(number, [&](Index first, Index last) {
     round.evaluate(vertices + first, vertices + last, old, sink);
   });
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_ROUND_H

@@ -11,17 +11,14 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/levels/Element_parent.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/container/vector.hpp>
+#include <boost/type_traits/detected_or.hpp>
 
 #include <type_traits>
-#include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // An element of the control level.
 struct Origin
@@ -32,13 +29,10 @@ struct Origin
   Level_connectivity::Index index;
 };
 
-template <class Host, class = void>
-struct Splits_edges : std::false_type
-{};
 template <class Host>
-struct Splits_edges<Host, std::void_t<decltype(Host::splits_edges)>>
-  : std::bool_constant<Host::splits_edges>
-{};
+using Splitting_of = std::bool_constant<Host::splits_edges>;
+template <class Host>
+using Splits_edges = boost::detected_or_t<std::false_type, Splitting_of, Host>;
 
 // Where the elements of a level come from in the control level: of every kind that is asked for, and of those
 // that are needed to know it a round later.
@@ -81,9 +75,8 @@ public:
     result.is_control_ = false;
     const auto fill = [&](Origins& origins, std::uint64_t number, const auto& origin_of) {
       origins.resize(number, boost::container::default_init);
-      for_chunks(static_cast<Index>(number), [&](Index begin, Index end) {
-        for (Index i = begin; i < end; ++i) origins[i] = origin_of(i);
-      });
+      for_each_index(for_chunks, static_cast<Index>(number),
+                     [&](Index i) { origins[i] = origin_of(i); });
     };
     if (kinds.vertices)
       fill(result.vertices_, child.vertices, [&](Index v) { return rules.vertex(v); });
@@ -216,8 +209,6 @@ private:
   const bool is_even_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_LEVEL_ORIGINS_H

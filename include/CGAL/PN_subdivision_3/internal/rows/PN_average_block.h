@@ -21,9 +21,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // How many rows are averaged at once. One PN average is a chain of a square root and divisions;
 // many independent ones side by side hide its latency. Other number types gain nothing from it.
@@ -144,8 +142,7 @@ private:
     FT scale[capacity];
     for (std::size_t r = begin; r < end; ++r) {
       result[r] = sums(rows, normal_rows, r, old);
-      scale[r] = (std::max)(dot<FT, dimension>(result[r].normal, result[r].normal),
-                            least_squared_length<FT>());
+      scale[r] = (std::max)(dot(result[r].normal, result[r].normal), least_squared_length<FT>());
     }
     for (std::size_t r = begin; r < end; ++r) scale[r] = std::sqrt(scale[r]);
     for (std::size_t r = begin; r < end; ++r) scale[r] = FT(1) / scale[r];
@@ -157,7 +154,7 @@ private:
         h *= result[r].roundness;
       else
         h *= average_.roundness;
-      add_multiple<FT, dimension>(result[r].point, h, result[r].normal);
+      add_multiple(result[r].point, h, result[r].normal);
       if (!(least_denominator >= fade_begin<FT>() && scale[r] < greatest_scale<FT>()) ||
           length(rows, r) == 1 || length(normal_rows, r) == 1)
         result[r] = careful_row(rows, normal_rows, r, old);
@@ -169,12 +166,12 @@ private:
     Value result{};
     if constexpr (has_roundness_v<Value>) result.roundness = FT(0);
     for (const Entry* e = rows.begin(r); e != rows.end(r); ++e) {
-      add_multiple<FT, dimension>(result.point, e->weight, old[e->vertex].point);
+      add_multiple(result.point, e->weight, old[e->vertex].point);
       if constexpr (has_roundness_v<Value>)
         result.roundness += e->weight * old[e->vertex].roundness;
     }
     for (const Entry* e = normal_rows.begin(r); e != normal_rows.end(r); ++e)
-      add_multiple<FT, dimension>(result.normal, e->weight, old[e->vertex].normal);
+      add_multiple(result.normal, e->weight, old[e->vertex].normal);
     return result;
   }
 
@@ -222,8 +219,6 @@ struct Block_of<PN_average<FT, dimension, Value>>
                        Average_block<Average>>;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_PN_AVERAGE_BLOCK_H

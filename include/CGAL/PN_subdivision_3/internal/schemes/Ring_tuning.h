@@ -9,22 +9,19 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_RING_TUNING_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_RING_TUNING_H
 
-#include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/Scheme_parameter.h>
-#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/Uncertain.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // x with its absolute value cut to the bound. Where intervals do not decide, both are nearly equal.
 template <class Number>
@@ -137,14 +134,11 @@ inline bool is_separated(const Level_connectivity& level, Level_connectivity::In
                          Level_connectivity::Index degree,
                          const std::vector<Level_connectivity::Index>& irregular_valence)
 {
-  const Level_connectivity::Index first = level.halfedge_of_vertex(v);
-  Level_connectivity::Index h = first;
-  do {
+  for (const auto h : halfedges_around_target(level, level.halfedge_of_vertex(v))) {
     if (!level.has_degree(h, degree)) return false;
     for (Level_connectivity::Index g = level.next(h); g != h; g = level.next(g))
       if (irregular_valence[level.target(g)] != 0) return false; // also if v occurs again
-    h = level.next_around_target(h);
-  } while (h != first);
+  }
   return true;
 }
 
@@ -237,8 +231,64 @@ private:
   std::map<Index, Weights> weights_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+// The neighbors of separated vertices of large valence, in a row. Each of the n edges there has a row of all
+// of them: walking round the vertex n times takes longer than the averages.
+class Long_rings
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  // none
+  Long_rings() = default;
+
+  template <class Separated>
+  Long_rings(const Level_connectivity& level, const Separated& separated)
+  {
+    for (const Index v : separated.vertices_of_valence(longest_walked + 1))
+      rings_.emplace(v, Ring(level, v));
+  }
+
+  // calls f(w) for the neighbors of the target of h, clockwise, from the source of h on
+  template <class Function>
+  void for_each_neighbor(const Level_connectivity& level, Index h, const Function& f) const
+  {
+    const auto ring = rings_.empty() ? rings_.end() : rings_.find(level.target(h));
+    if (ring != rings_.end()) return ring->second.for_each_from(h, f);
+    for (const Index g : halfedges_around_target(level, h)) f(level.source(g));
+  }
+
+private:
+  static constexpr Index longest_walked = 64;
+
+  class Ring
+  {
+  public:
+    Ring(const Level_connectivity& level, Index v)
+    {
+      for (const Index h : halfedges_around_target(level, level.halfedge_of_vertex(v))) {
+        places_.emplace_back(h, neighbors_.size());
+        neighbors_.push_back(level.source(h));
+      }
+      std::sort(places_.begin(), places_.end());
+    }
+
+    template <class Function>
+    void for_each_from(Index h, const Function& f) const
+    {
+      const std::size_t place =
+        std::lower_bound(places_.begin(), places_.end(), std::pair(h, std::size_t(0)))->second;
+      for (std::size_t i = place; i < neighbors_.size(); ++i) f(neighbors_[i]);
+      for (std::size_t i = 0; i < place; ++i) f(neighbors_[i]);
+    }
+
+  private:
+    std::vector<Index> neighbors_;
+    std::vector<std::pair<Index, std::size_t>> places_; // of half-edges, in their order
+  };
+
+  std::map<Index, Ring> rings_;
+};
+
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_RING_TUNING_H

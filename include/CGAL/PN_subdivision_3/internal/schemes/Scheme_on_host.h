@@ -16,7 +16,6 @@
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
@@ -30,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // of an old element; the hosts tell which
 enum class Row_kind { vertex, edge, face, corner, border_vertex, border_edge };
@@ -292,7 +289,7 @@ Scheme_facts<FT> facts_of(const Scheme& scheme)
 }
 
 // A scheme that was chosen at run time, on the host that it has: a model of PNSubdivisionScheme_3. What its type
-// says is what a scheme on this host may be; scheme_facts.h asks what it is.
+// says is what a scheme on this host may be; scheme_traits.h asks what it is.
 template <class Host_, class FT>
 class Scheme_on_host
 {
@@ -361,8 +358,6 @@ private:
   std::shared_ptr<const Scheme_facts<FT>> facts_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SCHEME_ON_HOST_H

@@ -11,30 +11,27 @@
 
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
+#include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+
+#include <boost/type_traits/is_detected_exact.hpp>
 
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // in the place of the host of an Any_scheme: functions that take one call themselves with the scheme on its host
 struct Host_at_run_time
 {};
 
 // whether it is an Any_scheme, or what adapts one
-template <class Scheme, class = void>
-struct Is_any : std::false_type
-{};
 template <class Scheme>
-struct Is_any<Scheme, std::void_t<typename Scheme::Host>>
-  : std::is_same<typename Scheme::Host, Host_at_run_time>
-{};
+using Host_of = typename Scheme::Host;
+template <class Scheme>
+using Is_any = boost::is_detected_exact<Host_at_run_time, Host_of, Scheme>;
 
 template <class Scheme>
 constexpr auto number_type_of_any(const Scheme* scheme)
@@ -182,19 +179,6 @@ std::string no_halves(const Scheme& scheme, const std::string& consequence,
          "faces as they do";
 }
 
-// the same for schemes that split edges and faces at them
-template <class Result, class Call, class Scheme, class Function>
-Result on_spline_host(const Scheme& scheme, const Function& f)
-{
-  return on_host<Result, Call>(scheme, [&](const auto& s) -> Result {
-    if constexpr (halves_edges_v<std::decay_t<decltype(s)>>)
-      return f(s);
-    else
-      throw std::invalid_argument("PN_subdivision_3: this is not known for " + name_in_message(s) +
-                                  ": take a scheme that splits faces as Catmull-Clark or Loop");
-  });
-}
-
 // the same for schemes whose limits can be interpolated
 template <class Result, class Call, class Scheme, class Function>
 Result on_interpolated_host(const Scheme& scheme, const Function& f)
@@ -208,8 +192,6 @@ Result on_interpolated_host(const Scheme& scheme, const Function& f)
   });
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_ON_HOST_H

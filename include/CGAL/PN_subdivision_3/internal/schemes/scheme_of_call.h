@@ -15,6 +15,8 @@
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/Uncertain.h>
 
+#include <boost/type_traits/is_detected.hpp>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -22,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // What a call says by named parameters of the border, of the tangents of creases and of the estimate of normals is put
 // around its scheme. Of two of a kind the outer one counts.
@@ -66,19 +66,12 @@ Scheme_with_normal_estimate<Scheme> with_normal_estimate(const Scheme& scheme,
   return {{scheme}, estimate};
 }
 
+template <class Scheme>
+using Is_with_crease_tangents = Is_instance<Scheme_with_crease_tangents, Scheme>;
 // whether it is one of these adaptors
 template <class Scheme>
-struct Is_said_by_call : std::false_type
-{};
-template <class Scheme>
-struct Is_said_by_call<Scheme_with_border<Scheme>> : std::true_type
-{};
-template <class Scheme, class Map>
-struct Is_said_by_call<Scheme_with_crease_tangents<Scheme, Map>> : std::true_type
-{};
-template <class Scheme>
-struct Is_said_by_call<Scheme_with_normal_estimate<Scheme>> : std::true_type
-{};
+using Is_said_by_call = std::disjunction<Is_with_border<Scheme>, Is_with_crease_tangents<Scheme>,
+                                         Is_instance<Scheme_with_normal_estimate, Scheme>>;
 
 // The border of a scheme and of the adaptors around it.
 template <class Scheme>
@@ -99,13 +92,6 @@ struct Border_of
 struct No_tangent_map
 {};
 
-template <class Scheme>
-struct Is_with_crease_tangents : std::false_type
-{};
-template <class Scheme, class Map>
-struct Is_with_crease_tangents<Scheme_with_crease_tangents<Scheme, Map>> : std::true_type
-{};
-
 // the map of a scheme and of the adaptors around it
 template <class Scheme>
 auto crease_tangents([[maybe_unused]] const Scheme& scheme)
@@ -121,13 +107,8 @@ using Crease_tangent_map = decltype(crease_tangents(std::declval<const Scheme&>(
 template <class Scheme>
 constexpr bool has_crease_tangents_v = !std::is_same_v<Crease_tangent_map<Scheme>, No_tangent_map>;
 
-template <class Scheme, class = void>
-struct States_normal_estimate : std::false_type
-{};
 template <class Scheme>
-struct States_normal_estimate<
-  Scheme, std::void_t<decltype(std::declval<const Scheme&>().normal_estimate())>> : std::true_type
-{};
+using Normal_estimate_of = decltype(std::declval<const Scheme&>().normal_estimate());
 
 template <class Scheme, class Normal_scheme>
 std::optional<Control_normal_estimate>
@@ -137,7 +118,7 @@ stated_normal_estimate(const Scheme_with_normals<Scheme, Normal_scheme>& scheme)
 template <class Scheme>
 std::optional<Control_normal_estimate> stated_normal_estimate(const Scheme& scheme)
 {
-  if constexpr (States_normal_estimate<Scheme>::value)
+  if constexpr (boost::is_detected<Normal_estimate_of, Scheme>::value)
     return scheme.normal_estimate();
   else if constexpr (Is_adaptor<Scheme>::value)
     return stated_normal_estimate(scheme.scheme);
@@ -171,27 +152,13 @@ inline constexpr bool adapts_scheme_v<Scheme, Named_function_parameters<T, Tag, 
    is_given_v<crease_tangent_map_t, Named_function_parameters<T, Tag, Base>> ||
    is_given_v<control_normal_estimate_t, Named_function_parameters<T, Tag, Base>>);
 
-template <class Scheme, class NamedParameters>
-auto scheme_with_estimate(const Scheme& scheme, [[maybe_unused]] const NamedParameters& np)
+// the scheme with what adapt(scheme, value) puts around it, if the parameter is given
+template <class Tag, class Scheme, class NamedParameters, class Adapt>
+auto adapted_if_given(const Scheme& scheme, [[maybe_unused]] const NamedParameters& np,
+                      [[maybe_unused]] const Adapt& adapt)
 {
-  if constexpr (is_given_v<control_normal_estimate_t, NamedParameters>)
-    return with_normal_estimate(scheme, parameters::get_parameter(np, control_normal_estimate_t()));
-  else
-    return scheme;
-}
-template <class Scheme, class NamedParameters>
-auto scheme_with_border(const Scheme& scheme, [[maybe_unused]] const NamedParameters& np)
-{
-  if constexpr (is_given_v<border_t, NamedParameters>)
-    return with_border(scheme, parameters::get_parameter(np, border_t()));
-  else
-    return scheme;
-}
-template <class Scheme, class NamedParameters>
-auto scheme_with_tangents(const Scheme& scheme, [[maybe_unused]] const NamedParameters& np)
-{
-  if constexpr (is_given_v<crease_tangent_map_t, NamedParameters>)
-    return with_crease_tangents(scheme, parameters::get_parameter(np, crease_tangent_map_t()));
+  if constexpr (is_given_v<Tag, NamedParameters>)
+    return adapt(scheme, parameters::get_parameter(np, Tag()));
   else
     return scheme;
 }
@@ -201,8 +168,14 @@ template <class Scheme, class NamedParameters, class Function>
 decltype(auto) with_scheme_of_call(const Scheme& scheme, const NamedParameters& np,
                                    const Function& f)
 {
-  return f(scheme_with_tangents(scheme_with_border(scheme_with_estimate(scheme, np), np), np),
-           with_parameter<scheme_is_adapted_t>(true, np));
+  const auto estimated = adapted_if_given<control_normal_estimate_t>(
+    scheme, np, [](const auto& s, auto estimate) { return with_normal_estimate(s, estimate); });
+  const auto bordered = adapted_if_given<border_t>(
+    estimated, np, [](const auto& s, auto border) { return with_border(s, border); });
+  return f(
+    adapted_if_given<crease_tangent_map_t>(
+      bordered, np, [](const auto& s, auto tangents) { return with_crease_tangents(s, tangents); }),
+    with_parameter<scheme_is_adapted_t>(true, np));
 }
 
 // The roundness of control vertices that a call is given: one of each, one of all, or none. Where there is none it is
@@ -320,8 +293,6 @@ auto averaged_roundness(const std::array<Entry, n>& entries, const Roundness_of&
   return are_equal ? first : sum;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SCHEME_OF_CALL_H

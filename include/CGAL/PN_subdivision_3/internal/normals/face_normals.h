@@ -6,16 +6,18 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ANGLE_WEIGHTED_NORMALS_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ANGLE_WEIGHTED_NORMALS_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_FACE_NORMALS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_FACE_NORMALS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/cosine_of_number_type.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/Weight_number.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
+#include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,9 +27,102 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
+
+// Differences of points in double. Where squares of the size of the mesh would leave the range of
+// double, all is scaled by a power of two.
+template <class FT, class Point_of>
+class Scaled_differences
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Vector = Coordinates<double, 3>;
+
+  Scaled_differences(const Level_connectivity& level, const Point_of& point)
+    : point_(point)
+  {
+    constexpr double most = 0x1p200;
+    double largest = 0;
+    for (Index v = 1; v < level.number_of_vertices(); ++v)
+      largest = (std::max)(largest, largest_coordinate((*this)(v, 0)));
+    if (std::isfinite(largest) && largest > 0 && !(largest < most && largest > 1 / most))
+      exponent_ = -std::ilogb(largest);
+  }
+
+  Vector operator()(Index v, Index origin) const
+  {
+    using T = Wide_number<FT>;
+    const auto &p = point_(v), &q = point_(origin);
+    Vector d = to_double_3<T>({T(p[0]) - T(q[0]), T(p[1]) - T(q[1]), T(p[2]) - T(q[2])});
+    if (exponent_ != 0)
+      for (double& x : d) x = std::ldexp(x, exponent_);
+    return d;
+  }
+
+  // of differences to a point, at most of a size, by the rounding of the coordinates
+  double rounding(Index origin, double size) const
+  {
+    constexpr double of_double = std::numeric_limits<double>::epsilon();
+    if constexpr (is_exact_v<FT>)
+      return of_double * size;
+    else {
+      const auto epsilon = static_cast<double>(CGAL::to_double(machine_epsilon<FT>()));
+      double coordinate = largest_coordinate(to_double_3<FT>(point_(origin)));
+      if (exponent_ != 0) coordinate = std::ldexp(coordinate, exponent_);
+      return (std::max)(epsilon * (coordinate + size), of_double * size);
+    }
+  }
+
+private:
+  const Point_of& point_;
+  int exponent_ = 0;
+};
+
+// The sum of the area vectors of the faces of a sector.
+struct Area_sum
+{
+  using Vector = Coordinates<double, 3>;
+
+  void add(const Vector& of_face, double rounding_of_face)
+  {
+    for (int c = 0; c < 3; ++c) area[c] += of_face[c];
+    rounding += rounding_of_face;
+  }
+  // zero if rounding could have made it
+  Vector unit() const
+  {
+    const double size = quick_length(area);
+    if (!(size > rounding) || !std::isfinite(size)) return {0, 0, 0};
+    return quotient(area, size);
+  }
+
+  Vector area{0, 0, 0};
+  double rounding = 0;
+};
+
+// into sum_of(s) of all sectors s
+template <class FT, class Point_of, class Sectors, class Sum_of>
+void add_areas(const Level_connectivity& level, const Sectors& sectors,
+               const Scaled_differences<FT, Point_of>& difference, const Sum_of& sum_of)
+{
+  using Index = Level_connectivity::Index;
+  for (Index f = 0; f < level.number_of_faces(); ++f) {
+    const Index first = level.halfedge_of_face(f), origin = level.target(first);
+    Index h = level.next(first);
+    Area_sum::Vector area{0, 0, 0}, before = difference(level.target(h), origin);
+    double size = largest_coordinate(before);
+    for (h = level.next(h); h != first; h = level.next(h)) {
+      const auto d = difference(level.target(h), origin);
+      add_multiple(area, 1, cross(before, d));
+      size = (std::max)(size, largest_coordinate(d));
+      before = d;
+    }
+    const double rounding = 16 * size * difference.rounding(origin, size) +
+                            3 * vanishing_tolerance<FT>() * largest_coordinate(area);
+    for (const Index g : halfedges_around_face(level, first))
+      sum_of(sectors.at_target(g)).add(area, rounding);
+  }
+}
 
 // Sums, over the faces of each sector, of the corner's angle times the unit face normal. The area
 // vectors are those of the number type (float is widened); the factor angle/area, irrational
@@ -62,7 +157,7 @@ public:
     const double area_length = length(to_double_3(area));
     if (!(area_length > least_area_) || !std::isfinite(area_length)) return;
     Angle length_of_area(area_length);
-    if constexpr (has_own_angles) length_of_area = square_root_of<T>(dot<T, 3>(area, area));
+    if constexpr (has_own_angles) length_of_area = square_root_of<T>(dot(area, area));
     const std::size_t n = corners_.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Angle angle = corner_angle(edge_at(i, n - 1), edge_at(i, 1));
@@ -93,9 +188,8 @@ private:
     corners_.clear();
     const Index first = level_.halfedge_of_face(f);
     const auto& origin = point(level_.target(first));
-    Index h = first;
     double largest = 0, largest_coordinate = 0;
-    do {
+    for (const Index h : halfedges_around_face(level_, first)) {
       sectors_.push_back(sectors_of_.at_target(h));
       const auto& p = point(level_.target(h));
       corners_.push_back({T(p[0]) - T(origin[0]), T(p[1]) - T(origin[1]), T(p[2]) - T(origin[2])});
@@ -103,8 +197,7 @@ private:
       if constexpr (!is_exact_v<FT>)
         for (const FT& x : p)
           largest_coordinate = (std::max)(largest_coordinate, std::abs(double(CGAL::to_double(x))));
-      h = level_.next(h);
-    } while (h != first);
+    }
     least_area_ = 0;
     if (!(largest > 0) || !std::isfinite(largest)) return;
     const int exponent = std::ilogb(largest);
@@ -125,7 +218,7 @@ private:
     std::size_t j = i;
     do {
       j = (j + step) % n;
-      e = difference<T, 3>(corners_[j], corners_[i]);
+      e = difference(corners_[j], corners_[i]);
     } while (is_zero(to_double_3(e)) && j != i);
     return e;
   }
@@ -134,10 +227,10 @@ private:
   {
     if constexpr (has_own_angles) {
       const Coordinates<T, 3> c = cross(u, w);
-      return own_angle<T>(square_root_of<T>(dot<T, 3>(c, c)), dot<T, 3>(u, w));
+      return own_angle<T>(square_root_of<T>(dot(c, c)), dot(u, w));
     } else {
       const auto a = to_double_3(u), b = to_double_3(w);
-      return std::atan2(length(cross(a, b)), dot<double, 3>(a, b));
+      return std::atan2(length(cross(a, b)), dot(a, b));
     }
   }
 
@@ -194,7 +287,7 @@ private:
         to_double_3<T>({T(p[0]) - T(origin[0]), T(p[1]) - T(origin[1]), T(p[2]) - T(origin[2])});
       if (scale == 0) scale = length(corner);
       if (scale > 0) corner = quotient(corner, scale);
-      add_multiple<double, 3>(area, 1, cross(before, corner));
+      add_multiple(area, 1, cross(before, corner));
       before = corner;
     }
     const double area_length = length(area);
@@ -207,8 +300,6 @@ private:
   std::unordered_map<Index, Vector> kept_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ANGLE_WEIGHTED_NORMALS_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_FACE_NORMALS_H
