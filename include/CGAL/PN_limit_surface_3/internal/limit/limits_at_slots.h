@@ -19,7 +19,7 @@
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>

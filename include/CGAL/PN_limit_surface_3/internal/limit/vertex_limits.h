@@ -203,9 +203,7 @@ void put_limits(const Access& access, const Limits& limits, Of_mesh& of_mesh, Po
   of_limits.write(limits.results, limits.level.number_of_vertices());
   of_mesh.put_tangents(limits.creases, limits.level.size());
   limits.results.resize(limits.level.number_of_vertices());
-  Limit_writer<Access, Scheme, Point_map, typename Writers::Vertex_map>(
-    access, points, Writers::vertex_map(normals))
-    .write(limits.results, options);
+  write_limits<Scheme>(access, points, Writers::vertex_map(normals), limits.results, options);
   of_limits.keep();
   corners.keep();
   of_mesh.keep();

@@ -264,7 +264,7 @@ private:
   template <class Keys>
   static bool has_value([[maybe_unused]] const Level_connectivity& level, [[maybe_unused]] Index i)
   {
-    if constexpr (std::is_same_v<Keys, Corner_keys>)
+    if constexpr (std::is_same_v<Keys, Halfedge_of_mesh>)
       return !level.is_border(i);
     else
       return true;

@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Nearest_values.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
@@ -78,7 +79,7 @@ constexpr bool check_attribute_values()
     "PN_subdivision_3: the values of an attribute of vertices or corners have no sum a + "
     "b, no product a * 0.5 or no default constructor: see PNSubdivisionAttribute, or "
     "specialize Attribute_traits; labels of vertices are named by nearest_attribute()");
-  if constexpr (can_be_averaged && std::is_same_v<Keys, Corner_keys>) {
+  if constexpr (can_be_averaged && std::is_same_v<Keys, Halfedge_of_mesh>) {
     constexpr bool can_be_compared = Has_equality<typename Attribute_traits<T, FT>::Sum>::value;
     static_assert(can_be_compared, "PN_subdivision_3: the values of an attribute of corners cannot "
                                    "be compared by ==, which finds its seams");
@@ -133,7 +134,7 @@ constexpr bool check_direction()
 template <class Map, class Rule>
 struct Vertex_attribute_by
 {
-  using Keys = Vertex_keys;
+  using Keys = Vertex_of_mesh;
 
   template <class FT>
   static auto& list(Carried_attributes<FT>& c)
@@ -169,20 +170,10 @@ template <class Map>
 struct Direction_attribute : Vertex_attribute_by<Map, Given_rule<Attribute_rule::direction>>
 {};
 
-// the half-edges that have a face
-inline std::vector<Level_connectivity::Index> corners_of(const Level_connectivity& level)
-{
-  std::vector<Level_connectivity::Index> result;
-  result.reserve(static_cast<std::size_t>(level.size().corners));
-  for (Level_connectivity::Index h = 0; h < level.number_of_halfedges(); ++h)
-    if (!level.is_border(h)) result.push_back(h);
-  return result;
-}
-
 template <class Map>
 struct Corner_attribute
 {
-  using Keys = Corner_keys;
+  using Keys = Halfedge_of_mesh;
 
   template <class FT>
   static auto& list(Carried_attributes<FT>& c)
@@ -263,19 +254,19 @@ struct In_face_origins
 };
 
 template <class Map>
-struct Edge_attribute : Item_without_rows<Map, Edge_keys, Copied_map, In_edges>
+struct Edge_attribute : Item_without_rows<Map, Edge_of_mesh, Copied_map, In_edges>
 {};
 template <class Map>
-struct Face_attribute : Item_without_rows<Map, Face_keys, Copied_map, In_faces>
+struct Face_attribute : Item_without_rows<Map, Face_of_mesh, Copied_map, In_faces>
 {};
 template <class Map>
-struct Face_parents : Item_without_rows<Map, Face_keys, Origin_map, In_face_origins>
+struct Face_parents : Item_without_rows<Map, Face_of_mesh, Origin_map, In_face_origins>
 {};
 template <class Map>
-struct Vertex_parents : Item_without_rows<Map, Vertex_keys, Origin_map, In_vertex_origins>
+struct Vertex_parents : Item_without_rows<Map, Vertex_of_mesh, Origin_map, In_vertex_origins>
 {};
 template <class Map>
-struct Edge_parents : Item_without_rows<Map, Edge_keys, Origin_map, In_edge_origins>
+struct Edge_parents : Item_without_rows<Map, Edge_of_mesh, Origin_map, In_edge_origins>
 {};
 
 // the result of attributes()
@@ -354,7 +345,7 @@ Carried_attributes<FT> read_attributes(const Access&, const Level_connectivity& 
 template <class Access, class Map>
 bool has_seam(const Access& access, const Level_connectivity& level, const Map& map)
 {
-  Row_map<Access, Map, Corner_keys, double> values(access, map, corners_of(level));
+  Row_map<Access, Map, Halfedge_of_mesh, double> values(access, map, corners_of(level));
   return Charts<double>(level, Corner_rule::none, Control_sharpness(),
                         [&](auto h, auto g) { return values.are_equal(h, g); })
     .has_seams();
