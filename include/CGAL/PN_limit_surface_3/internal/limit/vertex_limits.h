@@ -196,7 +196,7 @@ void put_limits(const Access& access, const Limits& limits, Of_mesh& of_mesh, Po
   if constexpr (Writers::Corner_writer::takes_corners) {
     if (is_pn_v<Scheme> || options.surface_normals)
       corners.put_all(limits.level, limits.creases,
-                      slot_values<Scheme, FT>(limits.results, options.surface_normals));
+                      limit_normals<Scheme, FT>(limits.results, options.surface_normals));
   }
   if constexpr (!Writers::Corner_writer::takes_corners || Maps_writer::is_any_given)
     put_mean_normals<Scheme>(limits.creases, limits.results);

@@ -58,7 +58,7 @@ void read_corner_normals(const Access& access, const Level_connectivity& level,
     if constexpr (is_of_estimate_v<Map>) {
       const auto whole = get_whole(map, access.halfedge_at(h));
       if (is_put != nullptr && !whole.is_estimated) (*is_put)[slot] = true;
-      if constexpr (goes_with_roundness_v<Map> && has_roundness_v<Value>) {
+      if constexpr (goes_with_roundness_v<Map>) {
         const FT w = checked_roundness<FT>(roundness_as<FT>(whole.roundness), true, name);
         FT& of_slot = values[slot].roundness;
         if (count[slot] == 0 || of_slot < w) of_slot = w;
@@ -88,20 +88,24 @@ public:
     : map_(access, map, corners_of(level))
   {}
 
-  // values has those of the slots
+  // `values` are those of the slots, or the normals of these alone
   template <class FT, class Values>
   void put_all(const Level_connectivity& level, const Creases<FT>& creases, const Values& values)
   {
     map_.begin();
     const Cut_level<FT> cut(level, creases);
     for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
-      map_.set_vector(h, values[slot].normal);
-      if constexpr (goes_with_roundness_v<Map> &&
-                    has_roundness_v<std::decay_t<decltype(values[slot])>>) {
-        const auto key = map_.access().halfedge_at(h);
-        auto whole = get_whole(map_.map(), key);
-        whole.roundness = values[slot].roundness;
-        put_whole(map_.map(), key, whole);
+      const auto& value = values[slot];
+      if constexpr (!has_normal_v<std::decay_t<decltype(value)>>)
+        map_.set_vector(h, value);
+      else {
+        map_.set_vector(h, value.normal);
+        if constexpr (goes_with_roundness_v<Map>) {
+          const auto key = map_.access().halfedge_at(h);
+          auto whole = get_whole(map_.map(), key);
+          whole.roundness = value.roundness;
+          put_whole(map_.map(), key, whole);
+        }
       }
     });
   }
@@ -214,8 +218,7 @@ public:
         const Coordinates<FT, 3>& n = of_wedge.normal;
         wedges_.emplace_back(access_.halfedge_at(creases.halfedge(e)),
                              typename Map::Of_wedge{Normal(n[0], n[1], n[2])});
-        if constexpr (goes_with_roundness_v<Map> &&
-                      has_roundness_v<std::decay_t<decltype(of_wedge)>>)
+        if constexpr (goes_with_roundness_v<Map>)
           wedges_.back().second.roundness = of_wedge.roundness;
       }
     }

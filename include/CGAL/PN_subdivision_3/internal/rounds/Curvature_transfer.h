@@ -124,7 +124,7 @@ public:
   std::optional<Quadratic_part<Real>> operator()(const Ring& ring, const Real& noise) const
   {
     const auto* const mask = functionals_.limit().data();
-    const Value limit = PN_average<Real, 3>()(mask, mask + size(), ring.data());
+    const Value limit = PN_average<Real, 3>{Real(1)}(mask, mask + size(), ring.data());
     for (const Value& v : ring)
       if (!(dot<Real, 3>(v.normal, limit.normal) >= Real(1) / 2)) return std::nullopt;
     const Local_frame<Real> frame(limit.point, limit.normal);

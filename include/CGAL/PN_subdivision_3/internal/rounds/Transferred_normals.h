@@ -39,7 +39,7 @@ struct No_transfers
 // The rows of the rings are evaluated for it, besides the round itself, which is not stored in any
 // call: a round's values go by in blocks. Rings have no vertex in common, and each has one owner among
 // the threads.
-template <class FT, class Value>
+template <class FT>
 class Transferred_normals
 {
 public:
@@ -70,13 +70,11 @@ public:
     for_chunks(static_cast<Index>(separated.size()), [&](Index first, Index last) {
       const typename Caller_precision<FT>::In_this_thread scope(precision);
       std::map<std::size_t, Normal_transfer<FT>> transfers; // for each size of a ring
-      std::vector<Value> of_ring;
       std::vector<Point_normal<FT, 3>> ring;
       for (Index i = first; i < last; ++i) {
         const std::size_t size = begin[i + 1] - begin[i];
-        of_ring.resize(size);
-        evaluate(&vertices_[begin[i]], static_cast<Index>(size), of_ring.data());
-        ring.assign(of_ring.begin(), of_ring.end());
+        ring.resize(size);
+        evaluate(&vertices_[begin[i]], static_cast<Index>(size), ring.data());
         auto transfer = transfers.find(size);
         if (transfer == transfers.end())
           transfer =
@@ -100,7 +98,7 @@ public:
 
   bool is_empty() const { return normals_.empty(); }
   // into the values of the new vertices [first, first + n)
-  void put(Index first, Index n, Value* values) const
+  void put(Index first, Index n, Point_normal<FT, 3>* values) const
   {
     if (normals_.empty()) return;
     auto it = std::lower_bound(normals_.begin(), normals_.end(), first,
