@@ -58,7 +58,7 @@ public:
   Value limit(const std::vector<Value>& values) const
   {
     const Entry* const first = entries_.data();
-    return PN_average<FT, 3>()(first, first + entries_.size(), values.data());
+    return PN_average<FT, 3>{FT(1)}(first, first + entries_.size(), values.data());
   }
 
   // applies the tangent mask to f(value), a scalar

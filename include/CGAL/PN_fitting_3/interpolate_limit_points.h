@@ -183,11 +183,8 @@ interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
         };
         const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
         const bool is_natural = options.normals == Limit_interpolation::Normals::natural;
-        using Natural =
-          std::conditional_t<finds_normals,
-                             internal::Changed_values<Access, typename Parameters::Normal_map>,
-                             internal::Nothing_changed>;
-        Natural natural(access, normal_map);
+        internal::Undoable_vertices<Access, typename Parameters::Normal_map> natural(access,
+                                                                                     normal_map);
         if (is_natural) {
           if constexpr (finds_normals)
             internal::put_natural_normals<FT>(scheme, level, for_chunks,

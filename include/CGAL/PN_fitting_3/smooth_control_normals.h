@@ -176,10 +176,11 @@ smooth_control_normals(const PolygonMesh& mesh, NormalMap normals,
       internal::Vectors<3> smooth;
       const auto write = [&](const auto& for_each_normal, auto element, const auto& data) {
         const auto alone = internal::normals_of<false>(normals);
-        internal::Changed_values<Access, std::decay_t<decltype(alone)>, decltype(element)> changed(
+        internal::Undoable_map<Access, std::decay_t<decltype(alone)>, decltype(element)> changed(
           access, alone);
         for_each_normal([&](Index i, Index slot) {
-          if (smooth[slot] != data.normals[slot]) changed.template change<FT>(i, smooth[slot]);
+          if (smooth[slot] != data.normals[slot])
+            changed.change_vector(i, internal::coordinates_of<FT>(smooth[slot]));
         });
         changed.keep();
       };

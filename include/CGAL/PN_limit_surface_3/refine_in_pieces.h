@@ -101,8 +101,7 @@ class Surface_pieces
 
   using FT = typename GeomTraits::FT;
   static constexpr bool is_pn = internal::is_pn_v<Scheme>;
-  using Average = std::conditional_t<is_pn, internal::Average_with_roundness<FT, 3>,
-                                     internal::Average_of_scheme<Scheme, FT>>;
+  using Average = internal::Average_of_scheme<Scheme, FT>;
   using Value = typename Average::Value;
 
 public:

@@ -104,8 +104,7 @@ class Surface_refiner
 
   using FT = typename GeomTraits::FT;
   static constexpr bool is_pn = internal::is_pn_v<Scheme>;
-  using Average = std::conditional_t<is_pn, internal::Average_with_roundness<FT, 3>,
-                                     internal::Average_of_scheme<Scheme, FT>>;
+  using Average = internal::Average_of_scheme<Scheme, FT>;
   using Value = typename Average::Value;
   using Control = internal::Control_values<Average>;
 

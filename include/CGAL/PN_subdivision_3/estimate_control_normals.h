@@ -25,14 +25,6 @@ namespace CGAL::PN_subdivision_3 {
 
 namespace internal {
 
-// what read_values() reads here
-template <class Number>
-struct Estimated_values
-{
-  using FT = Number;
-  using Value = Point_normal_roundness<FT, 3>;
-};
-
 // puts normals and roundness of vertices into maps
 template <class Access, class PolygonMesh, class Normal_map, class Roundness_map,
           class NamedParameters>
@@ -46,7 +38,7 @@ void estimate_vertex_normals(const Access& access, const PolygonMesh& mesh,
   const Level_connectivity level = checked_level(access);
   const Control_normal_estimate estimate =
     parameter_or<control_normal_estimate_t>(np, Control_normal_estimate::coherent);
-  const auto values = read_values<Estimated_values<FT>>(
+  const auto values = read_values<PN_average<FT, 3>>(
     access, level, Parameters::const_point_map(mesh, np), No_normal_map(), estimate);
   for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v) {
     const Coordinates<FT, 3>& n = values[v].normal;

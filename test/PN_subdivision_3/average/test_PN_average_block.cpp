@@ -170,7 +170,7 @@ void expect_summed_roundness(FT epsilon)
 
 TYPED_TEST(PN_average_block, RoundnessOfEveryValueIsSummedAsThePointsAre)
 {
-  using Average = PN::PN_average<TypeParam, 3, PN::Point_normal_roundness<TypeParam, 3>>;
+  using Average = PN::PN_average<TypeParam, 3>;
   expect_summed_roundness<typename PN::internal::Block_of<Average>::type>(this->epsilon);
   expect_summed_roundness<PN::internal::Staged_PN_average_block<Average, 3, Not_wide>>(
     this->epsilon);

@@ -321,7 +321,7 @@ TEST(Roundness_of_values, OutsideOfItsRangeIsRefusedAndTheMeshIsAsItWas)
   }
 }
 
-// A number is no map: values do not have it, and the result is the same bit for bit.
+// A number is no map: rows do not sum it, and the result is the same bit for bit.
 TYPED_TEST(Roundness, OfANumberIsThatOfAConstantMap)
 {
   for (const Control_mesh& control : meshes_for<TypeParam>())

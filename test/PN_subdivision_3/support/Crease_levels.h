@@ -169,7 +169,7 @@ public:
   // 1 where it does not vary
   FT roundness(Index slot) const
   {
-    if constexpr (internal::has_roundness_v<typename Average::Value>) {
+    if constexpr (is_pn) {
       const typename Average::Value value = refiner_.values()[slot];
       return value.roundness;
     } else
@@ -239,9 +239,8 @@ private:
   static auto values_of_slots(const Control& control, const Level_connectivity& level,
                               internal::Creases<FT>& creases)
   {
-    using Value = std::conditional_t<is_pn, typename Average::Value, Point_normal<FT, 3>>;
     const Index n = level.number_of_vertices();
-    std::vector<Value> values(creases.number_of_slots);
+    std::vector<Point_normal<FT, 3>> values(creases.number_of_slots);
     const std::vector<Index> extra = internal::vertices_of_extra_slots(creases, n);
     for (Index slot = 0; slot < values.size(); ++slot) {
       const Triple& p = control.points[slot < n ? slot : extra[slot - n]];
@@ -256,7 +255,7 @@ private:
           values[slot].normal = {FT(m[0]), FT(m[1]), FT(m[2])};
         });
       }
-      internal::Control_creases<FT, Value>(level, creases, values, is_given)();
+      internal::Control_creases<FT>(level, creases, values, is_given)();
       if (control.has_zero_tangents)
         for (auto& e : creases.edges) e.tangent_from.fill({FT(0), FT(0), FT(0)});
     }

@@ -48,7 +48,7 @@ void count_roundness([[maybe_unused]] const std::vector<Value>& values,
                      [[maybe_unused]] Level_connectivity::Index number_of_vertices,
                      [[maybe_unused]] Level_with_points<FT>& result)
 {
-  if constexpr (has_roundness_v<Value>) {
+  if constexpr (has_normal_v<Value>) {
     bool varies = false;
     for (Level_connectivity::Index v = 0; v < number_of_vertices; ++v)
       varies = varies || CGAL::possibly(values[v].roundness != values[0].roundness);

@@ -30,7 +30,7 @@ template <int dimension>
 class Curve_distance
 {
 public:
-  using Value = Point_normal_roundness<double, dimension>;
+  using Value = Point_normal<double, dimension>;
   using Values = std::vector<Value>;
 
   explicit Curve_distance(bool is_closed)
@@ -150,7 +150,7 @@ private:
   }
 
   bool is_closed_;
-  PN_average<double, dimension, Value> average_;
+  PN_average<double, dimension> average_;
 };
 
 } // namespace internal

@@ -53,7 +53,7 @@ class PN_row_blocks
 {
 public:
   using Vector = Eigen_vector<dimension>;
-  using Value = Point_normal_roundness<double, dimension>;
+  using Value = Point_normal<double, dimension>;
 
   // The row over old values, of which the normals are read, and the value that it gives, of which the normal and the
   // roundness are.
@@ -144,9 +144,9 @@ template <int dimension, int tangents>
 class Functional_tower
 {
 public:
-  using Value = Point_normal_roundness<double, dimension>;
+  using Value = Point_normal<double, dimension>;
   using Vector = Eigen_vector<dimension>;
-  using Average = PN_average<double, dimension, Value>;
+  using Average = PN_average<double, dimension>;
   static constexpr int rows = dimension * (1 + tangents);
   using Block = Eigen::Matrix<double, rows, dimension>;
 

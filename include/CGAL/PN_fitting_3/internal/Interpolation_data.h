@@ -74,11 +74,11 @@ struct Interpolation_result
 
 // Control values with the roundness of the data; a linear scheme is one of zero normals.
 template <int dimension>
-std::vector<Point_normal_roundness<double, dimension>>
-to_values(const Vectors<dimension>& points, const Vectors<dimension>& normals,
-          const Interpolation_data<dimension>& data)
+std::vector<Point_normal<double, dimension>> to_values(const Vectors<dimension>& points,
+                                                       const Vectors<dimension>& normals,
+                                                       const Interpolation_data<dimension>& data)
 {
-  std::vector<Point_normal_roundness<double, dimension>> values(points.size());
+  std::vector<Point_normal<double, dimension>> values(points.size());
   for (std::size_t v = 0; v < values.size(); ++v) {
     values[v].point = to_coordinates<dimension>(points[v]);
     values[v].normal.fill(0);
@@ -255,8 +255,8 @@ inline void estimate_missing_normals(const Level_connectivity& level,
   using Value = Point_normal<double, 3>;
   std::vector<Value> values;
   for (const Eigen_vector<3>& p : data.points) values.push_back({to_coordinates<3>(p), {}});
-  estimate_normals<double>(level, estimate, Point_of_value<Value>{values.data()},
-                           Set_normal_of_value<Value>{values.data()});
+  estimate_normals<double>(level, estimate, Point_of_value<double>{values.data()},
+                           Set_normal_of_value<double>{values.data()});
   for (std::size_t v = 0; v < values.size(); ++v)
     if (is_missing(data.normals[v])) data.normals[v] = to_eigen<3>(values[v].normal);
 }
@@ -266,12 +266,12 @@ inline void estimate_all_normals(const Level_connectivity& level, Control_normal
                                  const Vectors<3>& points, bool with_roundness,
                                  Interpolation_data<3>& data)
 {
-  using Value = Point_normal_roundness<double, 3>;
+  using Value = Point_normal<double, 3>;
   std::vector<Value> values;
   for (const Eigen_vector<3>& p : points) values.push_back({to_coordinates<3>(p), {}, 1.});
-  estimate_normals<double>(level, estimate, Point_of_value<Value>{values.data()},
-                           Set_normal_of_value<Value>{values.data()},
-                           Set_roundness_of_value<Value>{values.data()});
+  estimate_normals<double>(level, estimate, Point_of_value<double>{values.data()},
+                           Set_normal_of_value<double>{values.data()},
+                           Set_roundness_of_value<double>{values.data()});
   if (with_roundness) data.roundness.resize(values.size());
   for (std::size_t v = 0; v < values.size(); ++v) {
     data.normals[v] = to_eigen<3>(values[v].normal);

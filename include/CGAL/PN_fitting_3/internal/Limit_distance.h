@@ -38,7 +38,7 @@ class Limit_distance
 {
 public:
   using Index = Level_connectivity::Index;
-  using Value = Point_normal_roundness<double, 3>;
+  using Value = Point_normal<double, 3>;
   using Values = std::vector<Value>;
 
   struct Foot : Foot_of_point
@@ -82,7 +82,7 @@ public:
   }
 
 private:
-  using Refiner = Level_refiner<Scheme, PN_average<double, 3, Value>>;
+  using Refiner = Level_refiner<Scheme, PN_average<double, 3>>;
   static constexpr Index degree = Scheme::Host::refined_degree;
   static constexpr unsigned most_rounds = 12;
 

@@ -116,7 +116,7 @@ class Limit_source
 public:
   using Index = std::uint32_t;
   using Functionals = Limit_functionals<dimension, tangents>;
-  using Values = std::vector<Point_normal_roundness<double, dimension>>;
+  using Values = std::vector<Point_normal<double, dimension>>;
 
   Limit_source() = default;
   Limit_source(const Limit_source&) = delete;
@@ -143,7 +143,7 @@ class Curve_limit_functionals final : public Limit_source<dimension, 1>
 {
 public:
   using Index = std::uint32_t;
-  using Value = Point_normal_roundness<double, dimension>;
+  using Value = Point_normal<double, dimension>;
   using typename Limit_source<dimension, 1>::Functionals;
   using typename Limit_source<dimension, 1>::Values;
 

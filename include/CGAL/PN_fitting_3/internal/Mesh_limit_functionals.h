@@ -46,7 +46,7 @@ class Mesh_limit_functionals final : public Surface_limits
 {
 public:
   using Index = Level_connectivity::Index;
-  using Value = Point_normal_roundness<double, 3>;
+  using Value = Point_normal<double, 3>;
   using typename Surface_limits::Functionals;
   using typename Surface_limits::Values;
 
@@ -93,7 +93,7 @@ public:
   }
 
 private:
-  using Average = PN_average<double, 3, Value>;
+  using Average = PN_average<double, 3>;
   using One_round = Round<Scheme, Average>;
   using Kind = typename Limit_classes<Scheme, double>::Kind;
   using Tower = Functional_tower<3, 2>;

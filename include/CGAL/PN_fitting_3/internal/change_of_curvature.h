@@ -74,7 +74,7 @@ double change_of_curvature(const Scheme_& rules, const Level_connectivity& contr
   using Index = Level_connectivity::Index;
   using Scheme = With_roundness<Scheme_, double>;
   using Refiner = Level_refiner<Scheme, Average_of_scheme<Scheme, double>>;
-  using Value = Point_normal_roundness<double, 3>;
+  using Value = Point_normal<double, 3>;
   const Scheme scheme{{rules}};
   typename Refiner::Values values;
   for (std::size_t v = 0; v < points.size(); ++v) {

@@ -18,7 +18,7 @@
 #include <CGAL/PN_fitting_3/internal/Strict_interpolation.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
@@ -37,52 +37,14 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// Writes what has changed into a map of a mesh, and puts the old values back unless it is kept.
-template <class Access, class Map, class Element = Vertex_of_mesh>
-class Changed_values
+template <class Access, class Map>
+using Undoable_vertices = Undoable_map<Access, Map, Vertex_of_mesh>;
+
+template <class FT>
+Coordinates<FT, 3> coordinates_of(const Eigen_vector<3>& x)
 {
-  using Index = Level_connectivity::Index;
-  using Value = typename boost::property_traits<Map>::value_type;
-
-public:
-  Changed_values(const Access& access, Map map)
-    : access_(access)
-    , map_(map)
-  {}
-  Changed_values(const Changed_values&) = delete;
-  Changed_values& operator=(const Changed_values&) = delete;
-  // a map that throws here too keeps what it has
-  ~Changed_values()
-  {
-    if (is_kept_) return;
-    for (const auto& [v, value] : old_) try {
-        put(map_, Element::at(access_, v), value);
-      } catch (...) {
-      }
-  }
-
-  template <class FT>
-  void change(Index v, const Eigen_vector<3>& x)
-  {
-    old_.emplace_back(v, get(map_, Element::at(access_, v)));
-    put(map_, Element::at(access_, v), Value(FT(x[0]), FT(x[1]), FT(x[2])));
-  }
-  void keep() { is_kept_ = true; }
-
-private:
-  const Access& access_;
-  Map map_;
-  std::vector<std::pair<Index, Value>> old_;
-  bool is_kept_ = false;
-};
-
-// of what has no such map
-struct Nothing_changed
-{
-  template <class Access, class Map>
-  Nothing_changed(const Access&, const Map&)
-  {}
-};
+  return {FT(x[0]), FT(x[1]), FT(x[2])};
+}
 
 // Writes the control net in place of the data; points and normals that are the same stay untouched.
 template <class FT, class Access, class Point_map, class Normal_map>
@@ -92,15 +54,15 @@ void write_control_net(const Access& access, Point_map points, [[maybe_unused]] 
                        [[maybe_unused]] const Vectors<3>& new_normals)
 {
   using Index = Level_connectivity::Index;
-  Changed_values<Access, Point_map> new_point(access, points);
+  Undoable_vertices<Access, Point_map> new_point(access, points);
   for (std::size_t v = 0; v < new_points.size(); ++v)
     if (new_points[v] != old_points[v])
-      new_point.template change<FT>(static_cast<Index>(v), new_points[v]);
+      new_point.change_vector(static_cast<Index>(v), coordinates_of<FT>(new_points[v]));
   if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
-    Changed_values<Access, Normal_map> new_normal(access, normals);
+    Undoable_vertices<Access, Normal_map> new_normal(access, normals);
     for (std::size_t v = 0; v < new_normals.size(); ++v)
       if (new_normals[v] != old_normals[v])
-        new_normal.template change<FT>(static_cast<Index>(v), new_normals[v]);
+        new_normal.change_vector(static_cast<Index>(v), coordinates_of<FT>(new_normals[v]));
     new_normal.keep();
   }
   new_point.keep();
@@ -165,7 +127,7 @@ void put_natural_normals(const Scheme& scheme, const Level_connectivity& level,
   Natural_normals natural(data, source);
   natural();
   for (Level_connectivity::Index v = 0; v < n; ++v)
-    new_normals.template change<FT>(v, data.normals[v]);
+    new_normals.change_vector(v, coordinates_of<FT>(data.normals[v]));
 }
 
 // Points, normals and roundness of a mesh, and what is around the vertices; refuses what is sharp.

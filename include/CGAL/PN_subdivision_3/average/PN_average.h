@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 
 namespace CGAL::PN_subdivision_3 {
@@ -29,7 +30,7 @@ template <class FT, int dimension>
 using Coordinates = std::array<FT, dimension>;
 
 /// \ingroup PkgPNSubdivision3Average
-/// a point with its control normal, which is a unit vector or zero ("no normal").
+/// a point with its control normal, which is a unit vector or zero ("no normal"), and with a roundness.
 template <class FT, int dimension>
 struct Point_normal
 {
@@ -37,22 +38,8 @@ struct Point_normal
   Coordinates<FT, dimension> point;
   /// the unit normal, zero if there is none.
   Coordinates<FT, dimension> normal;
-};
-
-/// \ingroup PkgPNSubdivision3Average
-/// the same with a roundness w: 1 is the point-normal rule, 0 the linear one.
-template <class FT, int dimension>
-struct Point_normal_roundness
-{
-  /// the point.
-  Coordinates<FT, dimension> point;
-  /// the unit normal, zero if there is none.
-  Coordinates<FT, dimension> normal;
-  /// the roundness.
+  /// the roundness: 1 is the point-normal rule, 0 the linear one.
   FT roundness = FT(1);
-
-  /// without the roundness.
-  operator Point_normal<FT, dimension>() const { return {point, normal}; }
 };
 
 namespace internal {
@@ -63,22 +50,9 @@ struct Has_normal : std::false_type
 template <class FT, int dimension>
 struct Has_normal<Point_normal<FT, dimension>> : std::true_type
 {};
-template <class FT, int dimension>
-struct Has_normal<Point_normal_roundness<FT, dimension>> : std::true_type
-{};
 // whether a value is more than a point
 template <class Value>
 constexpr bool has_normal_v = Has_normal<Value>::value;
-
-template <class Value>
-struct Has_roundness_of_its_own : std::false_type
-{};
-template <class FT, int dimension>
-struct Has_roundness_of_its_own<Point_normal_roundness<FT, dimension>> : std::true_type
-{};
-// whether the roundness varies from value to value
-template <class Value>
-constexpr bool has_roundness_v = Has_roundness_of_its_own<Value>::value;
 
 template <class FT, std::size_t dimension>
 FT dot(const std::array<FT, dimension>& a, const std::array<FT, dimension>& b)
@@ -181,13 +155,13 @@ n)&middot;(p<sub>j</sub> - q) / d<sub>j</sub>,
 
 If N vanishes, see `Unit_normal_traits::vanishing_tolerance()`, the result is q with a zero normal.
 
-<em>Roundness.</em> Values that have a roundness w<sub>j</sub> of their own, `Point_normal_roundness`, give
+<em>Roundness.</em> With the roundness w<sub>j</sub> of the values it is
 
  - w = &sum; a<sub>j</sub> w<sub>j</sub>, p = q + w (&sum; a<sub>j</sub> h<sub>j</sub>) n:
 
 the fraction w of the way from the linear point to that of the rule without. Since the weights sum to 1 exactly,
-this is the rule itself, bit for bit, where all w<sub>j</sub> are 1, and the linear one where all are 0. Values that
-have none of their own take the one `roundness` of the average.
+this is the rule itself, bit for bit, where all w<sub>j</sub> are 1, and the linear one where all are 0. Where all
+values have the same, `roundness` saves the sum and its rounding.
 
 <em>Fade of opposite normals.</em> If n<sub>j</sub> is opposite to n, no arc from p<sub>j</sub> is defined. If it is
 nearly opposite, as one reversed normal among others is, the arc is many times longer than the chord. Such an entry
@@ -205,18 +179,18 @@ side by side for AVX2. `PN_mask_3` has it through masks that only average points
 
 The old values are a pointer to them, or anything whose `operator[]` makes a `Value` of an index.
 */
-template <class FT_, int dimension, class Value_ = Point_normal<FT_, dimension>>
+template <class FT_, int dimension>
 struct PN_average
 {
   /// the number type.
   using FT = FT_;
   /// a vector.
   using Vector = Coordinates<FT, dimension>;
-  /// what is averaged: a point with a normal, and perhaps a roundness.
-  using Value = Value_;
+  /// what is averaged.
+  using Value = Point_normal<FT, dimension>;
 
-  /// that of all values that have none of their own.
-  FT roundness = FT(1);
+  /// that of all values, if it is one: then it is not read from them.
+  std::optional<FT> roundness;
 
   /// one mask for points and normals.
   template <class Entry, class Values>
@@ -236,15 +210,11 @@ struct PN_average
     for (const Entry* e = begin; e != end; ++e)
       internal::add_multiple(result.point, e->weight, old[e->vertex].point);
     result.normal = unit_normal(normal_begin, normal_end, old);
-    if constexpr (internal::has_roundness_v<Value>)
-      result.roundness = averaged_roundness(begin, end, old);
+    result.roundness = roundness ? *roundness : averaged_roundness(begin, end, old);
     if (!is_zero(result.normal)) {
       FT h = height(begin, end, old, result);
-      if constexpr (internal::has_roundness_v<Value>)
+      if (!CGAL::certainly(result.roundness == FT(1))) // some numbers become longer
         h *= result.roundness;
-      else if (!CGAL::certainly(roundness ==
-                                FT(1))) // a product would make some number types longer
-        h *= roundness;
       internal::add_multiple(result.point, h, result.normal);
     }
     return result;

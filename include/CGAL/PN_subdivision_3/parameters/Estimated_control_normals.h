@@ -242,7 +242,7 @@ auto get_whole(const Map& map, const Key& key)
     return typename boost::property_traits<Map>::value_type(get(map, key));
 }
 template <class Map, class Key, class Whole>
-void put_whole(const Map& map, const Key& key, const Whole& whole)
+void put_whole(Map& map, const Key& key, const Whole& whole)
 {
   if constexpr (is_of_estimate_v<Map>)
     map.put_whole(key, whole);

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace CGAL::PN_subdivision_3 {
 namespace internal {
@@ -284,16 +285,16 @@ are which.
 
 Roundness w is applied at the end: the fraction w of the way from the linear point.
 */
-template <class FT_, class Value_ = Point_normal<FT_, 3>>
+template <class FT_>
 struct Grid_average
 {
   /// the number type.
   using FT = FT_;
   /// what is averaged.
-  using Value = Value_;
+  using Value = Point_normal<FT, 3>;
 
-  /// the roundness of all values, where they have none of their own.
-  FT roundness = FT(1);
+  /// that of all values, if it is one: then it is not read from them.
+  std::optional<FT> roundness;
 
   /// averages the old values of the entries of a row.
   template <class Entry, class Values>
@@ -301,7 +302,7 @@ struct Grid_average
   {
     const auto shape = internal::Grid_shape::of_entries(end - begin);
     if (shape.columns == 0) {
-      PN_average<FT, 3, Value> average;
+      PN_average<FT, 3> average;
       average.roundness = roundness;
       return average(begin, end, old);
     }
@@ -350,12 +351,10 @@ private:
   template <class Entry, class Values>
   void set_roundness(const Entry* begin, const Entry* end, const Values& old, Value& result) const
   {
-    FT w = roundness;
-    if constexpr (internal::has_roundness_v<Value>) {
-      w = FT(0);
-      for (const Entry* e = begin; e != end; ++e) w += e->weight * old[e->vertex].roundness;
-      result.roundness = w;
-    }
+    FT& w = result.roundness;
+    w = roundness.value_or(FT(0));
+    for (const Entry* e = begin; !roundness && e != end; ++e)
+      w += e->weight * old[e->vertex].roundness;
     if (CGAL::certainly(w == FT(1))) return;
     auto linear = internal::zero_vector<FT, 3>();
     for (const Entry* e = begin; e != end; ++e)

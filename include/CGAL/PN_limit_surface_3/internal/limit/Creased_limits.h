@@ -340,10 +340,6 @@ private:
     if constexpr (is_pn) {
       add_wedge(level, creases, from, to, false, limit, slot_ids);
       add_wedge(level, creases, to, from, true, limit, slot_ids);
-      if constexpr (!has_roundness_v<Value>) {
-        const FT of_all = average_of<Average>(scheme_).roundness;
-        limit.roundness.push_back({of_all, of_all, of_all});
-      }
     }
     Limit_steps<FT> steps(demand_, !is_pn, 1. / 16);
     limit.evaluate(weights, steps);
@@ -391,10 +387,8 @@ private:
     typename Crease_limit::Three normals;
     for (std::size_t i = 0; i < 3; ++i) normals[i] = normal(level.values[three[i]]);
     limit.normals.push_back(normals);
-    if constexpr (has_roundness_v<Value>) {
-      const auto of = [&](std::size_t i) { return level.values[three[i]].roundness; };
-      limit.roundness.push_back({of(0), of(1), of(2)});
-    }
+    const auto roundness = [&](std::size_t i) { return level.values[three[i]].roundness; };
+    limit.roundness.push_back({roundness(0), roundness(1), roundness(2)});
   }
 
   // \name Darts

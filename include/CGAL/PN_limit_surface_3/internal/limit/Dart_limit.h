@@ -281,10 +281,8 @@ private:
 
   FT roundness_of([[maybe_unused]] std::size_t place) const
   {
-    if constexpr (has_roundness_v<Value>)
+    if constexpr (is_pn)
       return ring[place].roundness;
-    else if constexpr (is_pn)
-      return average_.roundness;
     else
       return FT(1);
   }

@@ -138,7 +138,7 @@ private:
       if constexpr (takes_corners)
         if (puts_normals)
           corners.put_all(refined.level, limit_creases,
-                          slot_values<Scheme, FT>(limits, options_.surface_normals));
+                          limit_normals<Scheme, FT>(limits, options_.surface_normals));
       if constexpr (takes_corners && Maps_writer::is_any_given)
         put_mean_normals<Scheme>(limit_creases, limits);
       of_limits.write(limits, static_cast<Index>(size.vertices));

@@ -17,7 +17,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -86,85 +86,28 @@ Coordinates<typename Average::FT, 3> limit_normal(const Limit_result<Average>& r
 }
 
 // Writes limits into the maps of a mesh, and puts the old values back if that fails.
-template <class Access, class Scheme, class Point_map, class Normal_map>
-class Limit_writer
+template <class Scheme, class Access, class Point_map, class Normal_map, class Results>
+void write_limits(const Access& access, Point_map points, Normal_map normals,
+                  const Results& results, const Limit_options& options)
 {
-  static constexpr bool has_normal_map = !std::is_same_v<Normal_map, No_normal_map>;
   using Index = Level_connectivity::Index;
-  using Point = typename boost::property_traits<Point_map>::value_type;
-
-  template <class Map>
-  struct Value_type
-  {
-    using type = typename boost::property_traits<Map>::value_type;
-  };
-  using Normal = typename std::conditional_t<has_normal_map, Value_type<Normal_map>,
-                                             Value_type<Point_map>>::type;
-
-public:
-  Limit_writer(const Access& access, Point_map points, Normal_map normals)
-    : access_(access)
-    , points_(points)
-    , normals_(normals)
-  {}
-
-  template <class Results>
-  void write(const Results& results, const Limit_options& options)
-  {
-    const bool surface_normals = options.surface_normals, moves = asks_for_points(options);
-    const bool writes_normals = has_normal_map && (is_pn_v<Scheme> || surface_normals);
-    for (std::size_t v = 0; v < results.size(); ++v) {
-      old_points_.push_back(get(points_, vertex(v)));
-      if constexpr (has_normal_map)
-        if (writes_normals) old_normals_.push_back(get(normals_, vertex(v)));
-    }
-    try {
-      for (std::size_t v = 0; v < results.size(); ++v) {
-        const auto& p = point_of(results[v].value);
-        if (moves) put(points_, vertex(v), Point(p[0], p[1], p[2]));
-        if (writes_normals) put_normal(v, results[v], surface_normals);
-      }
-    } catch (...) {
-      put_back();
-      throw;
-    }
+  const bool moves = asks_for_points(options), surface_normals = options.surface_normals;
+  const bool puts_normals = is_pn_v<Scheme> || surface_normals;
+  const std::size_t n = results.size();
+  Undoable_map<Access, Point_map, Vertex_of_mesh> new_points(access, points, moves ? n : 0);
+  Undoable_map<Access, Normal_map, Vertex_of_mesh> new_normals(access, normals,
+                                                               puts_normals ? n : 0);
+  new_points.begin();
+  new_normals.begin();
+  for (Index v = 0; v < n; ++v) {
+    if (moves) new_points.set_vector(v, point_of(results[v].value));
+    if constexpr (!std::is_same_v<Normal_map, No_normal_map>)
+      if (puts_normals)
+        new_normals.set_vector(v, limit_normal<Scheme>(results[v], surface_normals));
   }
-
-private:
-  auto vertex(std::size_t v) const { return access_.vertex(static_cast<Index>(v)); }
-
-  template <class Result>
-  void put_normal([[maybe_unused]] std::size_t v, [[maybe_unused]] const Result& result,
-                  [[maybe_unused]] bool surface_normals)
-  {
-    if constexpr (has_normal_map) {
-      const auto n = limit_normal<Scheme>(result, surface_normals);
-      put(normals_, vertex(v), Normal(n[0], n[1], n[2]));
-    }
-  }
-
-  // a map that throws here too keeps what it has
-  void put_back() noexcept
-  {
-    for (std::size_t v = 0; v < old_points_.size(); ++v) {
-      try {
-        put(points_, vertex(v), old_points_[v]);
-      } catch (...) {
-      }
-      if constexpr (has_normal_map)
-        if (v < old_normals_.size()) try {
-            put(normals_, vertex(v), old_normals_[v]);
-          } catch (...) {
-          }
-    }
-  }
-
-  const Access& access_;
-  Point_map points_;
-  Normal_map normals_;
-  std::vector<Point> old_points_;
-  std::vector<Normal> old_normals_;
-};
+  new_points.keep();
+  new_normals.keep();
+}
 
 // A map of limits that writes what the call has maps for: points, normals and errors.
 template <class Key, class Kernel, class NamedParameters>
@@ -195,6 +138,19 @@ struct Limit_maps
   const NamedParameters& np;
 };
 
+// the map of a parameter; of one that is refused elsewhere, since its keys are no vertices, there is none
+template <class Tag, class Access, class NamedParameters>
+auto undoable_map_of_vertices(const Access& access, [[maybe_unused]] const NamedParameters& np)
+{
+  using Map = Parameter_type<Tag, NamedParameters, No_normal_map>;
+  if constexpr (is_property_map_of_v<Map, typename Access::vertex_descriptor>)
+    return Undoable_map<Access, Map, Vertex_of_mesh>(
+      access, parameter_or<Tag>(np, No_normal_map()),
+      static_cast<std::size_t>(access.size().vertices));
+  else
+    return Undoable_map<Access, No_normal_map, Vertex_of_mesh>(access, No_normal_map());
+}
+
 // The same for a mesh that is moved to its limit: what is written is taken back, in maps that can be read, unless it is kept.
 template <class Access, class Kernel, class NamedParameters>
 class Limit_maps_writer
@@ -202,26 +158,8 @@ class Limit_maps_writer
   using Vertex = typename Access::vertex_descriptor;
 
   template <class Tag>
-  class Old
-  {
-    using Map = Parameter_type<Tag, NamedParameters, No_normal_map>;
-
-    static constexpr bool is_read()
-    {
-      return is_property_map_of_v<Map, Vertex> &&
-             Facts_of_map<Map>::template has_category<Readable>;
-    }
-
-  public:
-    Old(const Access& access, const NamedParameters& np)
-      : values_(access, static_cast<std::size_t>(access.size().vertices),
-                parameter_or<Tag>(np, No_normal_map()))
-    {}
-    void put_back(const Access& access) noexcept { values_.put_back(access); }
-
-  private:
-    std::conditional_t<is_read(), Old_values<Map, Vertex_of_mesh>, No_old_values> values_;
-  };
+  using Undoable = decltype(undoable_map_of_vertices<Tag>(std::declval<const Access&>(),
+                                                          std::declval<const NamedParameters&>()));
 
 public:
   static constexpr bool is_any_given = is_given_v<limit_point_map_t, NamedParameters> ||
@@ -231,39 +169,37 @@ public:
   Limit_maps_writer(const Access& access, const NamedParameters& np)
     : access_(access)
     , np_(np)
-    , points_(access, np)
-    , normals_(access, np)
-    , errors_(access, np)
+    , points_(undoable_map_of_vertices<limit_point_map_t>(access, np))
+    , normals_(undoable_map_of_vertices<limit_normal_map_t>(access, np))
+    , errors_(undoable_map_of_vertices<limit_error_map_t>(access, np))
   {}
-  ~Limit_maps_writer()
-  {
-    if (is_kept_) return;
-    points_.put_back(access_);
-    normals_.put_back(access_);
-    errors_.put_back(access_);
-  }
-  Limit_maps_writer(const Limit_maps_writer&) = delete;
-  Limit_maps_writer& operator=(const Limit_maps_writer&) = delete;
 
   template <class Results>
   void write([[maybe_unused]] const Results& results,
-             [[maybe_unused]] Level_connectivity::Index number_of_vertices) const
+             [[maybe_unused]] Level_connectivity::Index number_of_vertices)
   {
     if constexpr (is_any_given) {
+      points_.begin();
+      normals_.begin();
+      errors_.begin();
       const Limit_maps<Vertex, Kernel, NamedParameters> maps{np_};
       for (Level_connectivity::Index v = 0; v < number_of_vertices; ++v)
         put(maps, access_.vertex(v), to_limit_point<Limit_point<Kernel>>(results[v]));
     }
   }
-  void keep() { is_kept_ = true; }
+  void keep()
+  {
+    points_.keep();
+    normals_.keep();
+    errors_.keep();
+  }
 
 private:
   const Access& access_;
   const NamedParameters& np_;
-  Old<limit_point_map_t> points_;
-  Old<limit_normal_map_t> normals_;
-  Old<limit_error_map_t> errors_;
-  bool is_kept_ = false;
+  Undoable<limit_point_map_t> points_;
+  Undoable<limit_normal_map_t> normals_;
+  Undoable<limit_error_map_t> errors_;
 };
 
 // the maps of limits that a call has

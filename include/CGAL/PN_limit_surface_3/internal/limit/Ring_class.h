@@ -150,13 +150,11 @@ public:
   // the ring, or if the limit mask does not exist.
   Ring_class(const Scheme& scheme, const std::vector<Ring_round>& rounds, const Ring_layout& layout)
     : block_(average_of<Average>(scheme))
-    , roundness_(1)
     , size_(rounds.front().rings.ring.size())
   {
     for (const Ring_round& r : rounds)
       largest_size_ = (std::max)(largest_size_, r.rings.ring.size());
     copies_ = (std::max)(std::size_t(1), block_size_v<FT> / largest_size_);
-    if constexpr (is_pn_v<Scheme>) roundness_ = close_double(average_of<Average>(scheme).roundness);
     const auto matrix_of = [&](auto number, const Ring_round& r) {
       using Number = decltype(number);
       const typename Scheme::Host host(r.level, r.number);
@@ -221,12 +219,12 @@ public:
   std::size_t number_of_neighbors() const { return number_of_neighbors_; }
 
   // at a limit
-  double roundness_at([[maybe_unused]] const Value& limit) const
+  static double roundness_at([[maybe_unused]] const Value& limit)
   {
-    if constexpr (has_roundness_v<Value>)
+    if constexpr (is_pn_v<Scheme>)
       return close_double(limit.roundness);
     else
-      return roundness_;
+      return 1;
   }
 
   // the valence of the vertex, if the rounds transfer curvature in its ring; otherwise 0
@@ -321,7 +319,6 @@ private:
   }
 
   Block block_;
-  double roundness_; // of values that have none of their own
   std::size_t size_, largest_size_ = 0, copies_ = 1, number_of_neighbors_ = 0;
   bool is_valid_ = false, is_interpolating_ = false, is_at_border_ = false;
   bool has_normal_rows_ = false; // otherwise the normals are refined by the rows of the points

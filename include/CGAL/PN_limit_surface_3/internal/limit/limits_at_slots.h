@@ -19,7 +19,7 @@
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
@@ -141,16 +141,15 @@ template <class Scheme, class Result>
 void put_mean_normals(No_creases, std::vector<Result>&)
 {}
 
-// What becomes of the slots: limit points with the normals that are asked for.
+// the normals that are asked for
 template <class Scheme, class FT, class Result>
-std::vector<Point_normal<FT, 3>> slot_values(const std::vector<Result>& results,
-                                             bool surface_normals)
+std::vector<Coordinates<FT, 3>> limit_normals(const std::vector<Result>& results,
+                                              bool surface_normals)
 {
-  std::vector<Point_normal<FT, 3>> values;
-  values.reserve(results.size());
-  for (const Result& r : results)
-    values.push_back({point_of(r.value), limit_normal<Scheme>(r, surface_normals)});
-  return values;
+  std::vector<Coordinates<FT, 3>> normals;
+  normals.reserve(results.size());
+  for (const Result& r : results) normals.push_back(limit_normal<Scheme>(r, surface_normals));
+  return normals;
 }
 
 } // namespace internal

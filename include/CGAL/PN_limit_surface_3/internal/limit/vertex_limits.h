@@ -196,16 +196,14 @@ void put_limits(const Access& access, const Limits& limits, Of_mesh& of_mesh, Po
   if constexpr (Writers::Corner_writer::takes_corners) {
     if (is_pn_v<Scheme> || options.surface_normals)
       corners.put_all(limits.level, limits.creases,
-                      slot_values<Scheme, FT>(limits.results, options.surface_normals));
+                      limit_normals<Scheme, FT>(limits.results, options.surface_normals));
   }
   if constexpr (!Writers::Corner_writer::takes_corners || Maps_writer::is_any_given)
     put_mean_normals<Scheme>(limits.creases, limits.results);
   of_limits.write(limits.results, limits.level.number_of_vertices());
   of_mesh.put_tangents(limits.creases, limits.level.size());
   limits.results.resize(limits.level.number_of_vertices());
-  Limit_writer<Access, Scheme, Point_map, typename Writers::Vertex_map>(
-    access, points, Writers::vertex_map(normals))
-    .write(limits.results, options);
+  write_limits<Scheme>(access, points, Writers::vertex_map(normals), limits.results, options);
   of_limits.keep();
   corners.keep();
   of_mesh.keep();

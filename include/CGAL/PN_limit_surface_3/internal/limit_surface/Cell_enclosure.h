@@ -259,7 +259,7 @@ void for_each_unproven(const Cells& cells, Level_connectivity::Index face, unsig
     if constexpr (are_creases_v<std::decay_t<decltype(cells.creases())>>)
       for (const Crease_star& star : cells.creases().stars)
         if (star.vertex == v) f(v, std::string("which is sharp"));
-    if constexpr (has_roundness_v<typename Cells::Value>) {
+    if constexpr (has_normal_v<typename Cells::Value>) {
       const double w = cells.control().values[v].roundness;
       if (!(w >= 0 && w <= 1)) f(v, std::string("whose roundness is not from 0 to 1"));
     }

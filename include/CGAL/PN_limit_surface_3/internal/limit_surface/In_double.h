@@ -43,7 +43,7 @@ template <class Map, class Value>
 inline constexpr bool is_of_estimate_v<Map_in_double<Map, Value>> = is_of_estimate_v<Map>;
 template <class Map, class Value>
 inline constexpr bool goes_with_roundness_v<Map_in_double<Map, Value>> = goes_with_roundness_v<Map>;
-template <class Map, class Value, class Key>
+template <class Map, class Value, class Key, class = std::enable_if_t<is_of_estimate_v<Map>>>
 auto get_whole(const Map_in_double<Map, Value>& m, const Key& key)
 {
   return get_whole(m.map, key);

@@ -207,9 +207,6 @@ private:
 
     std::vector<Jet_entry> entries(const Cell& cell, const Spline_piece::Entries& weights) const
     {
-      [[maybe_unused]] double roundness = 1; // of values that have none of their own
-      if constexpr (is_pn)
-        roundness = average_of<Average_of_scheme<Scheme, double>>(of_.cells_.scheme()).roundness;
       std::vector<Jet_entry> all;
       all.reserve(weights.size());
       for (const auto& [v, weight] : weights) {
@@ -217,11 +214,10 @@ private:
         e.weight = weight;
         const Value& value = cell.level.values[v];
         e.point = point_of(value);
-        if constexpr (is_pn) e.normal = value.normal;
-        if constexpr (has_roundness_v<Value>)
+        if constexpr (is_pn) {
+          e.normal = value.normal;
           e.roundness = value.roundness;
-        else
-          e.roundness = roundness;
+        }
       }
       return all;
     }

@@ -451,13 +451,15 @@ private:
   }
 
   // whether a vertex may need all wedges of its neighbors, which then must not lack faces
-  static bool reads_wedges([[maybe_unused]] const Level_creases& creases)
+  bool reads_wedges([[maybe_unused]] const Level_creases& creases) const
   {
-    if constexpr (is_creased)
+    if constexpr (is_creased) {
+      if constexpr (is_pn_v<Scheme>)
+        if (!average_of<Average>(scheme_).roundness) return !creases.stars.empty();
       return std::any_of(creases.stars.begin(), creases.stars.end(), [&](const Crease_star& star) {
-        return has_roundness_v<Value> || creases.rule(star) == Vertex_rule::dart;
+        return creases.rule(star) == Vertex_rule::dart;
       });
-    else
+    } else
       return false;
   }
 

@@ -313,14 +313,14 @@ class Origin_map : public Origin_values
 {
 public:
   Origin_map(const Access& access, Map map, std::size_t number)
-    : map_(access, map, first_indices(number))
+    : map_(access, map, number)
   {}
   // of a part
   Origin_map(const Origin_map& whole, Of_part)
-    : map_(whole.map_.access(), Map(), {})
+    : map_(whole.map_.access(), Map())
   {}
 
-  void begin(std::size_t number) override { map_.begin(number); }
+  void begin(std::size_t number) override { begin_map(map_, number); }
   void set(Index element, const Control_element& origin, [[maybe_unused]] Index face) override
   {
     if constexpr (std::is_same_v<Value, Control_element>)
@@ -338,7 +338,7 @@ public:
 private:
   using Value = std::decay_t<typename boost::property_traits<Map>::value_type>;
 
-  Restored_map<Access, Map, Keys> map_;
+  Undoable_map<Access, Map, Keys> map_;
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

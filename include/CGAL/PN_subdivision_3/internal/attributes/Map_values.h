@@ -11,12 +11,12 @@
 
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_values.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/assertions.h>
 
 #include <boost/container/vector.hpp>
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <any>
@@ -27,10 +27,6 @@
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
-
-template <class Map>
-constexpr bool is_readable_v = std::is_convertible_v<typename boost::property_traits<Map>::category,
-                                                     boost::readable_property_map_tag>;
 
 // elements that are their numbers, and a map of them
 struct Numbers_as_elements
@@ -54,66 +50,18 @@ struct Map_of_numbers
   friend void put(const Map_of_numbers& m, key_type i, const T& x) { (*m.list)[i] = x; }
   std::shared_ptr<List> list = std::make_shared<List>();
 };
-template <class Map>
-void make_room(const Map&, std::size_t /*number*/)
-{}
-template <class T, class Keys>
-void make_room(const Map_of_numbers<T, Keys>& map, std::size_t number)
-{
-  map.list->resize(number);
-}
-
-// A map of the user's and what it had for the control elements, which it gets back unless the new values
-// are kept.
+// before the first of `number` new values is set
 template <class Access, class Map, class Keys>
-class Restored_map
+void begin_map(Undoable_map<Access, Map, Keys>& map, std::size_t /*number*/)
 {
-public:
-  using Index = Level_connectivity::Index;
-  using T = std::decay_t<typename boost::property_traits<Map>::value_type>;
-
-  // `elements` are those that are read, in ascending order; none if the map cannot be read
-  Restored_map(const Access& access, Map map, const std::vector<Index>& elements)
-    : access_(access)
-    , map_(map)
-    , elements_(elements)
-  {
-    if constexpr (is_readable_v<Map>) {
-      old_.reserve(elements.size());
-      for (const Index i : elements) old_.push_back(get(map_, Keys::at(access_, i)));
-    }
-  }
-  ~Restored_map()
-  {
-    if (!is_changed_) return;
-    for (std::size_t i = 0; i < old_.size(); ++i) try {
-        put(map_, Keys::at(access_, elements_[i]), T(old_[i]));
-      } catch (...) {
-      }
-  }
-  Restored_map(const Restored_map&) = delete;
-  Restored_map& operator=(const Restored_map&) = delete;
-
-  // the position in elements() is not the number of the element where some are left out
-  const std::vector<Index>& elements() const { return elements_; }
-  const std::vector<T>& old() const { return old_; }
-  const Access& access() const { return access_; }
-  const Map& map() const { return map_; }
-  void begin(std::size_t number_of_elements)
-  {
-    is_changed_ = true;
-    make_room(map_, number_of_elements);
-  }
-  void set(Index element, const T& value) { put(map_, Keys::at(access_, element), value); }
-  void keep() noexcept { is_changed_ = false; }
-
-private:
-  const Access& access_;
-  Map map_;
-  std::vector<Index> elements_;
-  std::vector<T> old_;
-  bool is_changed_ = false;
-};
+  map.begin();
+}
+template <class Access, class T, class Keys>
+void begin_map(Undoable_map<Access, Map_of_numbers<T, Keys>, Keys>& map, std::size_t number)
+{
+  map.begin();
+  map.map().list->resize(number);
+}
 
 struct Of_part
 {};
@@ -143,18 +91,18 @@ class Copied_map : public Copied_values
 {
 public:
   Copied_map(const Access& access, Map map, std::size_t number)
-    : map_(access, map, first_indices(number))
+    : map_(access, map, number)
     , old_(map_.old())
   {}
   // of a part
   Copied_map(const Copied_map& whole, Of_part)
-    : map_(whole.map_.access(), Map(), {})
+    : map_(whole.map_.access(), Map())
     , old_(whole.old_)
   {}
 
   void put(const std::vector<Index>& sources) override
   {
-    map_.begin(sources.size());
+    begin_map(map_, sources.size());
     for (Index i = 0; i < sources.size(); ++i)
       map_.set(i, sources[i] == null ? T() : T(old_[sources[i]]));
   }
@@ -166,9 +114,10 @@ public:
   std::any kept_of_part() override { return std::any(map_.map()); }
 
 private:
-  using T = typename Restored_map<Access, Map, Keys>::T;
+  using Undoable = Undoable_map<Access, Map, Keys>;
+  using T = typename Undoable::Value;
 
-  Restored_map<Access, Map, Keys> map_;
+  Undoable map_;
   const std::vector<T>& old_;
 };
 
@@ -197,7 +146,7 @@ public:
   }
   // of a part
   Row_map(const Row_map& whole, const std::vector<Index>& sources)
-    : map_(whole.map_.access(), Map(), {})
+    : map_(whole.map_.access(), Map())
   {
     take(whole.old_, sources);
   }
@@ -219,7 +168,7 @@ public:
   {
     puts_at_once_ = !has_threads || has_concurrent_put_v<Map>;
     if (puts_at_once_)
-      map_.begin(number_of_values);
+      begin_map(map_, number_of_values);
     else
       begin_round(number_of_values);
   }
@@ -255,7 +204,7 @@ public:
   }
   void put(const std::vector<Index>& sources) override
   {
-    map_.begin(sources.size());
+    begin_map(map_, sources.size());
     for (Index i = 0; i < sources.size(); ++i)
       if (sources[i] != Row_values<FT>::null) map_.set(i, to_value(old_[sources[i]]));
   }
@@ -268,12 +217,12 @@ public:
   std::any kept_of_part() override { return std::any(map_.map()); }
 
 private:
-  using Restored = Restored_map<Access, Map, Keys>;
-  using Traits = Attribute_traits<typename Restored::T, FT>;
+  using Undoable = Undoable_map<Access, Map, Keys>;
+  using Traits = Attribute_traits<typename Undoable::Value, FT>;
   using Sum = typename Traits::Sum;
   using Values = boost::container::vector<Sum>;
 
-  static auto to_value(const Sum& sum)
+  static typename Undoable::Value to_value(const Sum& sum)
   {
     if constexpr (rule == Attribute_rule::direction) {
       Sum unit = sum;
@@ -301,7 +250,7 @@ private:
       result(r, affine_average<FT, Traits>(rows.begin(r), rows.end(r), old_.data()));
   }
 
-  Restored map_;
+  Undoable map_;
   std::vector<Index> position_; // of a control element among those that are read
   Values old_, new_;
   bool puts_at_once_ = false;

@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Nearest_values.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
@@ -159,16 +160,6 @@ struct Nearest_attribute : Vertex_attribute_by<Map, Given_rule<Attribute_rule::n
 template <class Map>
 struct Direction_attribute : Vertex_attribute_by<Map, Given_rule<Attribute_rule::direction>>
 {};
-
-// the half-edges that have a face
-inline std::vector<Level_connectivity::Index> corners_of(const Level_connectivity& level)
-{
-  std::vector<Level_connectivity::Index> result;
-  result.reserve(static_cast<std::size_t>(level.size().corners));
-  for (Level_connectivity::Index h = 0; h < level.number_of_halfedges(); ++h)
-    if (!level.is_border(h)) result.push_back(h);
-  return result;
-}
 
 template <class Map>
 struct Corner_attribute

@@ -69,10 +69,11 @@ private:
 
 // Where a plane joins a bend beside a crease the wedge has the area normal, as whole vertices have it
 // in Coherent_estimation; both normals orthogonal to the tangents of the creases.
-template <class FT, class Value>
+template <class FT>
 class Wedge_joints
 {
 public:
+  using Value = Point_normal<FT, 3>;
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<FT, 3>;
 
@@ -132,10 +133,11 @@ private:
 // How round creases are, which their wedges are no more than: where arcs meet. Ends mirror the tangents of their neighbors,
 // and tell nothing: beside a corner tangents turn from edges as in a round fan, too; beside a dart none is round, between
 // two corners what is straight.
-template <class FT, class Value>
+template <class FT>
 class Crease_turns
 {
 public:
+  using Value = Point_normal<FT, 3>;
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<double, 3>;
 
@@ -205,10 +207,11 @@ private:
 
 // The control data of a level with creases, once before the first round: the wedges' normals where
 // none are given, and the tangents.
-template <class FT, class Value = Point_normal<FT, 3>>
+template <class FT>
 class Control_creases
 {
 public:
+  using Value = Point_normal<FT, 3>;
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<FT, 3>;
 
@@ -239,12 +242,10 @@ public:
     estimate_normals(cut.connectivity(), sectors);
     strip_all([&](Index slot) -> Vector& { return values_[slot].normal; });
     if (!has_joints) return;
-    Wedge_joints<FT, Value>(cut.connectivity(), sectors, values_)(is_given_);
-    if constexpr (has_roundness_v<Value>) {
-      const std::vector<double> shares = Crease_turns<FT, Value>(level_, creases_, values_)();
-      for (Index slot = 0; slot < values_.size(); ++slot)
-        if (!is_given_[slot]) values_[slot].roundness *= FT(shares[slot]);
-    }
+    Wedge_joints<FT>(cut.connectivity(), sectors, values_)(is_given_);
+    const std::vector<double> shares = Crease_turns<FT>(level_, creases_, values_)();
+    for (Index slot = 0; slot < values_.size(); ++slot)
+      if (!is_given_[slot]) values_[slot].roundness *= FT(shares[slot]);
   }
 
 private:
@@ -257,7 +258,7 @@ private:
         return is_given_[slot] ? &values_[slot].normal : nullptr;
       },
       [&](Index slot, const Vector& n) { values_[slot].normal = n; },
-      Set_roundness_of_value<Value>{values_.data()});
+      Set_roundness_of_value<FT>{values_.data()});
   }
 
   template <class Normal_of>

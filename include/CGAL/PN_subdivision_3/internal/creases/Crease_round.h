@@ -159,7 +159,7 @@ private:
   // what is joined is not round: any of its numbers will do
   static void join_roundness(const Wedge_join& join, std::vector<FT>& roundness)
   {
-    if (!Rules::has_roundness || roundness.size() == join.number_of_wedges) return;
+    if (roundness.size() == join.number_of_wedges) return;
     std::vector<FT> joined(join.number_of_wedges, FT(0));
     for (std::size_t w = 0; w < roundness.size(); ++w) joined[join.wedge[w]] = roundness[w];
     roundness = joined;
@@ -206,19 +206,10 @@ private:
     for (Index w = 0; w < wedges; ++w, ++result) {
       result->first = refined_star == null ? vertex : refined_.creases.stars[refined_star].slot(w);
       if constexpr (is_pn)
-        result->second = slot_value(value, w, value.normals[normal_of(w)]);
+        result->second = {value.point, value.normals[normal_of(w)], value.roundness[w]};
       else
         result->second = value.point;
     }
-  }
-
-  static Value slot_value(const Rule_value& value, [[maybe_unused]] Index wedge,
-                          const Vector& normal)
-  {
-    if constexpr (Rules::has_roundness)
-      return {value.point, normal, value.roundness[wedge]};
-    else
-      return {value.point, normal};
   }
 
   const Data& data_;
@@ -284,7 +275,7 @@ public:
     , refined_(creases, level, number_of_vertices())
   {
     if (needs_smooth_rules()) make_smooth_rows(number);
-    if constexpr (has_roundness_v<Value>)
+    if constexpr (is_pn)
       if (std::any_of(creases.edges.begin(), creases.edges.end(), ends))
         ended_ = slots_at_ended(Host(level, number), level, creases, refined_);
     if constexpr (is_pn)
@@ -326,7 +317,7 @@ public:
     std::vector<Slot_value> values = Crease_pass<Scheme, Average>(data, refined_)(for_chunks);
     if (!others_.empty())
       values = with_others(values, values_of_rows(*round_, others_, old_, for_chunks));
-    if constexpr (has_roundness_v<Value>)
+    if constexpr (is_pn)
       if (!ended_.empty())
         for (Slot_value& v : values)
           if (std::binary_search(ended_.begin(), ended_.end(), v.first)) v.second.roundness = FT(0);

@@ -38,7 +38,7 @@ struct Crease_value
 
   Coordinates<FT, 3> point;
   Vectors normals, tangents;
-  std::vector<FT> roundness; // of the wedges, where it varies
+  std::vector<FT> roundness; // of the wedges, if there are normals
 };
 
 // What the rules of a round read: the level cut open, its creases and the values of the slots.
@@ -64,7 +64,6 @@ class Crease_rules
 {
 public:
   static constexpr bool is_pn = !Is_linear<Scheme>::value;
-  static constexpr bool has_roundness = has_roundness_v<typename Average::Value>;
 
   using FT = typename Average::FT;
   using Index = Level_connectivity::Index;
@@ -88,7 +87,7 @@ public:
     const std::array<Entry, 2> entries{{{weight[0], point(a), e.tangent_from[0]},
                                         {weight[1], point(b), opposite_vector(e.tangent_from[1])}}};
     std::vector<FT> roundness;
-    for (Index side = 0; has_roundness && side < 2; ++side)
+    for (Index side = 0; is_pn && side < 2; ++side)
       if (e.has_after(side))
         roundness.push_back(averaged_roundness(
           entries, {side == 0 ? e.before[1] : e.after[1], side == 0 ? e.after[0] : e.before[0]}));
@@ -152,12 +151,10 @@ private:
   }
   FT roundness(Index slot) const
   {
-    if constexpr (has_roundness) {
+    if constexpr (is_pn) {
       const typename Average::Value value = data_.old[slot];
       return value.roundness;
-    } else if constexpr (is_pn)
-      return data_.round.average().roundness;
-    else
+    } else
       return FT(1);
   }
   template <std::size_t n>
@@ -170,7 +167,7 @@ private:
   // that of the crease: a circle between a plane and what is not round is one
   FT largest(const std::vector<FT>& of_wedges) const
   {
-    if (of_wedges.empty()) return is_pn && !has_roundness ? roundness(0) : FT(1);
+    if (of_wedges.empty()) return FT(1);
     return (CGAL::max)(of_wedges.front(), of_wedges.back()); // two at most
   }
   template <std::size_t n>
@@ -187,10 +184,10 @@ private:
   {
     Value result{point(star.vertex), {}, {}, {}};
     if constexpr (is_pn)
-      for (Index w = 0; w < star.number_of_wedges; ++w)
+      for (Index w = 0; w < star.number_of_wedges; ++w) {
         result.normals.push_back(normal(star.slot(w)));
-    for (Index w = 0; has_roundness && w < star.number_of_wedges; ++w)
-      result.roundness.push_back(roundness(star.slot(w)));
+        result.roundness.push_back(roundness(star.slot(w)));
+      }
     for (const Crease_end& e : data_.creases.ends_of(star))
       result.tangents.push_back(data_.creases.tangent_from(e));
     return result;
@@ -209,7 +206,7 @@ private:
        {weights[1], point(b), to_last},
        {weights[2], point(star.vertex), data_.creases.tangent_from(to_b)}}};
     std::vector<FT> roundness;
-    if constexpr (has_roundness) {
+    if constexpr (is_pn) {
       roundness.resize(star.number_of_wedges, FT(1));
       for_each_wedge(star, to_a, to_b, [&](Index w, const std::array<Index, 3>& slot_ids) {
         roundness[w] = averaged_roundness(entries, slot_ids);
@@ -276,9 +273,7 @@ private:
         return average(row.first, row.second, old);
       };
       const typename Average::Value value = average_of_rows();
-      Value result{value.point, {value.normal}, {}, {}};
-      if constexpr (has_roundness) result.roundness = {value.roundness};
-      return result;
+      return {value.point, {value.normal}, {}, {value.roundness}};
     }
   }
 

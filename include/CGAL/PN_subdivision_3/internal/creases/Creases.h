@@ -192,7 +192,7 @@ template <class FT>
 struct Control_without_fractions
 {
   Creases<FT> creases;
-  std::vector<Point_normal_roundness<FT, 3>> values; // of their slots
+  std::vector<Point_normal<FT, 3>> values; // of their slots
 };
 
 // The creases of a level of which is known, when the call is compiled, that nothing can be sharp.

@@ -184,9 +184,8 @@ struct Gone_creases
       for (Index w = 0; w < join.number_of_wedges; ++w)
         values[slot(star, i, w)].normal = normals[w];
     }
-    if constexpr (has_roundness_v<Value>)
-      for (std::size_t s = 0; s < values.size(); ++s)
-        if (reach[s] < 1) values[s].roundness = FT(0);
+    for (std::size_t s = 0; s < values.size(); ++s)
+      if (reach[s] < 1) values[s].roundness = FT(0);
     return values;
   }
 
@@ -243,10 +242,7 @@ void keep_without_fractions(const Level_connectivity& level, Creases<FT>& crease
   if (!has_fractions(creases)) return;
   auto without = std::make_shared<Control_without_fractions<FT>>();
   without->creases = Gone_creases<FT>(level, creases).creases;
-  for (const auto& value : values(without->creases)) {
-    without->values.push_back({value.point, value.normal});
-    share_roundness(value, without->values.back());
-  }
+  without->values = values(without->creases);
   creases.without_fractions = std::move(without);
 }
 

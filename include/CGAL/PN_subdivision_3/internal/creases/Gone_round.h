@@ -196,8 +196,7 @@ private:
   {
     value.point = mixed<FT>(value.point, other.point, part);
     value.normal = unit_or_zero(mixed<FT>(value.normal, other.normal, part), FT(1));
-    if constexpr (has_roundness_v<Value>)
-      value.roundness = part * value.roundness + (FT(1) - part) * other.roundness;
+    value.roundness = part * value.roundness + (FT(1) - part) * other.roundness;
   }
 
   void mix_tangents(const Crease_star& star, const FT& part, Creases<FT>& refined) const

@@ -252,7 +252,7 @@ private:
           if (star.number_of_wedges > 1) is_given[star.vertex] = false;
         read_vertex_normals(normals, is_given, n, values);
       }
-      Control_creases<FT, Value>(level, creases, values, is_given, normal_estimate(scheme_))();
+      Control_creases<FT>(level, creases, values, is_given, normal_estimate(scheme_))();
       if constexpr (!goes_with_roundness_v<Normal_map>)
         put_given_roundness(scheme_, n, values, &is_given, extra);
     }

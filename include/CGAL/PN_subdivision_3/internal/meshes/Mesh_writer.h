@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
@@ -20,72 +21,11 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
-
-template <class Map>
-constexpr bool is_writable_map_v =
-  std::is_convertible_v<typename boost::property_traits<Map>::category,
-                        boost::writable_property_map_tag>;
-
-// whether refined roundness is put into a map
-template <class Map>
-constexpr bool is_writable_roundness_v = is_writable_map_v<Map>;
-template <>
-inline constexpr bool is_writable_roundness_v<No_roundness> = false;
-
-// The values that a map has for the old elements, to be put back.
-template <class Map, class Element>
-class Old_values
-{
-public:
-  using Index = Level_connectivity::Index;
-  using Value = std::decay_t<typename boost::property_traits<Map>::value_type>;
-
-  template <class Access>
-  Old_values(const Access& access, std::size_t number, Map map)
-    : map_(map)
-  {
-    values_.reserve(number);
-    for (Index i = 0; i < number; ++i) values_.push_back(get(map_, Element::at(access, i)));
-  }
-
-  Index size() const { return static_cast<Index>(values_.size()); }
-  Value operator[](Index i) const { return values_[i]; }
-
-  // a map that throws here too keeps what it has, as does one that is only read
-  template <class Access>
-  void put_back([[maybe_unused]] const Access& access) noexcept
-  {
-    if constexpr (is_writable_map_v<Map>)
-      for (Index i = 0; i < values_.size(); ++i) try {
-          put(map_, Element::at(access, i), Value(values_[i]));
-        } catch (...) {
-        }
-  }
-
-private:
-  Map map_;
-  std::vector<Value> values_;
-};
-
-struct No_old_values
-{
-  template <class Access, class Map>
-  No_old_values(const Access&, std::size_t, Map)
-  {}
-  template <class Access>
-  void put_back(const Access&) noexcept
-  {}
-};
-template <class Map, class Not_given>
-using Old_values_if_given = std::conditional_t<std::is_same_v<Map, Not_given>, No_old_values,
-                                               Old_values<Map, Vertex_of_mesh>>;
 
 // Lets a mesh grow and puts points, normals and roundness of its new vertices. Unless keep() is called, the mesh
 // and its maps get back what they had.
@@ -93,7 +33,7 @@ template <class Value, class Access, class Point_map, class Normal_map,
           class Roundness_map = No_roundness>
 class Mesh_writer
 {
-  static constexpr bool has_roundness_map = is_writable_roundness_v<Roundness_map>;
+  static constexpr bool has_roundness_map = is_writable_map_v<Roundness_map>;
   static constexpr bool has_normal_map = !std::is_same_v<Normal_map, No_normal_map>;
 
 public:
@@ -106,69 +46,54 @@ public:
 
   Mesh_writer(Access& access, Point_map points, Normal_map normals, bool is_near_overflow,
               Roundness_map roundness = Roundness_map())
-    : access_(access)
-    , points_(points)
-    , normals_(normals)
-    , roundness_(roundness)
-    , is_near_overflow_(is_near_overflow)
+    : is_near_overflow_(is_near_overflow)
     , number_of_old_vertices_(static_cast<Index>(access.size().vertices))
-    , old_points_(access, number_of_old_vertices_, points)
-    , old_normals_(access, number_of_old_vertices_, normals)
-    , old_roundness_(access, number_of_old_vertices_, roundness)
+    , growth_(access)
+    , points_(access, points, number_of_old_vertices_)
+    , normals_(access, normals, number_of_old_vertices_)
+    , roundness_(access, roundness, number_of_old_vertices_)
   {}
-  ~Mesh_writer()
-  {
-    if (is_kept_) return;
-    if (old_values_put_) {
-      old_points_.put_back(access_);
-      old_normals_.put_back(access_);
-      old_roundness_.put_back(access_);
-    }
-    access_.shrink();
-  }
-  Mesh_writer(const Mesh_writer&) = delete;
-  Mesh_writer& operator=(const Mesh_writer&) = delete;
 
   Index number_of_old_vertices() const { return number_of_old_vertices_; }
   // to be called before the first old vertex is put
-  void begin_old_vertices() { old_values_put_ = true; }
-  void keep() { is_kept_ = true; }
+  void begin_old_vertices()
+  {
+    points_.begin();
+    normals_.begin();
+    roundness_.begin();
+  }
+  void keep()
+  {
+    growth_.keep();
+    points_.keep();
+    normals_.keep();
+    roundness_.keep();
+  }
 
   // values of the vertices from `first` on
   void put_values(Index first, const Value* values, Index number) const
   {
-    using Point = typename boost::property_traits<Point_map>::value_type;
     for (Index i = 0; i < number; ++i) {
-      const auto v = access_.vertex(first + i);
+      const Index v = first + i;
       const auto& p = point_of(values[i]);
       if (is_near_overflow_)
-        check_in_range(p,
-                       [&] { return "the point of the new vertex " + std::to_string(first + i); });
-      put(points_, v, Point(p[0], p[1], p[2]));
-      if constexpr (has_normal_map) {
-        using Normal = typename boost::property_traits<Normal_map>::value_type;
-        const auto& n = values[i].normal;
-        put(normals_, v, Normal(n[0], n[1], n[2]));
-      }
+        check_in_range(p, [&] { return "the point of the new vertex " + std::to_string(v); });
+      points_.set_vector(v, p);
+      if constexpr (has_normal_map) normals_.set_vector(v, values[i].normal);
       if constexpr (has_roundness_map) {
         using Number = std::decay_t<typename boost::property_traits<Roundness_map>::value_type>;
-        put(roundness_, v, roundness_as<Number>(values[i].roundness));
+        roundness_.set(v, roundness_as<Number>(values[i].roundness));
       }
     }
   }
 
 private:
-  Access& access_;
-  Point_map points_;
-  Normal_map normals_;
-  Roundness_map roundness_;
   bool is_near_overflow_;
-  bool old_values_put_ = false;
-  bool is_kept_ = false;
   Index number_of_old_vertices_;
-  Old_values<Point_map, Vertex_of_mesh> old_points_;
-  Old_values_if_given<Normal_map, No_normal_map> old_normals_;
-  Old_values_if_given<Roundness_map, No_roundness> old_roundness_;
+  Growth<Access> growth_;
+  Undoable_map<Access, Point_map, Vertex_of_mesh> points_;
+  Undoable_map<Access, Normal_map, Vertex_of_mesh> normals_;
+  Undoable_map<Access, Roundness_map, Vertex_of_mesh> roundness_;
 };
 
 // whether the child of a host may be the mesh itself

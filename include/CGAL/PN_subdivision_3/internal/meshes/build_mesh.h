@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_BUILD_MESH_H
 
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -21,34 +22,6 @@
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
-
-// Removes what a mesh got, unless keep() is called.
-template <class Access>
-class Growth
-{
-public:
-  Growth(Access& access, const Level_size& size)
-    : access_(access)
-  {
-    try {
-      access.grow(size);
-    } catch (...) {
-      access.shrink();
-      throw;
-    }
-  }
-  ~Growth()
-  {
-    if (!is_kept_) access_.shrink();
-  }
-  Growth(const Growth&) = delete;
-  Growth& operator=(const Growth&) = delete;
-  void keep() { is_kept_ = true; }
-
-private:
-  Access& access_;
-  bool is_kept_ = false;
-};
 
 // Makes an empty mesh one with the connectivity of a level, with points and normals, and with what put_others() puts.
 template <class Access, class Point_map, class Point, class Normal_map, class Vector,
@@ -66,7 +39,8 @@ void build_mesh(Access& access, const Level_connectivity& level, Point_map point
     throw std::length_error("PN_subdivision_3: the refined mesh has " +
                             std::to_string(size.halfedges()) +
                             " half-edges, more than the index type of the mesh can number");
-  Growth<Access> growth(access, size);
+  Growth<Access> growth(access);
+  access.grow(size);
   for (Index v = 0; v < points.size(); ++v) {
     put(point_map, access.vertex(v), points[v]);
     if constexpr (!std::is_same_v<Normal_map, No_normal_map>)

@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
@@ -85,23 +85,18 @@ public:
   using Index = Level_connectivity::Index;
 
   Constraints(const Access& access, Map map, Index number)
-    : access_(access)
-    , map_(map)
-    , old_(access, number, map)
+    : map_(access, map, number)
   {}
-  ~Constraints()
-  {
-    if (is_changed_) old_.put_back(access_);
-  }
-  Constraints(const Constraints&) = delete;
-  Constraints& operator=(const Constraints&) = delete;
 
-  Index number_of_old() const { return old_.size(); }
+  Index number_of_old() const { return static_cast<Index>(map_.old().size()); }
 
-  double sharpness(Index i) const
+  double sharpness([[maybe_unused]] Index i) const
   {
-    return checked_sharpness(sharpness_of(Value(old_[i])),
-                             [&] { return Element::name(access_, i); });
+    if constexpr (is_constraint_map_v<Map>)
+      return checked_sharpness(sharpness_of(Value(map_.old()[i])),
+                               [&] { return Element::name(map_.access(), i); });
+    else
+      return 0;
   }
 
   // Puts the constraints of `number` refined elements. `constraints` has some of them, in the order of
@@ -111,22 +106,23 @@ public:
     [[maybe_unused]] const std::vector<std::pair<Index, std::pair<Index, double>>>& constraints)
   {
     if constexpr (is_writable_map_v<Map>) {
-      const Index end = are_new_ones_smooth(number) ? old_.size() : number;
-      is_changed_ = true;
+      const Index end = are_new_ones_smooth(number) ? number_of_old() : number;
+      map_.begin();
       Index i = 0;
       for (const auto& c : constraints) {
         put_smooth(i, (std::min)(c.first, end));
-        put(map_, Element::at(access_, c.first), value(c.second.second, old_[c.second.first]));
+        map_.set(c.first, value(c.second.second, map_.old()[c.second.first]));
         i = c.first + 1;
       }
       put_smooth(i, end);
     }
   }
 
-  void keep() { is_changed_ = false; }
+  void keep() { map_.keep(); }
 
 private:
-  using Value = typename Old_values<Map, Element>::Value;
+  using Undoable = Undoable_map<Access, Map, Element>;
+  using Value = typename Undoable::Value;
 
   // what is sharp forever keeps its value, and so does what is beyond the integers that `double` knows
   static Value value(double sharpness, const Value& old)
@@ -141,7 +137,8 @@ private:
   bool are_new_ones_smooth([[maybe_unused]] Index number) const
   {
     if constexpr (has_one_new_value_v<Map>)
-      return number > old_.size() && get(map_, Element::at(access_, old_.size())) == Value(0);
+      return number > number_of_old() &&
+             get(map_.map(), Element::at(map_.access(), number_of_old())) == Value(0);
     else
       return false;
   }
@@ -149,28 +146,12 @@ private:
   void put_smooth(Index begin, Index end)
   {
     Index i = begin;
-    for (; i < end && i < old_.size(); ++i)
-      if (!(old_[i] == Value(0))) put(map_, Element::at(access_, i), Value(0));
-    for (; i < end; ++i) put(map_, Element::at(access_, i), Value(0));
+    for (; i < end && i < number_of_old(); ++i)
+      if (!(map_.old()[i] == Value(0))) map_.set(i, Value(0));
+    for (; i < end; ++i) map_.set(i, Value(0));
   }
 
-  const Access& access_;
-  Map map_;
-  Old_values<Map, Element> old_;
-  bool is_changed_ = false;
-};
-
-template <class Access, class Element>
-class Constraints<Access, No_constraint_map, Element>
-{
-public:
-  using Index = Level_connectivity::Index;
-
-  Constraints(const Access&, No_constraint_map, Index) {}
-  Index number_of_old() const { return 0; }
-  double sharpness(Index) const { return 0; }
-  void put_refined(Index, const std::vector<std::pair<Index, std::pair<Index, double>>>&) {}
-  void keep() {}
+  Undoable map_;
 };
 
 template <class Access, class Map>
@@ -187,22 +168,15 @@ public:
   using Index = Level_connectivity::Index;
 
   Crease_tangents(const Access& access, const Level_connectivity& level, Map map)
-    : access_(access)
-    , map_(map)
-    , old_(access, level.number_of_halfedges(), map)
+    : map_(access, map, level.number_of_halfedges())
   {}
-  ~Crease_tangents()
-  {
-    if (is_changed_) old_.put_back(access_);
-  }
-  Crease_tangents(const Crease_tangents&) = delete;
-  Crease_tangents& operator=(const Crease_tangents&) = delete;
 
-  void read(Creases<FT>& creases) const
+  void read([[maybe_unused]] Creases<FT>& creases) const
   {
-    for (Crease_edge<FT>& e : creases.edges)
-      for (Index side = 0; side < 2; ++side)
-        e.tangent_from[side] = checked_tangent(e.halfedge(side));
+    if constexpr (is_readable_v<Map>)
+      for (Crease_edge<FT>& e : creases.edges)
+        for (Index side = 0; side < 2; ++side)
+          e.tangent_from[side] = checked_tangent(e.halfedge(side));
   }
 
   // of all half-edges, those without a crease get zero
@@ -210,32 +184,25 @@ public:
                    [[maybe_unused]] Index number_of_edges)
   {
     if constexpr (is_writable_map_v<Map>) {
-      is_changed_ = true;
+      map_.begin();
       auto crease = creases.edges.begin();
       for (Index e = 0; e < number_of_edges; ++e) {
         const bool is_crease = crease != creases.edges.end() && crease->edge == e;
-        for (Index side = 0; side < 2; ++side) {
-          const auto h = access_.halfedge_at(2 * e + side);
-          if (is_crease) {
-            const Coordinates<FT, 3>& t = crease->tangent_from[side];
-            put(map_, h, Vector(t[0], t[1], t[2]));
-          } else
-            put(map_, h, Vector(0, 0, 0));
-        }
+        for (Index side = 0; side < 2; ++side)
+          map_.set_vector(2 * e + side,
+                          is_crease ? crease->tangent_from[side] : zero_vector<FT, 3>());
         if (is_crease) ++crease;
       }
     }
   }
 
-  void keep() { is_changed_ = false; }
+  void keep() { map_.keep(); }
 
 private:
-  using Vector = typename Old_values<Map, Halfedge_of_mesh>::Value;
-
   Coordinates<FT, 3> checked_tangent(Index h) const
   {
-    const Coordinates<FT, 3> t = coordinates_3<FT>(old_[h]);
-    const auto name = [&] { return access_.halfedge_name(h); };
+    const Coordinates<FT, 3> t = coordinates_3<FT>(map_.old()[h]);
+    const auto name = [&] { return map_.access().halfedge_name(h); };
     check_finite<FT, 3>(t, "tangent", name);
     const FT longest = FT(1) + Unit_normal_traits<FT>::unit_tolerance();
     if (CGAL::certainly(is_greater(dot(t, t), longest)))
@@ -255,20 +222,7 @@ private:
     return std::all_of(t.begin(), t.end(), [](const FT& x) { return CGAL::certainly(x == FT(0)); });
   }
 
-  const Access& access_;
-  Map map_;
-  Old_values<Map, Halfedge_of_mesh> old_;
-  bool is_changed_ = false;
-};
-
-template <class FT, class Access>
-class Crease_tangents<FT, Access, No_tangent_map>
-{
-public:
-  Crease_tangents(const Access&, const Level_connectivity&, No_tangent_map) {}
-  void read(Creases<FT>&) const {}
-  void put_refined(const Creases<FT>&, Level_connectivity::Index) {}
-  void keep() {}
+  Undoable_map<Access, Map, Halfedge_of_mesh> map_;
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -69,13 +69,12 @@ void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
       else
         return 0.;
     });
-  using Value = Point_normal_roundness<FT, 3>;
+  using Value = Point_normal<FT, 3>;
   std::vector<Value> values(creases.number_of_slots);
   const std::vector<Index> extra = vertices_of_extra_slots(creases, n);
   for (Index slot = 0; slot < values.size(); ++slot)
     point_of(values[slot]) = checked_point<FT>(access, points, slot < n ? slot : extra[slot - n]);
-  Control_creases<FT, Value>(level, creases, values, std::vector<bool>(values.size(), false),
-                             estimate)();
+  Control_creases<FT>(level, creases, values, std::vector<bool>(values.size(), false), estimate)();
   const Cut_level<FT> cut(level, creases);
   for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
     const Coordinates<FT, 3>& m = values[slot].normal;

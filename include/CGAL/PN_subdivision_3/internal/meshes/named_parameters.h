@@ -212,8 +212,8 @@ constexpr bool may_be_semi_sharp()
 }
 
 // Whether the roundness of a call may vary: where normals are estimated it does unless it is given as a number, sharp
-// edges that end take it away, and it may be given as a map. A call of which its type says that it does not has no memory
-// and no time for it.
+// edges that end take it away, and it may be given as a map. A call of which its type says that it does not has no time
+// for it.
 template <class Scheme, class Parameters>
 constexpr bool
   varies_in_roundness_v = is_pn_v<Scheme> &&
@@ -223,11 +223,6 @@ constexpr bool
                            goes_with_roundness_v<typename Parameters::Normal_map> ||
                            (Has_crease_rules<Scheme>::value &&
                             may_be_semi_sharp<typename Parameters::Edge_constraint_map>()));
-
-template <class Scheme, class Parameters>
-constexpr bool has_roundness_of_call_v = varies_in_roundness_v<Scheme, Parameters> ||
-                                         (is_pn_v<Scheme> &&
-                                          is_given_roundness_v<typename Parameters::Roundness>);
 
 // Masks with negative weights take what is from 0 to 1 a little beyond, from which a further call goes on.
 template <class FT, class Name>
@@ -258,16 +253,16 @@ Given_roundness<FT> read_roundness(const Access& access, const NamedParameters& 
   return given;
 }
 
-// f(scheme), where the scheme has a roundness if the call needs one
+// f(scheme), where the scheme has the roundness of the call
 template <class Parameters, class Access, class Scheme, class NamedParameters, class Function>
 decltype(auto) with_roundness_of_call([[maybe_unused]] const Access& access, const Scheme& scheme,
                                       [[maybe_unused]] const NamedParameters& np, const Function& f)
 {
   using FT = typename Parameters::FT;
-  if constexpr (has_roundness_of_call_v<Scheme, Parameters>) {
+  if constexpr (is_pn_v<Scheme>) {
     const auto given = read_roundness<FT, Parameters>(access, np);
-    constexpr bool varies = varies_in_roundness_v<Scheme, Parameters>;
-    return f(With_roundness<Scheme, FT, varies>{{scheme}, &given});
+    return f(
+      With_roundness<Scheme, FT>{{scheme}, &given, varies_in_roundness_v<Scheme, Parameters>});
   } else
     return f(scheme);
 }

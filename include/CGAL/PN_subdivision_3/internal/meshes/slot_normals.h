@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -55,7 +56,7 @@ void read_corner_normals(const Access& access, const Level_connectivity& level,
     if constexpr (is_of_estimate_v<Map>) {
       const auto whole = get_whole(map, access.halfedge_at(h));
       if (is_put != nullptr && !whole.is_estimated) (*is_put)[slot] = true;
-      if constexpr (goes_with_roundness_v<Map> && has_roundness_v<Value>) {
+      if constexpr (goes_with_roundness_v<Map>) {
         const FT w = checked_roundness<FT>(roundness_as<FT>(whole.roundness), true, name);
         FT& of_slot = values[slot].roundness;
         if (count[slot] == 0 || of_slot < w) of_slot = w;
@@ -80,56 +81,36 @@ class Corner_normal_writer
 public:
   static constexpr bool takes_corners = true, takes_wedges = false;
   using Index = Level_connectivity::Index;
-  using Key = typename boost::property_traits<Map>::key_type;
-  using Normal = typename boost::property_traits<Map>::value_type;
 
   Corner_normal_writer(const Access& access, const Level_connectivity& level, Map map)
-    : access_(access)
-    , map_(map)
-  {
-    for (Index h = 0; h < level.number_of_halfedges(); ++h)
-      if (!level.is_border(h)) old_.emplace_back(h, get_whole(map_, access.halfedge_at(h)));
-  }
-  ~Corner_normal_writer()
-  {
-    if (!is_changed_) return;
-    for (const auto& [h, value] : old_) try {
-        put_whole(map_, access_.halfedge_at(h), value);
-      } catch (...) {
-      }
-  }
-  Corner_normal_writer(const Corner_normal_writer&) = delete;
-  Corner_normal_writer& operator=(const Corner_normal_writer&) = delete;
+    : map_(access, map, corners_of(level))
+  {}
 
-  // values has those of the slots
+  // `values` are those of the slots, or the normals of these alone
   template <class FT, class Values>
   void put_all(const Level_connectivity& level, const Creases<FT>& creases, const Values& values)
   {
-    is_changed_ = true;
+    map_.begin();
     const Cut_level<FT> cut(level, creases);
     for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
-      const Coordinates<FT, 3>& n = values[slot].normal;
-      put(map_, access_.halfedge_at(h), Normal(n[0], n[1], n[2]));
-      if constexpr (goes_with_roundness_v<Map> &&
-                    has_roundness_v<std::decay_t<decltype(values[slot])>>)
-        put_roundness(access_.halfedge_at(h), values[slot].roundness);
+      const auto& value = values[slot];
+      if constexpr (!has_normal_v<std::decay_t<decltype(value)>>)
+        map_.set_vector(h, value);
+      else {
+        map_.set_vector(h, value.normal);
+        if constexpr (goes_with_roundness_v<Map>) {
+          const auto key = map_.access().halfedge_at(h);
+          auto whole = get_whole(map_.map(), key);
+          whole.roundness = value.roundness;
+          put_whole(map_.map(), key, whole);
+        }
+      }
     });
   }
-  void keep() { is_changed_ = false; }
+  void keep() { map_.keep(); }
 
 private:
-  template <class FT>
-  void put_roundness(const Key& key, const FT& w)
-  {
-    auto whole = get_whole(map_, key);
-    whole.roundness = w;
-    put_whole(map_, key, whole);
-  }
-
-  const Access& access_;
-  Map map_;
-  std::vector<std::pair<Index, decltype(get_whole(std::declval<Map>(), Key()))>> old_;
-  bool is_changed_ = false;
+  Undoable_map<Access, Map, Halfedge_of_mesh> map_;
 };
 
 // of a map without normals of corners
@@ -234,8 +215,7 @@ public:
         const Coordinates<FT, 3>& n = of_wedge.normal;
         wedges_.emplace_back(access_.halfedge_at(creases.halfedge(e)),
                              typename Map::Of_wedge{Normal(n[0], n[1], n[2])});
-        if constexpr (goes_with_roundness_v<Map> &&
-                      has_roundness_v<std::decay_t<decltype(of_wedge)>>)
+        if constexpr (goes_with_roundness_v<Map>)
           wedges_.back().second.roundness = of_wedge.roundness;
       }
     }

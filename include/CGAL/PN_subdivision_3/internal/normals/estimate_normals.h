@@ -25,15 +25,12 @@ struct Ignore_roundness
   void operator()(Level_connectivity::Index, double) const {}
 };
 
-// into the values of sectors, if they have one
-template <class Value>
+// into the values of sectors
+template <class FT>
 struct Set_roundness_of_value
 {
-  void operator()([[maybe_unused]] Level_connectivity::Index s, [[maybe_unused]] double w) const
-  {
-    if constexpr (has_roundness_v<Value>) values[s].roundness = w;
-  }
-  Value* values;
+  void operator()(Level_connectivity::Index s, double w) const { values[s].roundness = w; }
+  Point_normal<FT, 3>* values;
 };
 
 template <class FT>

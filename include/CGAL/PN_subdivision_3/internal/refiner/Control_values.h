@@ -105,13 +105,12 @@ public:
       const Vertex_sectors sectors(level);
       std::vector<Value> estimated = values_;
       estimate_normals<FT>(
-        level, estimate_, sectors, Point_of_value<Value>{values_.data()},
+        level, estimate_, sectors, Point_of_value<FT>{values_.data()},
         [&](Index v) { return is_given_[v] ? &values_[v].normal : nullptr; },
-        Set_normal_of_value<Value>{estimated.data()},
-        Set_roundness_of_value<Value>{estimated.data()});
+        Set_normal_of_value<FT>{estimated.data()}, Set_roundness_of_value<FT>{estimated.data()});
       for (Index v = 0; v < values_.size(); ++v) {
         if (is_given_[v]) continue;
-        if (has_given_roundness_) share_roundness(values_[v], estimated[v]);
+        if (has_given_roundness_) estimated[v].roundness = values_[v].roundness;
         if (is_same_estimate(values_[v], estimated[v])) continue;
         values_[v] = estimated[v];
         change(v);
@@ -122,7 +121,7 @@ public:
   // in place of that of the estimate
   void set_roundness(const Given_roundness<FT>& given)
   {
-    if constexpr (has_roundness_v<Value>) {
+    if constexpr (has_normals) {
       given.put(values_.size(), values_);
       has_given_roundness_ = given.is_any();
       is_roundness_of_estimate_ = given.is_of_estimate;
@@ -159,9 +158,10 @@ public:
   {
     is_estimated_ = false;
     is_given_.clear();
-    for (Index v = 0; v < values_.size(); ++v) values_[v].normal = slot_values[v].normal;
-    if constexpr (has_roundness_v<Value>)
-      for (Index v = 0; v < values_.size(); ++v) share_roundness(slot_values[v], values_[v]);
+    for (Index v = 0; v < values_.size(); ++v) {
+      values_[v].normal = slot_values[v].normal;
+      values_[v].roundness = slot_values[v].roundness;
+    }
     slots_ = {slot_values, std::move(tell_of_tangents)};
   }
   const Given_slots& given_slots() const { return slots_; }
@@ -210,9 +210,7 @@ private:
 
   static bool is_same_estimate(const Value& a, const Value& b)
   {
-    if constexpr (has_roundness_v<Value>)
-      if (!(a.roundness == b.roundness)) return false;
-    return a.normal == b.normal;
+    return a.roundness == b.roundness && a.normal == b.normal;
   }
 
   void change(std::size_t v)

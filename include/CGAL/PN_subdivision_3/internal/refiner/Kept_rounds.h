@@ -49,12 +49,7 @@ bool is_same_value(const Coordinates<FT, 3>& a, const Coordinates<FT, 3>& b)
 template <class FT>
 bool is_same_value(const Point_normal<FT, 3>& a, const Point_normal<FT, 3>& b)
 {
-  return is_same_value<FT>(a.point, b.point) && is_same_value<FT>(a.normal, b.normal);
-}
-template <class FT>
-bool is_same_value(const Point_normal_roundness<FT, 3>& a, const Point_normal_roundness<FT, 3>& b)
-{
-  return is_same_value<FT>(Point_normal<FT, 3>(a), Point_normal<FT, 3>(b)) &&
+  return is_same_value<FT>(a.point, b.point) && is_same_value<FT>(a.normal, b.normal) &&
          a.roundness == b.roundness;
 }
 
@@ -310,18 +305,17 @@ private:
       for (Index s = 0; s < given_slots.values.size(); ++s)
         if (control.has_several_normals(s < n ? s : extra[s - n])) {
           values[s].normal = given_slots.values[s].normal;
-          share_roundness(given_slots.values[s], values[s]);
+          values[s].roundness = given_slots.values[s].roundness;
           is_given[s] = true;
         }
       for (Crease_edge<FT>& e : creases.edges) e.tangent_from.fill(zero_vector<FT, 3>());
       if (!given_slots.values.empty())
         make_control_tangents(*whole_control_, creases, values, given_slots.tell_of_tangents,
                               normal_estimate(scheme_) == Control_normal_estimate::coherent);
-      Control_creases<FT, Value>(*whole_control_, creases, values, is_given,
-                                 normal_estimate(scheme_))();
+      Control_creases<FT>(*whole_control_, creases, values, is_given, normal_estimate(scheme_))();
       for (Index s = 0; s < values.size(); ++s) {
         const Index v = s < n ? s : extra[s - n];
-        if (control.has_given_roundness(v)) share_roundness(control[v], values[s]);
+        if (control.has_given_roundness(v)) values[s].roundness = control[v].roundness;
       }
     }
     return values;

@@ -27,20 +27,9 @@ template <bool with_normals, class FT, int dimension>
 using Average_of =
   std::conditional_t<with_normals, PN_average<FT, dimension>, Linear_average<FT, dimension>>;
 
-// the PN average of values with a roundness of their own
-template <class FT, int dimension>
-using Average_with_roundness = PN_average<FT, dimension, Point_normal_roundness<FT, dimension>>;
-
-// what is averaged
 template <class Scheme, class FT>
-using Value_of_scheme = std::conditional_t<may_vary_in_roundness_v<Scheme>,
-                                           Point_normal_roundness<FT, 3>, Point_normal<FT, 3>>;
-
-template <class Scheme, class FT>
-using Average_of_scheme = std::conditional_t<
-  !is_pn_v<Scheme>, Linear_average<FT, 3>,
-  std::conditional_t<Has_grid_rows<Scheme>::value, Grid_average<FT, Value_of_scheme<Scheme, FT>>,
-                     PN_average<FT, 3, Value_of_scheme<Scheme, FT>>>>;
+using Average_of_scheme = std::conditional_t<is_pn_v<Scheme> && Has_grid_rows<Scheme>::value,
+                                             Grid_average<FT>, Average_of<is_pn_v<Scheme>, FT, 3>>;
 
 // the average of values that have one roundness; of points alone it plays no part
 template <class Average>
@@ -57,9 +46,8 @@ Average average_of([[maybe_unused]] const Scheme& scheme)
 {
   Average average{};
   if constexpr (!std::is_null_pointer_v<Outermost<Is_with_roundness, Scheme>> &&
-                has_normal_v<typename Average::Value> && !has_roundness_v<typename Average::Value>)
-    if (const auto* given = outermost<Is_with_roundness>(scheme)->given)
-      average.roundness = given->of_all.value_or(average.roundness);
+                has_normal_v<typename Average::Value>)
+    average.roundness = outermost<Is_with_roundness>(scheme)->of_all();
   return average;
 }
 

@@ -116,7 +116,7 @@ public:
   std::optional<Quadratic_part<Real>> operator()(const Ring& ring, const Real& noise) const
   {
     const auto* const mask = functionals_.limit().data();
-    const Value limit = PN_average<Real, 3>()(mask, mask + size(), ring.data());
+    const Value limit = PN_average<Real, 3>{Real(1)}(mask, mask + size(), ring.data());
     for (const Value& v : ring)
       if (!(dot(v.normal, limit.normal) >= Real(1) / 2)) return std::nullopt;
     const Local_frame<Real> frame(limit.point, limit.normal);
@@ -294,7 +294,7 @@ struct No_transfers
 // The rows of the rings are evaluated for it, besides the round itself, which is not stored in any
 // call: a round's values go by in blocks. Rings have no vertex in common, and each has one owner among
 // the threads.
-template <class FT, class Value>
+template <class FT>
 class Transferred_normals
 {
 public:
@@ -323,13 +323,11 @@ public:
     std::vector<char> is_changed(separated.size(), 0);
     for_chunks.in_precision<FT>(static_cast<Index>(separated.size()), [&](Index first, Index last) {
       std::map<std::size_t, Normal_transfer<FT>> transfers; // for each size of a ring
-      std::vector<Value> of_ring;
       std::vector<Point_normal<FT, 3>> ring;
       for (Index i = first; i < last; ++i) {
         const std::size_t size = begin[i + 1] - begin[i];
-        of_ring.resize(size);
-        evaluate(&vertices_[begin[i]], static_cast<Index>(size), of_ring.data());
-        ring.assign(of_ring.begin(), of_ring.end());
+        ring.resize(size);
+        evaluate(&vertices_[begin[i]], static_cast<Index>(size), ring.data());
         auto transfer = transfers.find(size);
         if (transfer == transfers.end())
           transfer =
@@ -353,7 +351,7 @@ public:
 
   bool is_empty() const { return normals_.empty(); }
   // into the values of the new vertices [first, first + n)
-  void put(Index first, Index n, Value* values) const
+  void put(Index first, Index n, Point_normal<FT, 3>* values) const
   {
     if (normals_.empty()) return;
     auto it = std::lower_bound(normals_.begin(), normals_.end(), first,

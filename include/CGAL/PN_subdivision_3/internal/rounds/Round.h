@@ -81,18 +81,18 @@ public:
 
   // What stands in place of the normals of the rows, where the scheme transfers curvature; found from
   // the old values, before the round is evaluated.
-  using Transfers = std::conditional_t<has_transfers, Transferred_normals<FT, Value>, No_transfers>;
+  using Transfers = std::conditional_t<has_transfers, Transferred_normals<FT>, No_transfers>;
   Transfers transfers(const Value* old, [[maybe_unused]] const For_chunks& for_chunks) const
   {
     if constexpr (has_transfers)
-      return Transferred_normals<FT, Value>(
-        mask_level_, host_, mask_.separated_vertices(), Host::refined_degree, for_chunks,
-        [&](const Index* vertices, Index number, Value* values) {
-          evaluate(vertices, vertices + number, old,
-                   [&](const Index* first, const Value* v, Index n) {
-                     std::copy(v, v + n, values + (first - vertices));
-                   });
-        });
+      return Transferred_normals<FT>(mask_level_, host_, mask_.separated_vertices(),
+                                     Host::refined_degree, for_chunks,
+                                     [&](const Index* vertices, Index number, Value* values) {
+                                       evaluate(vertices, vertices + number, old,
+                                                [&](const Index* first, const Value* v, Index n) {
+                                                  std::copy(v, v + n, values + (first - vertices));
+                                                });
+                                     });
     else {
       (void)old;
       return {};

@@ -67,7 +67,7 @@ private:
 // PN_average itself. Rows of the same length are left to Wide, where the processor has the
 // registers for it; it changes no bit of the result.
 template <class Average_, int dimension,
-          class Wide = Wide_PN_average<typename Average_::FT, dimension, typename Average_::Value>>
+          class Wide = Wide_PN_average<typename Average_::FT, dimension>>
 class Staged_PN_average_block
 {
 public:
@@ -120,7 +120,8 @@ private:
         continue;
       }
       std::uint32_t fails =
-        Wide::average(rows.begin(first), n, end - first, old, average_.roundness, result + first);
+        Wide::average(rows.begin(first), n, end - first, old,
+                      average_.roundness ? &*average_.roundness : nullptr, result + first);
       for (std::size_t r = first; r < end && fails != 0; ++r, fails >>= 1)
         if ((fails & 1) != 0) result[r] = careful_row(rows, rows, r, old);
     }
@@ -150,10 +151,7 @@ private:
       for (int c = 0; c < dimension; ++c) result[r].normal[c] *= scale[r];
       FT least_denominator(2);
       FT h = height(rows, r, old, result[r], least_denominator);
-      if constexpr (has_roundness_v<Value>)
-        h *= result[r].roundness;
-      else
-        h *= average_.roundness;
+      h *= result[r].roundness;
       add_multiple(result[r].point, h, result[r].normal);
       if (!(least_denominator >= fade_begin<FT>() && scale[r] < greatest_scale<FT>()) ||
           length(rows, r) == 1 || length(normal_rows, r) == 1)
@@ -161,15 +159,14 @@ private:
     }
   }
 
-  static Value sums(const Rows& rows, const Rows& normal_rows, std::size_t r, const Value* old)
+  Value sums(const Rows& rows, const Rows& normal_rows, std::size_t r, const Value* old) const
   {
     Value result{};
-    if constexpr (has_roundness_v<Value>) result.roundness = FT(0);
-    for (const Entry* e = rows.begin(r); e != rows.end(r); ++e) {
+    for (const Entry* e = rows.begin(r); e != rows.end(r); ++e)
       add_multiple(result.point, e->weight, old[e->vertex].point);
-      if constexpr (has_roundness_v<Value>)
-        result.roundness += e->weight * old[e->vertex].roundness;
-    }
+    result.roundness = average_.roundness.value_or(FT(0));
+    for (const Entry* e = rows.begin(r); !average_.roundness && e != rows.end(r); ++e)
+      result.roundness += e->weight * old[e->vertex].roundness;
     for (const Entry* e = normal_rows.begin(r); e != normal_rows.end(r); ++e)
       add_multiple(result.normal, e->weight, old[e->vertex].normal);
     return result;
@@ -210,10 +207,10 @@ struct Block_of
   using type = Average_block<Average>;
 };
 
-template <class FT, int dimension, class Value>
-struct Block_of<PN_average<FT, dimension, Value>>
+template <class FT, int dimension>
+struct Block_of<PN_average<FT, dimension>>
 {
-  using Average = PN_average<FT, dimension, Value>;
+  using Average = PN_average<FT, dimension>;
   using type =
     std::conditional_t<std::is_floating_point_v<FT>, Staged_PN_average_block<Average, dimension>,
                        Average_block<Average>>;

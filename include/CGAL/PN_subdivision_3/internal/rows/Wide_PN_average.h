@@ -156,8 +156,7 @@ constexpr FT least_squared_length() // of a normal that is too short
 
 // The PN averages of rows of the same length side by side in the lanes of wide registers. For this
 // number type and compiler there are none.
-template <class FT, int dimension, class Value_ = Point_normal<FT, dimension>,
-          bool has_lanes = (Avx2_lanes<FT>::width > 0)>
+template <class FT, int dimension, bool has_lanes = (Avx2_lanes<FT>::width > 0)>
 struct Wide_PN_average
 {
   static constexpr std::size_t maximum_length = 0;
@@ -168,8 +167,8 @@ struct Wide_PN_average
 // third. Every row is summed in the order of Staged_PN_average_block: the results are the same bit by
 // bit, unless the whole program is built for processors with FMA and the compiler fuses operations as
 // it likes.
-template <class FT, int dimension, class Value_>
-class Wide_PN_average<FT, dimension, Value_, true>
+template <class FT, int dimension>
+class Wide_PN_average<FT, dimension, true>
 {
   using Lanes = Avx2_lanes<FT>;
   using Packed = typename Lanes::Packed;
@@ -177,7 +176,7 @@ class Wide_PN_average<FT, dimension, Value_, true>
 
 public:
   using Entry = typename Stencil_block<FT>::Entry;
-  using Value = Value_;
+  using Value = Point_normal<FT, dimension>;
 
   static constexpr std::size_t maximum_length = 32;
   // four registers of rows hide the latency of square root and division
@@ -187,21 +186,20 @@ public:
 
   // Averages rows that lie one after another. Bit r of what is returned is set where result[r] does
   // not hold: entries of the row fade, or its normal may vanish. A value is the numbers of its point,
-  // its normal and its roundness; `roundness` is that of values which have none of their own.
+  // its normal and its roundness; `roundness` is that of all values, if it is one.
   [[gnu::target("avx2")]] static std::uint32_t average(const Entry* rows, std::size_t length,
                                                        std::size_t number, const Value* old,
-                                                       FT roundness, Value* result)
+                                                       const FT* roundness, Value* result)
   {
     static_assert(sizeof(Entry) == 2 * sizeof(FT) &&
-                  sizeof(Value) == (2 * dimension + has_roundness) * sizeof(FT));
+                  sizeof(Value) == (2 * dimension + 1) * sizeof(FT));
     Old entries[maximum_length * maximum_number_of_rows / width];
     Sums sums[maximum_number_of_rows / width];
     const std::size_t groups = (number + width - 1) / width;
     for (std::size_t g = 0; g < groups; ++g) {
       const Entry* row[width];
       for (std::size_t i = 0; i < width; ++i) row[i] = rows + row_of_lane(g, i, number) * length;
-      sum(row, length, old, entries + g * length, sums[g]);
-      if constexpr (!has_roundness) sums[g].roundness = Lanes::all(roundness);
+      sum(row, length, old, entries + g * length, sums[g], roundness);
     }
     for (std::size_t g = 0; g < groups; ++g)
       sums[g].scale = Lanes::all(1) / Lanes::sqrt(sums[g].squared_length);
@@ -215,8 +213,6 @@ public:
   }
 
 private:
-  static constexpr bool has_roundness = has_roundness_v<Value>;
-
   // the j-th entries of a register of rows
   struct Old
   {
@@ -237,18 +233,20 @@ private:
 
   // all of the sums but the scale; keeps the entries
   CGAL_PN_SUBDIVISION_3_AVX2_INLINE void sum(const Entry* const (&row)[width], std::size_t length,
-                                             const Value* old, Old* entries, Sums& sums)
+                                             const Value* old, Old* entries, Sums& sums,
+                                             const FT* of_all)
   {
     Packed q[dimension], n[dimension];
-    [[maybe_unused]] Packed roundness = Lanes::all(0);
+    Packed roundness = Lanes::all(of_all == nullptr ? FT(0) : *of_all);
     for (int c = 0; c < dimension; ++c) q[c] = n[c] = Lanes::all(0);
     for (std::size_t j = 0; j < length; ++j) {
-      gather(row, j, old, entries[j], roundness);
+      gather(row, j, old, entries[j], of_all == nullptr ? &roundness : nullptr);
       for (int c = 0; c < dimension; ++c) {
         q[c] += entries[j].weight * entries[j].numbers[c];
         n[c] += entries[j].weight * entries[j].numbers[dimension + c];
       }
     }
+    sums.roundness = roundness;
     sums.squared_length = n[0] * n[0];
     for (int c = 1; c < dimension; ++c) sums.squared_length += n[c] * n[c];
     sums.squared_length =
@@ -257,13 +255,11 @@ private:
       sums.q[c] = q[c];
       sums.normal[c] = n[c];
     }
-    if constexpr (has_roundness) sums.roundness = roundness;
   }
 
   // the roundness of the entries is added
   CGAL_PN_SUBDIVISION_3_AVX2_INLINE void gather(const Entry* const (&row)[width], std::size_t j,
-                                                const Value* old, Old& entry,
-                                                [[maybe_unused]] Packed& roundness)
+                                                const Value* old, Old& entry, Packed* roundness)
   {
     const FT* at[width];
     for (std::size_t i = 0; i < width; ++i) at[i] = reinterpret_cast<const FT*>(row[i] + j);
@@ -275,7 +271,7 @@ private:
       entry.numbers[k] = pairs.first;
       entry.numbers[k + 1] = pairs.second;
     }
-    if constexpr (has_roundness) roundness += entry.weight * Lanes::numbers(at, 2 * dimension);
+    if (roundness != nullptr) *roundness += entry.weight * Lanes::numbers(at, 2 * dimension);
   }
 
   // returns the lanes that fail
@@ -297,8 +293,7 @@ private:
     if (j < length) last = weighted_height(entries[j], q, n, least);
     Packed height = even + odd + last;
     height *= sums.roundness;
-    if constexpr (has_roundness)
-      for (std::size_t i = 0; i < width; ++i) values[i]->roundness = sums.roundness[i];
+    for (std::size_t i = 0; i < width; ++i) values[i]->roundness = sums.roundness[i];
     for (int c = 0; c < dimension; ++c) {
       q[c] += height * n[c];
       for (std::size_t i = 0; i < width; ++i) {

@@ -206,27 +206,27 @@ struct Given_roundness
   }
 };
 
-// A scheme with a roundness, which is put around the user's scheme as the outermost adaptor. It varies, and values have one of
-// their own, in the calls that estimate normals, that are given a map, or in which sharp edges end; where it is one number,
-// Given_roundness::of_all, the average has it.
-template <class Scheme, class FT, bool varies = true>
+// A scheme with a roundness, which is put around the user's scheme as the outermost adaptor. It varies in the calls that
+// estimate normals, that are given a map, or in which sharp edges end.
+template <class Scheme, class FT>
 struct With_roundness : Scheme_adaptor<Scheme>
 {
   const Given_roundness<FT>* given = nullptr; // none is given
+  bool varies = true;
+
+  // that of all values, if it is one
+  std::optional<FT> of_all() const
+  {
+    if (varies) return std::nullopt;
+    return given == nullptr ? FT(1) : given->of_all.value_or(FT(1));
+  }
 };
 
 template <class Scheme>
 struct Is_with_roundness : std::false_type
 {};
-template <class Scheme, class FT, bool varies>
-struct Is_with_roundness<With_roundness<Scheme, FT, varies>> : std::true_type
-{};
-
-template <class Scheme>
-struct Is_with_varying_roundness : std::false_type
-{};
 template <class Scheme, class FT>
-struct Is_with_varying_roundness<With_roundness<Scheme, FT, true>> : std::true_type
+struct Is_with_roundness<With_roundness<Scheme, FT>> : std::true_type
 {};
 
 // What rounds and limits ask of a scheme. What a call says of the border, the tangents of creases and the estimate of normals is
@@ -239,22 +239,17 @@ decltype(auto) rules_of(const Scheme& scheme)
   else
     return (scheme);
 }
-template <class Scheme, class FT, bool varies>
-auto rules_of(const With_roundness<Scheme, FT, varies>& scheme)
+template <class Scheme, class FT>
+auto rules_of(const With_roundness<Scheme, FT>& scheme)
 {
   using Rules = std::decay_t<decltype(rules_of(scheme.scheme))>;
   if constexpr (Is_linear<Rules>::value)
     return rules_of(scheme.scheme);
   else
-    return With_roundness<Rules, FT, varies>{{rules_of(scheme.scheme)}, scheme.given};
+    return With_roundness<Rules, FT>{{rules_of(scheme.scheme)}, scheme.given, scheme.varies};
 }
 template <class Scheme>
 using Rules_of = std::decay_t<decltype(rules_of(std::declval<const Scheme&>()))>;
-
-// whether values of the scheme have a roundness of their own
-template <class Scheme>
-constexpr bool may_vary_in_roundness_v =
-  !std::is_null_pointer_v<Outermost<Is_with_varying_roundness, Scheme>>;
 
 // puts what is given into the values of the vertices, the first, and of their extra slots
 template <class Scheme, class Value, class Index = std::size_t>
@@ -264,17 +259,14 @@ void put_given_roundness([[maybe_unused]] const Scheme& scheme,
                          [[maybe_unused]] const std::vector<bool>* is_normal_given = nullptr,
                          [[maybe_unused]] const std::vector<Index>& extra = {})
 {
-  if constexpr (may_vary_in_roundness_v<Scheme> && has_roundness_v<Value>)
-    if (const auto* given = outermost<Is_with_roundness>(scheme)->given; given != nullptr)
-      given->put(vertices, values, is_normal_given, extra);
-}
-
-// the wedges of a vertex have one roundness if it is given
-template <class Value, class Other_value>
-void share_roundness([[maybe_unused]] const Value& of_vertex,
-                     [[maybe_unused]] Other_value& of_wedge)
-{
-  if constexpr (has_roundness_v<Value>) of_wedge.roundness = of_vertex.roundness;
+  if constexpr (!std::is_null_pointer_v<Outermost<Is_with_roundness, Scheme>> &&
+                has_normal_v<Value>) {
+    const auto* with_roundness = outermost<Is_with_roundness>(scheme);
+    if (const auto of_all = with_roundness->of_all())
+      for (Value& value : values) value.roundness = *of_all;
+    else if (with_roundness->given != nullptr)
+      with_roundness->given->put(vertices, values, is_normal_given, extra);
+  }
 }
 
 // Of the entries of a crease average, of which of(j) is the roundness. Equal ones are not summed: here the weights come in
