@@ -26,7 +26,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -86,85 +85,33 @@ Coordinates<typename Average::FT, 3> limit_normal(const Limit_result<Average>& r
 }
 
 // Writes limits into the maps of a mesh, and puts the old values back if that fails.
-template <class Access, class Scheme, class Point_map, class Normal_map>
-class Limit_writer
+template <class Scheme, class Access, class Point_map, class Normal_map, class Results>
+void write_limits(const Access& access, Point_map points, Normal_map normals,
+                  const Results& results, const Limit_options& options)
 {
-  static constexpr bool has_normal_map = !std::is_same_v<Normal_map, No_normal_map>;
-  using Index = Level_connectivity::Index;
-  using Point = typename boost::property_traits<Point_map>::value_type;
-
-  template <class Map>
-  struct Value_type
-  {
-    using type = typename boost::property_traits<Map>::value_type;
-  };
-  using Normal = typename std::conditional_t<has_normal_map, Value_type<Normal_map>,
-                                             Value_type<Point_map>>::type;
-
-public:
-  Limit_writer(const Access& access, Point_map points, Normal_map normals)
-    : access_(access)
-    , points_(points)
-    , normals_(normals)
-  {}
-
-  template <class Results>
-  void write(const Results& results, const Limit_options& options)
-  {
-    const bool surface_normals = options.surface_normals, moves = asks_for_points(options);
-    const bool writes_normals = has_normal_map && (is_pn_v<Scheme> || surface_normals);
-    for (std::size_t v = 0; v < results.size(); ++v) {
-      old_points_.push_back(get(points_, vertex(v)));
+  using Old_points = Old_values<Point_map, Vertex_of_mesh>;
+  using Old_normals = Old_values<Normal_map, Vertex_of_mesh>;
+  constexpr bool has_normal_map = !std::is_same_v<Normal_map, No_normal_map>;
+  const bool writes_normals = has_normal_map && (is_pn_v<Scheme> || options.surface_normals);
+  Old_points old_points(access, results.size(), points);
+  Old_normals old_normals(access, writes_normals ? results.size() : 0, normals);
+  try {
+    for (Level_connectivity::Index v = 0; v < results.size(); ++v) {
+      const auto& p = point_of(results[v].value);
+      if (asks_for_points(options))
+        put(points, access.vertex(v), typename Old_points::Value(p[0], p[1], p[2]));
       if constexpr (has_normal_map)
-        if (writes_normals) old_normals_.push_back(get(normals_, vertex(v)));
+        if (writes_normals) {
+          const auto n = limit_normal<Scheme>(results[v], options.surface_normals);
+          put(normals, access.vertex(v), typename Old_normals::Value(n[0], n[1], n[2]));
+        }
     }
-    try {
-      for (std::size_t v = 0; v < results.size(); ++v) {
-        const auto& p = point_of(results[v].value);
-        if (moves) put(points_, vertex(v), Point(p[0], p[1], p[2]));
-        if (writes_normals) put_normal(v, results[v], surface_normals);
-      }
-    } catch (...) {
-      put_back();
-      throw;
-    }
+  } catch (...) {
+    old_points.put_back(access);
+    old_normals.put_back(access);
+    throw;
   }
-
-private:
-  auto vertex(std::size_t v) const { return access_.vertex(static_cast<Index>(v)); }
-
-  template <class Result>
-  void put_normal([[maybe_unused]] std::size_t v, [[maybe_unused]] const Result& result,
-                  [[maybe_unused]] bool surface_normals)
-  {
-    if constexpr (has_normal_map) {
-      const auto n = limit_normal<Scheme>(result, surface_normals);
-      put(normals_, vertex(v), Normal(n[0], n[1], n[2]));
-    }
-  }
-
-  // a map that throws here too keeps what it has
-  void put_back() noexcept
-  {
-    for (std::size_t v = 0; v < old_points_.size(); ++v) {
-      try {
-        put(points_, vertex(v), old_points_[v]);
-      } catch (...) {
-      }
-      if constexpr (has_normal_map)
-        if (v < old_normals_.size()) try {
-            put(normals_, vertex(v), old_normals_[v]);
-          } catch (...) {
-          }
-    }
-  }
-
-  const Access& access_;
-  Point_map points_;
-  Normal_map normals_;
-  std::vector<Point> old_points_;
-  std::vector<Normal> old_normals_;
-};
+}
 
 // A map of limits that writes what the call has maps for: points, normals and errors.
 template <class Key, class Kernel, class NamedParameters>
