@@ -44,7 +44,7 @@ PN_subdivision_3
   refiner     Surface_refiner.h | base numbers average concepts scheme_parts hosts rows schemes rounds normals creases refinement
               meshes attributes calls
 PN_cgal_masks_3
-  cgal_masks  . internal masks | PN_subdivision_3
+  cgal_masks  . internal | PN_subdivision_3
 PN_limit_surface_3
   curvature   estimate_curvature.h | PN_subdivision_3
   limit       limit_points.h subdivide_to_limit.h | PN_subdivision_3 curvature
@@ -58,7 +58,7 @@ PN_recognition_3
 PN_fitting_3
   fitting     . internal interpolation | PN_subdivision_3 PN_limit_surface_3 curves
 PN_certificates_3
-  certificates  . internal exact | PN_subdivision_3 curves
+  certificates  . internal | PN_subdivision_3 curves
 umbrellas
   umbrellas   PN_subdivision_3.h PN_subdivision_curve.h PN_subdivision_limit_3.h PN_fitting_3.h PN_recognition_3.h
               PN_certificates_3.h PN_cgal_masks_3.h

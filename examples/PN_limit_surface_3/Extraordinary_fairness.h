@@ -83,7 +83,7 @@ public:
       number_.push_back(vertices_.size());
       if (finest_.norm(v) < 8 || finest_.norm(v) > 16) continue;
       vertices_.push_back(v);
-      jet_.append_ring(level, level.halfedge_of_vertex(v), stencils_);
+      CGAL::PN_subdivision_3::append_regular_ring(level, v, stencils_);
     }
   }
 

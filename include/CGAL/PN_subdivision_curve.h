@@ -17,7 +17,6 @@ is in `PN_fitting_3.h`, arcs are in `PN_recognition_3.h`.
 
 #include <CGAL/PN_curves/curve_control_normals.h>
 #include <CGAL/PN_curves/curve_corners.h>
-#include <CGAL/PN_curves/masks/Curve_end.h>
 #include <CGAL/PN_curves/masks/curve_masks.h>
 #include <CGAL/PN_curves/subdivide_curve.h>
 

@@ -11,7 +11,7 @@
 
 #include "analysis/curve_analysis.h"
 
-#include <CGAL/PN_curves/masks/Curve_end.h>
+#include <CGAL/PN_curves/masks/curve_masks.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -188,6 +188,21 @@ private:
   std::vector<Face> faces_;
 };
 
+/// appends a vertex and its 1-ring, clockwise.
+/// \pre the vertex and its faces are regular
+inline void append_regular_ring(const Level_connectivity& level, Level_connectivity::Index v,
+                                std::vector<Level_connectivity::Index>& ring)
+{
+  Level_connectivity::Index h = level.halfedge_of_vertex(v);
+  ring.push_back(v);
+  for (auto n = level.valence(v); n > 0; --n) {
+    h = level.next(h);
+    ring.push_back(level.target(h));
+    h = Level_connectivity::opposite(h);
+    if (!level.has_degree(h, 3)) ring.push_back(level.target(level.next(level.next(h))));
+  }
+}
+
 } // namespace PN_subdivision_3
 } // namespace CGAL
 

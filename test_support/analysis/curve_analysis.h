@@ -27,6 +27,15 @@ namespace internal {
 template <int dimension>
 using Real_coordinates = Coordinates<long double, dimension>;
 
+template <class FT, std::size_t dimension>
+std::array<FT, dimension> difference_of(const std::array<FT, dimension>& a,
+                                        const std::array<FT, dimension>& b)
+{
+  std::array<FT, dimension> c;
+  for (std::size_t i = 0; i < dimension; ++i) c[i] = a[i] - b[i];
+  return c;
+}
+
 // The vector from p to the center of the circle through p + a, p and p + b, divided by the squared
 // radius: zero if the three are on a line or two of them are the same.
 template <int dimension>
@@ -141,7 +150,7 @@ auto curvature_comb(const Range& curve, Curve_end end, double scale,
   for (std::size_t i = 0; i < points.size(); ++i) {
     auto tip = points[i];
     internal::add_multiple<Real, dimension>(tip, -static_cast<Real>(scale), k[i]);
-    comb.push_back(Points::template make<typename Points::Point>(tip));
+    comb.push_back(internal::from_coordinates<typename Points::Point>(tip));
   }
   return comb;
 }
@@ -181,7 +190,7 @@ auto divided_differences(const Range& curve, Curve_end end, unsigned order, unsi
   }
   std::vector<typename Points::Vector> result;
   result.reserve(d.size());
-  for (const auto& v : d) result.push_back(Points::template make<typename Points::Vector>(v));
+  for (const auto& v : d) result.push_back(internal::from_coordinates<typename Points::Vector>(v));
   return result;
 }
 

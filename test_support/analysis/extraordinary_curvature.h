@@ -190,7 +190,7 @@ public:
     const Level_connectivity finest_level = finest.level();
     for (Index v = 0; v < finest.number_of_vertices(); ++v)
       if (finest.norm(v) >= 8 && finest.norm(v) <= 16)
-        jet_.append_ring(finest_level, finest_level.halfedge_of_vertex(v), stencils_);
+        append_regular_ring(finest_level, v, stencils_);
   }
 
   /// the control net.

@@ -9,8 +9,7 @@
 #ifndef CGAL_PN_CERTIFICATES_3_COMPARE_WITH_LINEAR_H
 #define CGAL_PN_CERTIFICATES_3_COMPARE_WITH_LINEAR_H
 
-#include <CGAL/PN_certificates_3/internal/Level_shape.h>
-#include <CGAL/PN_certificates_3/internal/refined_aside.h>
+#include <CGAL/PN_certificates_3/internal/Compared_level.h>
 #include <CGAL/PN_subdivision_3/detect_creases.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
@@ -140,7 +139,7 @@ inline void compare_points(const Level_shape& result, const Level_shape& linear,
   for (std::size_t v = 0; v < lengths.size(); ++v) {
     if (!(lengths[v] > 0)) continue; // the vertex is isolated, or its neighbors coincide with it
     const double distance =
-      quick_length(difference<double, 3>(result.points()[v], linear.points()[v])) / lengths[v];
+      quick_length(difference(result.points()[v], linear.points()[v])) / lengths[v];
     if (!(distance > comparison.largest_distance)) continue;
     comparison.largest_distance = distance;
     comparison.farthest_vertex = v;

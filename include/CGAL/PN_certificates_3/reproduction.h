@@ -12,8 +12,8 @@
 #include <CGAL/Dimension.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/PN_certificates_3/exact/Deviation.h>
 #include <CGAL/PN_certificates_3/internal/Shape_measure.h>
+#include <CGAL/PN_certificates_3/internal/measure_number.h>
 #include <CGAL/PN_curves/internal/Curve_points.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
@@ -27,10 +27,83 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Reproduction
+
+A circular cylinder: the points at a given distance from a line.
+
+\tparam Kernel a model of `Kernel`
+*/
+template <class Kernel>
+class Cylinder_3
+{
+public:
+  /// the number type.
+  using FT = typename Kernel::FT;
+  /// the type of the axis.
+  using Line_3 = typename Kernel::Line_3;
+
+  /// the cylinder of radius R about the axis, given R<sup>2</sup>.
+  Cylinder_3(const Line_3& axis, const FT& squared_radius)
+    : axis_(axis)
+    , squared_radius_(squared_radius)
+  {}
+
+  /// the axis.
+  const Line_3& axis() const { return axis_; }
+  /// the squared radius.
+  const FT& squared_radius() const { return squared_radius_; }
+
+private:
+  Line_3 axis_;
+  FT squared_radius_;
+};
+
+/*!
+\ingroup PkgPNSubdivision3Reproduction
+
+The deviation of a mesh or curve from a shape, as `mesh_deviation()` and `curve_deviation()` return it.
+
+\tparam Number see `Deviation_number`
+\tparam Element the vertex descriptor of a mesh; the position in a curve
+*/
+template <class Number_, class Element_>
+struct Deviation
+{
+  /// the number type of the deviations.
+  using Number = Number_;
+  /// names the vertex of a deviation.
+  using Element = Element_;
+
+  /// how many points were looked at
+  std::size_t number_of_points = 0;
+  /// the `squared_deviation()` of the point that is farthest from the shape
+  Number squared_deviation = Number(0);
+  /// that point; of several equal ones the first
+  Element farthest_point = Element();
+  /// an interval around the largest distance of all points from the shape
+  Interval_nt<> distance = 0;
+  /// whether all points are on the shape, without any tolerance
+  Uncertain<bool> points_are_on_shape = true;
+
+  /// how many normals were looked at: those that are not zero
+  std::size_t number_of_normals = 0;
+  /// the largest `squared_normal_deviation()`
+  Number squared_normal_deviation = Number(0);
+  /// the point whose normal it is
+  Element most_turned_normal = Element();
+  /// an interval around the largest sine of all normals
+  Interval_nt<> normal_sine = 0;
+  /// whether all normals are those of the shape or opposite to them
+  Uncertain<bool> normals_are_exact = true;
+
+  /// empty, or what to do where one of the two answers is indeterminate: the message names a header and a function
+  const char* advice = "";
+};
 
 /*!
 \ingroup PkgPNSubdivision3Reproduction
@@ -60,6 +133,7 @@ template <class Point, class Shape>
 auto shape_for(const Shape& shape)
 {
   auto measure = shape_measure<Number_of_point<Point>>(shape);
+  measure.check();
   static_assert(decltype(measure)::dimension == Ambient_dimension<Point>::value,
                 "the shape and the point must have the same dimension");
   return measure;
@@ -76,10 +150,15 @@ auto checked_coordinates(const Point_or_vector& p, const char* what, const Name&
   return measure_coordinates<Number_of_point<Point>, dimension>(p);
 }
 
-struct Point_itself
+inline std::string the_point()
 {
-  std::string operator()() const { return "the point"; }
-};
+  return "the point";
+}
+template <class Point>
+auto position_of(const Point& p)
+{
+  return checked_coordinates<Point>(p, "position", the_point);
+}
 
 template <class FT, class Number>
 Number unit_of_last_place()
@@ -124,8 +203,7 @@ template <class Point, class Shape>
 auto squared_deviation(const Point& p, const Shape& shape)
 {
   const auto measure = internal::shape_for<Point>(shape);
-  return measure.squared_deviation(measure.residual(
-    internal::checked_coordinates<Point>(p, "position", internal::Point_itself())));
+  return measure.squared_deviation(measure.residual(internal::position_of(p)));
 }
 
 /*!
@@ -145,12 +223,11 @@ template <class Vector, class Point, class Shape>
 auto squared_normal_deviation(const Vector& n, const Point& p, const Shape& shape)
 {
   const auto measure = internal::shape_for<Point>(shape);
-  const auto normal = internal::checked_coordinates<Point>(n, "normal", internal::Point_itself());
+  const auto normal = internal::checked_coordinates<Point>(n, "normal", internal::the_point);
   if (certainly(measure.squared_length(normal) == internal::Number_of_point<Point>(0)))
     throw std::invalid_argument("PN_subdivision_3: the normal is the zero vector, whose deviation "
                                 "is undefined: give another one");
-  return measure.squared_sine(
-    normal, internal::checked_coordinates<Point>(p, "position", internal::Point_itself()));
+  return measure.squared_sine(normal, internal::position_of(p));
 }
 
 /*!
@@ -166,10 +243,7 @@ template <class Point, class Shape>
 Interval_nt<> distance_interval(const Point& p, const Shape& shape)
 {
   const auto measure = internal::shape_for<Point>(shape);
-  return measure
-    .distance(measure.residual(
-      internal::checked_coordinates<Point>(p, "position", internal::Point_itself())))
-    .interval();
+  return measure.distance(measure.residual(internal::position_of(p))).interval();
 }
 
 /*!
@@ -188,8 +262,7 @@ Interval_nt<> distance_in_ulps(const Point& p, const Shape& shape)
   using Number = internal::Number_of_point<Point>;
   const auto measure = internal::shape_for<Point>(shape);
   const auto ulp = internal::Scaled_interval::of(internal::unit_of_last_place<FT, Number>());
-  const auto distance = measure.distance(measure.residual(
-    internal::checked_coordinates<Point>(p, "position", internal::Point_itself())));
+  const auto distance = measure.distance(measure.residual(internal::position_of(p)));
   return (distance / (measure.is_round() ? measure.radius() * ulp : ulp)).interval();
 }
 
@@ -212,8 +285,7 @@ fulfill the equation of the shape is told by the tolerance 0 below.
 template <class Point, class Shape>
 Uncertain<bool> is_on(const Point& p, const Shape& shape)
 {
-  const auto r = internal::shape_for<Point>(shape).residual(
-    internal::checked_coordinates<Point>(p, "position", internal::Point_itself()));
+  const auto r = internal::shape_for<Point>(shape).residual(internal::position_of(p));
   using FT = internal::FT_of<Point>;
   return internal::is_proved_zero<FT>(r.radial) & internal::is_proved_zero<FT>(r.squared_distance);
 }
@@ -236,9 +308,8 @@ Uncertain<bool> is_on(const Point& p, const Shape& shape, double tolerance)
 {
   using Number = internal::Number_of_point<Point>;
   const auto measure = internal::shape_for<Point>(shape);
-  return measure.is_near(
-    measure.residual(internal::checked_coordinates<Point>(p, "position", internal::Point_itself())),
-    Number(internal::checked_tolerance(tolerance)));
+  return measure.is_near(measure.residual(internal::position_of(p)),
+                         Number(internal::checked_tolerance(tolerance)));
 }
 
 /*!
@@ -270,8 +341,10 @@ auto mesh_deviation(const PolygonMesh& mesh, const Shape& shape,
   using Point =
     std::decay_t<typename boost::property_traits<std::decay_t<decltype(points)>>::value_type>;
   const auto measure = internal::shape_for<Point>(shape);
-  internal::Deviation_of_all<std::decay_t<decltype(measure)>, Vertex, internal::FT_of<Point>> all(
-    measure);
+  internal::Deviation_of_all<internal::FT_of<Point>,
+                             Deviation<Deviation_number<internal::FT_of<Point>>, Vertex>,
+                             decltype(measure)>
+    all(measure);
   std::size_t i = 0;
   const auto name = [&] { return "vertex " + std::to_string(i); };
   for (Vertex v : vertices(mesh)) {
@@ -311,7 +384,9 @@ auto curve_deviation(const Range& curve, const Shape& shape,
   using Points = internal::Curve_points<Range, NamedParameters>;
   using Point = typename Points::Point;
   const auto measure = internal::shape_for<Point>(shape);
-  internal::Deviation_of_all<std::decay_t<decltype(measure)>, std::size_t, internal::FT_of<Point>>
+  internal::Deviation_of_all<internal::FT_of<Point>,
+                             Deviation<Deviation_number<internal::FT_of<Point>>, std::size_t>,
+                             decltype(measure)>
     all(measure);
   const auto points = Points::point_map(np);
   const auto normals = Points::normal_map(np);

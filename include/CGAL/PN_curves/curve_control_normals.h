@@ -11,11 +11,9 @@
 
 #include <CGAL/PN_curves/internal/Curve_points.h>
 #include <CGAL/PN_curves/internal/Univariate_rows.h>
-#include <CGAL/PN_curves/internal/planar_polygon_normals.h>
-#include <CGAL/PN_curves/internal/space_polygon_normals.h>
+#include <CGAL/PN_curves/internal/polygon_normals.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -77,17 +75,13 @@ auto estimate_control_normals(const Range& polygon, Curve_end end,
   if constexpr (internal::check_kernel<typename Points::Kernel>()) {
     using FT = typename Points::FT;
     const auto points = Points::template get_all<FT>(polygon, np);
-    const bool closed = end == Curve_end::closed;
-    std::vector<Coordinates<FT, Points::dimension>> normals;
-    if constexpr (Points::dimension == 2)
-      normals = internal::planar_polygon_normals<FT>(points, closed);
-    else
-      normals = internal::space_polygon_normals<FT>(points, closed);
+    const auto normals =
+      internal::polygon_normals<FT, Points::dimension>(points, end == Curve_end::closed);
     std::vector<std::pair<typename Points::Point, typename Points::Vector>> result;
     result.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
-      result.emplace_back(Points::template make<typename Points::Point>(points[i]),
-                          Points::template make<typename Points::Vector>(normals[i]));
+      result.emplace_back(internal::from_coordinates<typename Points::Point>(points[i]),
+                          internal::from_coordinates<typename Points::Vector>(normals[i]));
     return result;
   }
 }
@@ -134,12 +128,12 @@ auto spherical_control_normals(const Range& polygon, const Point& center,
     internal::check_finite<FT, 3>(c, "position", [] { return std::string("the center"); });
     std::vector<std::pair<typename Points::Point, typename Points::Vector>> result;
     for (const Coordinates<FT, 3>& p : Points::template get_all<FT>(polygon, np)) {
-      Coordinates<FT, 3> n = internal::difference<FT, 3>(p, c);
+      Coordinates<FT, 3> n = internal::difference(p, c);
       const auto name = [&] { return "point " + std::to_string(result.size()); };
       internal::check_finite<FT, 3>(n, "distance from the center", name);
       internal::normalize_control_normal<FT, 3>(n, name);
-      result.emplace_back(Points::template make<typename Points::Point>(p),
-                          Points::template make<typename Points::Vector>(n));
+      result.emplace_back(internal::from_coordinates<typename Points::Point>(p),
+                          internal::from_coordinates<typename Points::Vector>(n));
     }
     return result;
   }

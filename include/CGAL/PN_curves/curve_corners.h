@@ -132,15 +132,11 @@ join_at_corners(const std::vector<std::vector<std::pair<Point, Vector>>>& parts,
   constexpr int dimension = CGAL::Ambient_dimension<Point>::value;
   const auto shared_normal = [](const Vector& a, const Vector& b) {
     if (a == b) return a;
-    Coordinates<FT, dimension> n;
-    for (int k = 0; k < dimension; ++k) n[k] = a.cartesian(k) + b.cartesian(k);
+    auto n = internal::coordinates_of<FT, dimension>(a + b);
     const FT tolerance = Unit_normal_traits<FT>::vanishing_tolerance();
-    if (internal::dot<FT, dimension>(n, n) <= tolerance * tolerance) return Vector(NULL_VECTOR);
+    if (internal::dot(n, n) <= tolerance * tolerance) return Vector(NULL_VECTOR);
     internal::normalize_control_normal<FT, dimension>(n);
-    if constexpr (dimension == 2)
-      return Vector(n[0], n[1]);
-    else
-      return Vector(n[0], n[1], n[2]);
+    return internal::from_coordinates<Vector>(n);
   };
   std::vector<std::pair<Point, Vector>> curve;
   for (const auto& part : parts)

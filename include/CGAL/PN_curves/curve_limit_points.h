@@ -85,25 +85,25 @@ Limit to_curve_limit_point(const Result& result, double parameter)
   const Reals &t = result.tangent, &k = result.curvature_vector;
   Limit l;
   l.parameter = parameter;
-  l.point = Subdivision::template make<Point>(point_of(result.value));
+  l.point = from_coordinates<Point>(point_of(result.value));
   const auto control_normal = Subdivision::normal_of(result.value);
-  l.control_normal = l.normal = Subdivision::template make<Vector>(control_normal);
-  l.tangent = Subdivision::template make<Vector>(t);
+  l.control_normal = l.normal = from_coordinates<Vector>(control_normal);
+  l.tangent = from_coordinates<Vector>(t);
   if (result.has_surface_normal) {
     Reals n;
     for (std::size_t c = 0; c < dimension; ++c) n[c] = close_double(control_normal[c]);
-    add_multiple<double, dimension>(n, -dot<double, dimension>(n, t), t);
-    const double length = std::sqrt(dot<double, dimension>(n, n));
+    add_multiple<double, dimension>(n, -dot(n, t), t);
+    const double length = std::sqrt(dot(n, n));
     for (double& x : n) x = length > 1e-12 ? x / length : 0;
     if constexpr (dimension == 2)
       if (!(length > 1e-12)) n = {t[1], -t[0]};
-    l.normal = Subdivision::template make<Vector>(n);
+    l.normal = from_coordinates<Vector>(n);
   }
   l.error = result.error;
   l.tangent_error = result.normal_error;
   l.has_tangent = result.has_surface_normal;
   l.has_curvature = result.has_curvature;
-  l.curvature = std::sqrt(dot<double, dimension>(k, k));
+  l.curvature = std::sqrt(dot(k, k));
   if (dimension == 2 && t[0] * k[1] - t[1] * k[0] < 0) l.curvature = -l.curvature;
   return l;
 }

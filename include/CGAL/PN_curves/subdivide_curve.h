@@ -9,20 +9,16 @@
 #ifndef CGAL_PN_CURVES_SUBDIVIDE_CURVE_H
 #define CGAL_PN_CURVES_SUBDIVIDE_CURVE_H
 
-#include <CGAL/Dimension.h>
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_curves/curve_control_normals.h>
 #include <CGAL/PN_curves/internal/Curve_points.h>
 #include <CGAL/PN_curves/internal/Curve_subdivision.h>
-#include <CGAL/PN_curves/masks/Curve_end.h>
 #include <CGAL/PN_curves/masks/curve_masks.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 
 #include <string>
-#include <type_traits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -42,20 +38,17 @@ struct Curve_vector<Points, No_curve_normal_map>
 
 // The named parameters of the curve functions.
 template <class Range, class NamedParameters>
-struct Curve_parameters : Curve_maps<Range, NamedParameters>
+struct Curve_parameters : Curve_points<Range, NamedParameters>
 {
   using Points = Curve_points<Range, NamedParameters>;
-  using typename Curve_maps<Range, NamedParameters>::Normal_map;
-  using typename Curve_maps<Range, NamedParameters>::Point;
-  using Vector = typename Curve_vector<Points, Normal_map>::type;
+  using Vector = typename Curve_vector<Points, typename Points::Normal_map>::type;
   using Geom_traits =
     typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
-                                                 typename CGAL::Kernel_traits<Point>::Kernel>::type;
+                                                 typename Points::Kernel>::type;
   using FT = typename Geom_traits::FT;
 
   using Roundness = Parameter_type<roundness_t, NamedParameters, No_roundness>;
 
-  static constexpr int dimension = CGAL::Ambient_dimension<Point>::value;
   static constexpr bool has_roundness = is_given_roundness_v<Roundness>;
 
   static FT roundness([[maybe_unused]] const NamedParameters& np)
@@ -80,7 +73,7 @@ void for_each_point_and_normal(const Range& polygon, [[maybe_unused]] Curve_end 
                                const NamedParameters& np, const Function& f)
 {
   const auto point_map = Parameters::point_map(np);
-  if constexpr (Parameters::Points::has_normals) {
+  if constexpr (Parameters::has_normals) {
     const auto normal_map = Parameters::normal_map(np);
     for (const auto& item : polygon) f(get(point_map, item), get(normal_map, item));
   } else if constexpr (needs_normals) {

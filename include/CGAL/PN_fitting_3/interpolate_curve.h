@@ -93,12 +93,8 @@ Interpolation_result<dimension> interpolate_polygon(bool is_closed, const Option
                                                     Interpolation_data<dimension>& data)
 {
   Curve_limit_functionals<dimension> source(is_closed);
-  if (options.mode == Limit_interpolation::Mode::slide) {
-    const std::size_t left_out = leave_out_without_normal(data);
-    auto result = slide_and_measure<dimension, 1>(data, source);
-    result.report.left_out = left_out;
-    return result;
-  }
+  if (options.mode == Limit_interpolation::Mode::slide)
+    return interpolate_by_sliding<dimension, 1>(data, source);
   const bool solves = options.normals == Limit_interpolation::Normals::solved && data.takes_normals;
   Solved_normals<dimension> normals = solved_or_given<dimension, 1>(solves, data, source);
   auto result = Strict_interpolation<dimension, 1>(data, source)(std::move(normals.normals));
@@ -121,11 +117,10 @@ auto points_with_normals(const Range& polygon, const NamedParameters& np)
     if constexpr (Points::has_normals) {
       const auto name = [&] { return "point " + std::to_string(result.size() - 1); };
       const typename Points::Vector n = get(Points::normal_map(np), item);
-      Coordinates<FT, dimension> c;
-      for (int k = 0; k < dimension; ++k) c[static_cast<std::size_t>(k)] = FT(n.cartesian(k));
+      auto c = coordinates_of<FT, dimension>(n);
       check_finite<FT, dimension>(c, "normal", name);
       normalize_control_normal<FT, dimension>(c, name);
-      result.back().second = Points::template make<typename Points::Vector>(c);
+      result.back().second = from_coordinates<typename Points::Vector>(c);
     }
   }
   return result;
@@ -233,10 +228,10 @@ auto interpolate_curve(const Range& polygon, const Mask& mask, Curve_end end,
     internal::multiply_by_size<typename Points::FT, dimension>(data.exponent, solution.points);
     for (std::size_t i = 0; i < result.size(); ++i) {
       if (solution.points[i] != data.points[i])
-        result[i].first = Points::template make<typename Points::Point>(
+        result[i].first = internal::from_coordinates<typename Points::Point>(
           internal::to_coordinates<dimension>(solution.points[i]));
       if (solution.normals[i] != data.normals[i])
-        result[i].second = Points::template make<typename Points::Vector>(
+        result[i].second = internal::from_coordinates<typename Points::Vector>(
           internal::to_coordinates<dimension>(solution.normals[i]));
     }
   }

@@ -25,7 +25,6 @@
 #include <algorithm>
 #include <string>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

@@ -24,8 +24,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

@@ -11,7 +11,6 @@
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Jet.h>
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>

@@ -265,7 +265,7 @@ private:
         internal::no_halves(scheme, "so that its limit surface has no parameters here"));
     else if constexpr (internal::check_pieces_arguments<FaceGraph, Scheme, NamedParameters>()) {
       using Parameters = internal::Parameters_in_double<FaceGraph, NamedParameters>;
-      if constexpr (Parameters::has_number_of_iterations)
+      if constexpr (internal::is_given_v<internal_np::number_of_iterations_t, NamedParameters>)
         demand_.most_rounds = (std::max)(1u, Parameters::number_of_iterations(np));
       internal::with_mesh_access(mesh, [&](const auto& access) {
         internal::with_roundness_of_call<Parameters>(
@@ -294,32 +294,21 @@ private:
   {
     const auto points = Parameters::points(mesh, np);
     const auto normals = Parameters::template normals<internal::is_pn_v<Scheme>>(np);
-    using Normal_map = std::decay_t<decltype(normals)>;
-    const auto edge_map = Parameters::edge_constraint_map(np);
-    const auto vertex_map = Parameters::vertex_constraint_map(np);
-    if constexpr (internal::check_corner_normals<Scheme, Access, Normal_map>()) {
-      internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
-      internal::Valued_level<typename internal::Average_of_scheme<Scheme, double>::Value> level;
-      level.level = internal::checked_level(access);
-      internal::check_scheme<Scheme, internal::Element_names>(scheme, level.level, access);
-      const internal::Mesh_creases_of_call<Scheme, double, Access, Normal_map,
-                                           typename Parameters::Edge_constraint_map,
-                                           typename Parameters::Vertex_constraint_map>
-        of_mesh(scheme, access, level.level, edge_map, vertex_map);
-      auto creases = of_mesh.creases(level.level);
-      internal::require_sharp_for_ever<double>(access, creases, 0);
-      of_mesh.read_tangents(creases);
-      level.values = of_mesh.values(level.level, points, normals, creases);
+    const auto take = [&](auto& level, auto& creases, const auto&) {
       demand_.tolerance =
-        checked_tolerance(internal::parameter_or<internal::tolerance_t>(np, 1e-7)) *
+        internal::check_tolerance(internal::parameter_or<internal::tolerance_t>(np, 1e-7)) *
         internal::box_size(level);
-      demand_.normal_tolerance = checked_tolerance(
+      demand_.normal_tolerance = internal::check_tolerance(
         internal::parameter_or<internal::normal_tolerance_t>(np, demand_.normal_tolerance));
       using Rules = internal::Rules_of<Scheme>;
-      evaluation_ = std::make_unique<internal::Scheme_evaluation<Rules, decltype(creases)>>(
+      using Level_creases = std::decay_t<decltype(creases)>;
+      evaluation_ = std::make_unique<internal::Scheme_evaluation<Rules, Level_creases>>(
         internal::kept_scheme<Rules>(internal::rules_of(scheme), *roundness_), std::move(level),
         std::move(creases));
-    }
+    };
+    internal::with_slot_level<double>(access, scheme, points, normals,
+                                      Parameters::edge_constraint_map(np),
+                                      Parameters::vertex_constraint_map(np), 0, take);
   }
 
   internal::Surface_box box_of_all(unsigned rounds, bool is_proven) const
@@ -331,15 +320,6 @@ private:
       all.distance = (std::max)(all.distance, one.distance);
     }
     return all;
-  }
-
-  static double checked_tolerance(double x)
-  {
-    if (!(x >= 0))
-      throw std::invalid_argument("PN_subdivision_3: a tolerance must be a number that is not "
-                                  "negative, not " +
-                                  std::to_string(x));
-    return x;
   }
 
   Index index(Face face) const

@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_SURFACE_PIECE_H
 #define CGAL_PN_LIMIT_SURFACE_3_SURFACE_PIECE_H
 
-#include <CGAL/PN_limit_surface_3/internal/pieces/Kept_level.h>
+#include <CGAL/PN_limit_surface_3/internal/pieces/Piece_levels.h>
 #include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Kept_attributes.h>

@@ -19,9 +19,7 @@
 #include <boost/property_map/transform_value_property_map.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -11,7 +11,7 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/PN_limit_surface_3/Surface_piece.h>
-#include <CGAL/PN_limit_surface_3/internal/pieces/Kept_level.h>
+#include <CGAL/PN_limit_surface_3/internal/pieces/Piece_levels.h>
 #include <CGAL/PN_limit_surface_3/internal/pieces/Piece_limits.h>
 #include <CGAL/PN_limit_surface_3/internal/pieces/Piece_refiner.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
@@ -34,7 +34,6 @@
 #include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -378,17 +377,16 @@ private:
       if (number_of_pieces_ == 0)
         throw std::invalid_argument("PN_subdivision_3: no pieces: ask for at least one");
       const unsigned rounds = Parameters::number_of_iterations(np);
-      using Limits_of_call = internal::Limits_of_call<NamedParameters>;
-      if (const auto options = Limits_of_call::options(np); options) {
-        internal::limit_demand<FT>(*options, 0); // refuses tolerances
+      if (internal::parameter_or<internal::to_limit_t>(np, false)) {
         limits_ = std::make_unique<Limits>();
-        limits_->options = *options;
+        limits_->options = internal::limit_options(np);
+        internal::limit_demand<FT>(limits_->options, 0); // refuses tolerances
       }
       internal::with_mesh_access(mesh, [&](const auto& access) {
         auto given = Parameters::attributes(np);
         const auto& attributes = internal::unwrapped(given);
         const auto read = [&](const auto& normals) {
-          this->template read<Limits_of_call::may_be_any>(
+          this->template read<internal::is_given_v<internal::to_limit_t, NamedParameters>>(
             access, scheme, Parameters::const_point_map(mesh, np), normals,
             Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np),
             internal::read_roundness<FT, Parameters>(access, np), rounds, attributes);

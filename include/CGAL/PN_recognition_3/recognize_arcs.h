@@ -10,13 +10,15 @@
 
 #include <CGAL/PN_curves/curve_control_normals.h>
 #include <CGAL/PN_curves/curve_corners.h>
+#include <CGAL/PN_curves/internal/Curve_points.h>
+#include <CGAL/PN_curves/internal/polygon_normals.h>
 #include <CGAL/PN_recognition_3/internal/recognition.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -179,14 +181,12 @@ private:
     const Direction center = plane_.in_plane(a.center);
     std::size_t next = a.first + 1;
     while (next < a.last && at(next) == at(a.first)) ++next;
-    const Direction line = difference_of(at(a.last), at(a.first));
-    const Direction d = difference_of(at(next), at(a.first)),
-                    r = difference_of(at(a.first), center);
+    const Direction line = difference(at(a.last), at(a.first));
+    const Direction d = difference(at(next), at(a.first)), r = difference(at(a.first), center);
     const double side = r[0] * d[1] - r[1] * d[0] < 0 ? -1 : 1;
     Part part;
     for_each_position(a, [&](std::size_t i) {
-      Direction n =
-        a.kind == Kind::line ? Direction{line[1], -line[0]} : difference_of(at(i), center);
+      Direction n = a.kind == Kind::line ? Direction{line[1], -line[0]} : difference(at(i), center);
       const double length = (a.kind == Kind::line ? 1 : side) * std::hypot(n[0], n[1]);
       if (length != 0) n = {n[0] / length, n[1] / length};
       part.emplace_back(get(Points::point_map(np_), item(i)), vector(n));
@@ -208,7 +208,7 @@ private:
     } else if (Points::dimension == 3 && arcs_.size() > 1) { // on the side of the other pieces
       std::vector<Direction> directions;
       for_each_position(a, [&](std::size_t i) { directions.push_back(at(i)); });
-      const auto normals = planar_polygon_normals<double>(directions, false);
+      const auto normals = polygon_normals<double, 2>(directions, false);
       for (std::size_t k = 0; k < part.size(); ++k) part[k].second = vector(normals[k]);
     }
     return part;

@@ -10,6 +10,7 @@
 #define CGAL_PN_RECOGNITION_3_TRIANGULATE_PLANES_H
 
 #include <CGAL/PN_recognition_3/surfaces/Recognized_surface.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/own_parameters.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -25,7 +26,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -219,18 +219,6 @@ private:
     const auto& p = get(points_, v);
     return {to_double(p.x()), to_double(p.y()), to_double(p.z())};
   }
-  static Vector difference(const Vector& a, const Vector& b)
-  {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-  }
-  static Vector cross(const Vector& a, const Vector& b)
-  {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  }
-  static double dot(const Vector& a, const Vector& b)
-  {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
 
   void add_area(Face f)
   {
@@ -250,21 +238,9 @@ private:
   {
     std::vector<std::pair<std::size_t, Plane_from_rims::Point>> result;
     if (numbers.empty()) return result;
-    const double length = std::sqrt(dot(normal, normal));
-    for (double& x : normal) x /= length > 0 ? length : 1;
-    std::size_t least = 0;
-    for (std::size_t k = 1; k < 3; ++k)
-      if (std::abs(normal[k]) < std::abs(normal[least])) least = k;
-    Vector axis{0, 0, 0};
-    axis[least] = 1;
-    Vector u = cross(axis, normal);
-    const double width = std::sqrt(dot(u, u));
-    for (double& x : u) x /= width > 0 ? width : 1;
-    const Vector v = cross(normal, u), origin = point(vertices_[numbers[0]]);
-    for (const std::size_t i : numbers) {
-      const Vector d = difference(point(vertices_[i]), origin);
-      result.push_back({i, {dot(d, u), dot(d, v)}});
-    }
+    normalize(normal);
+    const Local_frame<double> frame(point(vertices_[numbers[0]]), normal);
+    for (const std::size_t i : numbers) result.push_back({i, frame.u(point(vertices_[i]))});
     return result;
   }
 

@@ -58,8 +58,8 @@ struct Shape_measure
   using Vector = Coordinates<Number, dimension>;
 
   Shape_kind kind;
-  Vector base;           // center, or a point of the axis or line
-  Vector direction;      // of axis, line or normal, of any length
+  Vector base;           // center, or a point of the axis or line; not of a hyperplane
+  Vector direction;      // of axis, line or normal, of any length; not of a sphere
   Number squared_radius; // a hyperplane: the constant of its equation
 
   bool is_round() const { return kind <= Shape_kind::circle; }
@@ -67,7 +67,7 @@ struct Shape_measure
   void check() const
   {
     if (kind != Shape_kind::sphere &&
-        !CGAL::possibly(is_greater(dot<Number, dimension>(direction, direction), Number(0))))
+        !CGAL::possibly(is_greater(dot(direction, direction), Number(0))))
       throw std::invalid_argument("PN_subdivision_3: the shape has a zero vector as its direction "
                                   "or normal: give it another one");
     if (is_round() && !CGAL::possibly(is_greater(squared_radius, Number(0))))
@@ -80,8 +80,7 @@ struct Shape_measure
     Residual<Number> r{Number(0), Number(0)};
     const Vector v = from_base(p);
     if (kind == Shape_kind::sphere) {
-      for (const Number& x : v) r.radial += CGAL::square(x);
-      r.radial -= squared_radius;
+      r.radial = squared_length(v) - squared_radius;
       return r;
     }
     const Number length = squared_length(direction);
@@ -98,8 +97,7 @@ struct Shape_measure
   Number squared_sine(const Vector& n, const Vector& p) const
   {
     if (kind == Shape_kind::line)
-      return CGAL::square(dot<Number, dimension>(n, direction)) /
-             (squared_length(n) * squared_length(direction));
+      return CGAL::square(dot(n, direction)) / (squared_length(n) * squared_length(direction));
     const Vector e = normal_direction(p);
     const Number length = squared_length(e);
     if (CGAL::certainly(length == Number(0))) return Number(1);
@@ -163,7 +161,7 @@ private:
 
   Number height(const Vector& v) const
   {
-    const auto h = dot<Number, dimension>(v, direction);
+    const auto h = dot(v, direction);
     return kind == Shape_kind::hyperplane ? Number(h + squared_radius) : h;
   }
 
@@ -172,7 +170,7 @@ private:
     if (kind == Shape_kind::hyperplane) return direction;
     Vector v = from_base(p);
     if (kind == Shape_kind::sphere) return v;
-    const Number along = dot<Number, dimension>(v, direction), length = squared_length(direction);
+    const Number along = dot(v, direction), length = squared_length(direction);
     for (int i = 0; i < dimension; ++i) v[i] = length * v[i] - along * direction[i];
     return v;
   }
@@ -186,68 +184,124 @@ Coordinates<Number, dimension> measure_coordinates(const Point_or_vector& p)
   return c;
 }
 
-template <class Number, int dimension>
-Shape_measure<Number, dimension> checked(const Shape_measure<Number, dimension>& shape)
-{
-  shape.check();
-  return shape;
-}
-
 template <class Number, class K>
 Shape_measure<Number, 2> shape_measure(const CGAL::Circle_2<K>& s)
 {
-  return checked<Number, 2>({Shape_kind::sphere,
-                             measure_coordinates<Number, 2>(s.center()),
-                             {Number(0), Number(0)},
-                             measure_number<Number>(s.squared_radius())});
+  return {Shape_kind::sphere,
+          measure_coordinates<Number, 2>(s.center()),
+          {},
+          measure_number<Number>(s.squared_radius())};
 }
 template <class Number, class K>
 Shape_measure<Number, 3> shape_measure(const CGAL::Sphere_3<K>& s)
 {
-  return checked<Number, 3>({Shape_kind::sphere,
-                             measure_coordinates<Number, 3>(s.center()),
-                             {Number(0), Number(0), Number(0)},
-                             measure_number<Number>(s.squared_radius())});
+  return {Shape_kind::sphere,
+          measure_coordinates<Number, 3>(s.center()),
+          {},
+          measure_number<Number>(s.squared_radius())};
 }
 template <class Number, class K>
 Shape_measure<Number, 3> shape_measure(const CGAL::Circle_3<K>& s)
 {
-  return checked<Number, 3>(
-    {Shape_kind::circle, measure_coordinates<Number, 3>(s.center()),
-     measure_coordinates<Number, 3>(s.supporting_plane().orthogonal_vector()),
-     measure_number<Number>(s.squared_radius())});
+  return {Shape_kind::circle, measure_coordinates<Number, 3>(s.center()),
+          measure_coordinates<Number, 3>(s.supporting_plane().orthogonal_vector()),
+          measure_number<Number>(s.squared_radius())};
 }
 template <class Number, class K>
 Shape_measure<Number, 3> shape_measure(const Cylinder_3<K>& s)
 {
-  return checked<Number, 3>({Shape_kind::cylinder,
-                             measure_coordinates<Number, 3>(s.axis().point(0)),
-                             measure_coordinates<Number, 3>(s.axis().to_vector()),
-                             measure_number<Number>(s.squared_radius())});
+  return {Shape_kind::cylinder, measure_coordinates<Number, 3>(s.axis().point(0)),
+          measure_coordinates<Number, 3>(s.axis().to_vector()),
+          measure_number<Number>(s.squared_radius())};
 }
 template <class Number, class K>
 Shape_measure<Number, 3> shape_measure(const CGAL::Line_3<K>& s)
 {
-  return checked<Number, 3>({Shape_kind::line, measure_coordinates<Number, 3>(s.point(0)),
-                             measure_coordinates<Number, 3>(s.to_vector()), Number(0)});
+  return {Shape_kind::line, measure_coordinates<Number, 3>(s.point(0)),
+          measure_coordinates<Number, 3>(s.to_vector()), Number(0)};
 }
 template <class Number, class K>
 Shape_measure<Number, 2> shape_measure(const CGAL::Line_2<K>& s)
 {
-  return checked<Number, 2>({Shape_kind::hyperplane,
-                             {Number(0), Number(0)},
-                             {measure_number<Number>(s.a()), measure_number<Number>(s.b())},
-                             measure_number<Number>(s.c())});
+  return {Shape_kind::hyperplane,
+          {},
+          {measure_number<Number>(s.a()), measure_number<Number>(s.b())},
+          measure_number<Number>(s.c())};
 }
 template <class Number, class K>
 Shape_measure<Number, 3> shape_measure(const CGAL::Plane_3<K>& s)
 {
-  return checked<Number, 3>(
-    {Shape_kind::hyperplane,
-     {Number(0), Number(0), Number(0)},
-     {measure_number<Number>(s.a()), measure_number<Number>(s.b()), measure_number<Number>(s.c())},
-     measure_number<Number>(s.d())});
+  return {
+    Shape_kind::hyperplane,
+    {},
+    {measure_number<Number>(s.a()), measure_number<Number>(s.b()), measure_number<Number>(s.c())},
+    measure_number<Number>(s.d())};
 }
+
+// Two deviations are compared by intervals around their roots: numbers of two vertices may lie in
+// different fields, and exact comparisons of what is not zero would prove nothing.
+template <class FT, class Result, class Shape>
+class Deviation_of_all
+{
+  using Number = typename Shape::Number;
+  using Vector = typename Shape::Vector;
+  using Element = typename Result::Element;
+
+public:
+  explicit Deviation_of_all(const Shape& shape)
+    : shape_(shape)
+  {}
+
+  void add_point(const Element& e, const Vector& p)
+  {
+    const bool first = d_.number_of_points++ == 0;
+    if (first) d_.farthest_point = e;
+    const auto r = shape_.residual(p);
+    const Uncertain<bool> on =
+      is_proved_zero<FT>(r.radial) & is_proved_zero<FT>(r.squared_distance);
+    if (certainly(on)) return;
+    d_.points_are_on_shape = d_.points_are_on_shape & on;
+    if (raise(d_.distance, shape_.distance(r).interval())) {
+      d_.farthest_point = e;
+      d_.squared_deviation = shape_.squared_deviation(r);
+    }
+  }
+
+  void add_normal(const Element& e, const Vector& p, const Vector& n)
+  {
+    if (certainly(Shape::squared_length(n) == Number(0))) return;
+    const bool first = d_.number_of_normals++ == 0;
+    if (first) d_.most_turned_normal = e;
+    const Number s = shape_.squared_sine(n, p);
+    const Uncertain<bool> exact = is_proved_zero<FT>(s);
+    if (certainly(exact)) return;
+    d_.normals_are_exact = d_.normals_are_exact & exact;
+    if (raise(d_.normal_sine, sqrt(Scaled_interval::of(s)).interval())) {
+      d_.most_turned_normal = e;
+      d_.squared_normal_deviation = s;
+    }
+  }
+
+  Result result() const
+  {
+    Result d = d_;
+    if (is_indeterminate(d.points_are_on_shape) || is_indeterminate(d.normals_are_exact))
+      d.advice = advice_for_proofs<FT>();
+    return d;
+  }
+
+private:
+  // the interval becomes one around the maximum; whether its upper end rises
+  static bool raise(Interval_nt<>& largest, const Interval_nt<>& x)
+  {
+    const bool rises = !(x.sup() <= largest.sup());
+    largest = Interval_nt<>((std::max)(largest.inf(), x.inf()), rises ? x.sup() : largest.sup());
+    return rises;
+  }
+
+  const Shape& shape_;
+  Result d_;
+};
 
 } // namespace internal
 } // namespace PN_subdivision_3

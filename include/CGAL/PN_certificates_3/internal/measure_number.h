@@ -135,18 +135,12 @@ Number measure_number(const FT& x)
   }
 }
 
-template <class Number>
-Uncertain<bool> is_zero_number(const Number& x)
-{
-  return make_uncertain(x == Number(0));
-}
-
 // Whether a point is on a shape, of which a number vanishes there. That it is not is no proof where the averages that may have
 // made it are rounded.
 template <class FT, class Number>
 Uncertain<bool> is_proved_zero(const Number& x)
 {
-  const Uncertain<bool> is_zero = is_zero_number(x);
+  const Uncertain<bool> is_zero = make_uncertain(x == Number(0));
   if constexpr (Rounds_exact_numbers<FT>::value)
     return certainly(is_zero) ? is_zero : Uncertain<bool>::indeterminate();
   else
@@ -167,13 +161,6 @@ constexpr const char* advice_for_proofs()
     return "PN_subdivision_3: the intervals do not tell: call is_on() with a tolerance";
 }
 
-// an interval around x, tight unless x is an interval itself or out of the range of double
-template <class Number>
-Interval_nt<> interval_around(const Number& x)
-{
-  return Interval_nt<>(close_interval(x));
-}
-
 // A positive number within an interval of doubles times a power of two, so that it may be squared, divided
 // and have roots as tightly beyond the range of double as in it.
 class Scaled_interval
@@ -181,11 +168,11 @@ class Scaled_interval
 public:
   using Interval = Interval_nt<>;
 
-  // of |x|
+  // of |x|; tight unless x is an interval itself
   template <class Number>
   static Scaled_interval of(Number x)
   {
-    Interval i = interval_around(x);
+    Interval i(close_interval(x));
     long exponent = 0;
     if constexpr (is_exact_v<Number>)
       if (!is_well_inside(i) && x != Number(0)) {
@@ -195,7 +182,7 @@ public:
         while (!is_well_inside(i) && is_smaller_than_one(x) == is_small) {
           x = x * factor;
           exponent += is_small ? -step : step;
-          i = interval_around(x);
+          i = Interval(close_interval(x));
         }
       }
     return {CGAL::abs(i), exponent};

@@ -9,8 +9,11 @@
 #ifndef CGAL_PN_CGAL_MASKS_3_INTERNAL_MASK_MESH_VIEW_H
 #define CGAL_PN_CGAL_MASKS_3_INTERNAL_MASK_MESH_VIEW_H
 
-#include <CGAL/PN_cgal_masks_3/internal/Mask_probe.h>
-
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Origin.h>
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/tags.h>
@@ -27,6 +30,80 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// What a mask is told when it asks for the point of a vertex: the point, the normal read as a
+// point, or the vertex's share (chi h, chi, 0) in the height over q along n.
+template <class PointNormalMap>
+class Mask_probe
+{
+public:
+  using Vertex = typename boost::property_traits<PointNormalMap>::key_type;
+  using Point_normal = typename boost::property_traits<PointNormalMap>::value_type;
+  using Point = typename Point_normal::first_type;
+  using Vector = typename Point_normal::second_type;
+  using FT = typename Kernel_traits<Point>::Kernel::FT;
+
+  explicit Mask_probe(const PointNormalMap& point_normals)
+    : point_normals_(point_normals)
+  {}
+
+  void answer_points() { answer_ = Answer::points; }
+  void answer_normals() { answer_ = Answer::normals; }
+  void answer_heights(const Point& q, const Vector& n)
+  {
+    answer_ = Answer::heights;
+    q_ = q;
+    n_ = n;
+    fading_ = false;
+  }
+
+  Point operator()(const Vertex& v) const
+  {
+    const Point_normal pn = get(point_normals_, v);
+    if (answer_ == Answer::points) return pn.first;
+    Coordinates<FT, 3> n = coordinates_3<FT>(pn.second);
+    normalize_control_normal<FT, 3>(n);
+    return answer_ == Answer::normals ? ORIGIN + vector(n) : height(pn.first, vector(n));
+  }
+
+  // The new normal for the mask's sum of the normals, zero if it vanishes.
+  Vector normal(const Vector& sum) const
+  {
+    return vector(unit_or_zero<FT, 3>(coordinates_3<FT>(sum), FT(1)));
+  }
+
+  // The new height for the mask's sum of the heights.
+  FT height(const Point& sum) const
+  {
+    if (!fading_) return sum.x();
+    if (sum.y() < FT(1) / FT(64)) return FT(0);
+    return sum.x() / sum.y();
+  }
+
+private:
+  enum class Answer { points, normals, heights };
+
+  static Vector vector(const Coordinates<FT, 3>& n) { return Vector(n[0], n[1], n[2]); }
+
+  // The fade is decided before the division by d, which may be zero.
+  Point height(const Point& p, const Vector& n_p) const
+  {
+    const Vector s = n_p + n_;
+    const FT d = s * n_;
+    const FT chi = fade(d);
+    if (chi != FT(1)) fading_ = true;
+    if (chi == FT(0)) return Point(FT(0), FT(0), FT(0));
+    return Point(chi * ((s * (p - q_)) / d), chi, FT(0));
+  }
+
+  static FT fade(const FT& d) { return d < fade_begin<FT>() ? internal::fade(d) : FT(1); }
+
+  PointNormalMap point_normals_;
+  Answer answer_ = Answer::points;
+  Point q_ = ORIGIN;
+  Vector n_ = NULL_VECTOR;
+  mutable bool fading_ = false;
+};
 
 // The vertex point map that a mask sees: it hands out the probe's answers.
 template <class PointNormalMap>

@@ -11,12 +11,14 @@
 
 #include <CGAL/Origin.h>
 #include <CGAL/PN_cgal_masks_3/internal/Cgal_ordered_host.h>
-#include <CGAL/PN_subdivision_3/hosts/DQQ_host.h>
-#include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
-#include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/meshes/Refinable_mesh_traits.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -32,62 +34,6 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
-
-// every new vertex is a copy of an old one
-class Copying_mask
-{
-public:
-  using Index = Level_connectivity::Index;
-
-  explicit Copying_mask(const Level_connectivity& level)
-    : level_(level)
-  {}
-
-  template <class Stencil>
-  void vertex(Index v, Stencil& s) const
-  {
-    s.add(v, 1);
-  }
-  template <class Stencil>
-  void edge(Index e, Stencil& s) const
-  {
-    s.add(level_.target(Level_connectivity::halfedge_of_edge(e)), 1);
-  }
-  template <class Stencil>
-  void face(Index f, Stencil& s) const
-  {
-    s.add(level_.target(level_.halfedge_of_face(f)), 1);
-  }
-  template <class Stencil>
-  void corner(Index h, Stencil& s) const
-  {
-    s.add(level_.target(h), 1);
-  }
-  template <class Stencil>
-  void border_vertex(Index h, Stencil& s) const
-  {
-    s.add(level_.target(h), 1);
-  }
-  template <class Stencil>
-  void border_edge(Index h, Index, Stencil& s) const
-  {
-    s.add(level_.target(h), 1);
-  }
-
-private:
-  const Level_connectivity& level_;
-};
-
-template <class Host_>
-struct Copying_scheme
-{
-  using Host = Host_;
-  template <class FT>
-  Copying_mask mask(const Level_connectivity& level, unsigned /*round*/) const
-  {
-    return Copying_mask(level);
-  }
-};
 
 // in the place of points that others compute
 template <class Vertex>
@@ -105,13 +51,12 @@ struct No_points
 template <class Mesh>
 constexpr bool recycles_v = Refinable_mesh_traits<Mesh>::recycles;
 
-// Refines the connectivity of a mesh as the host does, in the order of CGAL's; points stay as they are.
-template <class Host, class Mesh>
-void refine_connectivity(Mesh& mesh)
+// Refines the connectivity of a mesh as a scheme does, in the order of CGAL's; points stay as they are.
+template <class Mesh, class Scheme>
+void refine_connectivity(Mesh& mesh, const Scheme& scheme)
 {
   using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
-  PN_subdivision_3::subdivide(mesh,
-                              linear(Copying_scheme<Cgal_ordered_host<Host, recycles_v<Mesh>>>()),
+  PN_subdivision_3::subdivide(mesh, linear(in_order_of_cgal<recycles_v<Mesh>>(scheme)),
                               CGAL::parameters::vertex_point_map(No_points<Vertex>()));
 }
 
@@ -131,7 +76,6 @@ public:
     : mesh_(mesh)
     , points_(points)
     , mask_(mask)
-
     , index_(get(dynamic_vertex_property_t<std::size_t>(), mesh))
   {
     for (Vertex v : vertices(mesh_)) {
@@ -150,13 +94,13 @@ public:
     }
     edges_and_vertices();
     nodes_.insert(nodes_.end(), of_faces.begin(), of_faces.end());
-    refine<PQQ_host>();
+    refine(CatmullClark_scheme());
   }
 
   void ptq()
   {
     edges_and_vertices();
-    refine<PTQ_host>();
+    refine(Loop_scheme());
   }
 
   void dqq()
@@ -174,7 +118,7 @@ public:
         h = opposite(next(h, mesh_), mesh_);
       } while (h != first);
     }
-    refine<DQQ_host>();
+    refine(DooSabin_scheme());
   }
 
   void sqrt3(bool refines_border)
@@ -200,9 +144,9 @@ public:
       ++i;
     }
     if (refines_border)
-      refine<Border_refining_sqrt3_host>();
+      refine(Border_refining_sqrt3());
     else
-      refine<Sqrt3_host>();
+      refine(Sqrt3_scheme());
   }
 
 private:
@@ -216,6 +160,10 @@ private:
     {
       return Sqrt3_host::refined_size(size, 2);
     }
+  };
+  struct Border_refining_sqrt3 : Scheme_adaptor<Sqrt3_scheme>
+  {
+    using Host = Border_refining_sqrt3_host;
   };
 
   template <class Face>
@@ -272,10 +220,10 @@ private:
     }
   }
 
-  template <class Host>
-  void refine()
+  template <class Scheme>
+  void refine(const Scheme& scheme)
   {
-    refine_connectivity<Host>(mesh_);
+    refine_connectivity(mesh_, scheme);
     std::size_t i = 0;
     for (Vertex v : vertices(mesh_)) put(points_, v, nodes_[i++]);
   }

@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_curves/internal/Curve_subdivision.h>
 #include <CGAL/PN_curves/internal/Curve_windows.h>
-#include <CGAL/PN_curves/masks/Curve_end.h>
+#include <CGAL/PN_curves/masks/curve_masks.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
@@ -111,15 +111,6 @@ private:
   const Window& points(const Window_size& size) { return windows_.front().at(size); }
   const Window& normals(const Window_size& size) { return windows_.back().at(size); }
 
-  // Floating point keeps more digits of a window about the origin; intervals would only grow.
-  static Value relative(Value v, [[maybe_unused]] const Vector& center,
-                        [[maybe_unused]] const FT& sign)
-  {
-    if constexpr (std::is_floating_point_v<FT>)
-      add_multiple<FT, dimension>(point_of(v), sign, center);
-    return v;
-  }
-
   Value average(const Entry_row<FT>& row, [[maybe_unused]] const Entry_row<FT>& normal_row) const
   {
     if constexpr (has_normal_mask)
@@ -181,7 +172,7 @@ private:
     offsets_.clear();
     slopes_.clear();
     normal_ = to_reals(Subdivision::normal_of(result.value));
-    const bool has_normal = dot<double, dimension>(normal_, normal_) > 0.5;
+    const bool has_normal = dot(normal_, normal_) > 0.5;
     double largest = 0;
     for (Value v : window_) {
       for (const FT& x : point_of(v)) largest = (std::max)(largest, std::abs(close_double(x)));
@@ -190,11 +181,10 @@ private:
       if (has_normal) {
         const PN_height<double> h = pn_height<double, dimension>(p, Reals{}, normal_);
         const double of_arc = h.numerator / (std::max)(h.denominator, 1. / 1024);
-        const auto z = dot<double, dimension>(p.point, normal_);
+        const auto z = dot(p.point, normal_);
         add_multiple<double, dimension>(p.point, roundness_ * (of_arc - z), normal_);
         slopes_.push_back(normal_);
-        add_multiple<double, dimension>(slopes_.back(),
-                                        -1 / dot<double, dimension>(p.normal, normal_), p.normal);
+        add_multiple<double, dimension>(slopes_.back(), -1 / dot(p.normal, normal_), p.normal);
       }
       offsets_.push_back(p.point);
     }
@@ -221,7 +211,7 @@ private:
   {
     look(result);
     Reals t = sum(of_points.first_derivative, offsets_);
-    const double length = length_of<double, dimension>(t);
+    const double length = length_of(t);
     if (!(length > 0) || !std::isfinite(length)) return true; // nor will there be one
     for (double& x : t) x /= length;
     const Reals last = std::exchange(tangents.last, t);
@@ -229,7 +219,7 @@ private:
       result.tangent = t;
       return !is_pn;
     }
-    const double change = length_of<double, dimension>(difference<double, dimension>(t, last));
+    const double change = length_of(difference(t, last));
     // small windows have the rounding of large coordinates
     const double rounding = 4 * (rounding_ / length + std::numeric_limits<double>::epsilon());
     // as for points, with 1/2 = 3/2 of 1/4 + 1/16 + ..., but 1 while it is not this series yet
@@ -249,9 +239,9 @@ private:
     const Reals d = sum(of_points.first_derivative, offsets_);
     Reals k = sum(of_points.second_derivative, offsets_);
     const Reals slope = sum(of_normals.first_derivative, slopes_);
-    add_multiple<double, dimension>(k, roundness_ * dot<double, dimension>(slope, d), normal_);
-    const auto square = dot<double, dimension>(d, d);
-    add_multiple<double, dimension>(k, -dot<double, dimension>(d, k) / square, d);
+    add_multiple<double, dimension>(k, roundness_ * dot(slope, d), normal_);
+    const auto square = dot(d, d);
+    add_multiple<double, dimension>(k, -dot(d, k) / square, d);
     for (double& x : k) x /= square;
     for (const double x : k)
       if (!std::isfinite(x)) return;

@@ -18,6 +18,7 @@
 #include <CGAL/number_type_basic.h>
 #include <CGAL/property_map.h>
 
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -54,10 +55,35 @@ struct Default_curve_normal_map<std::pair<Point, Vector>>
   using type = CGAL::Second_of_pair_property_map<std::pair<Point, Vector>>;
 };
 
+template <class FT, int dimension, class Point_or_vector>
+Coordinates<FT, dimension> coordinates_of(const Point_or_vector& p)
+{
+  Coordinates<FT, dimension> c;
+  for (int i = 0; i < dimension; ++i) c[static_cast<std::size_t>(i)] = FT(p.cartesian(i));
+  return c;
+}
+
+// a point or vector, of numbers of its kernel or others
+template <class Point_or_vector, class Number, std::size_t dimension>
+Point_or_vector from_coordinates(const std::array<Number, dimension>& c)
+{
+  using FT = typename CGAL::Kernel_traits<Point_or_vector>::Kernel::FT;
+  const auto number = [](const Number& x) {
+    if constexpr (std::is_floating_point_v<FT> || std::is_same_v<FT, Number>)
+      return static_cast<FT>(x);
+    else
+      return FT(static_cast<double>(x));
+  };
+  if constexpr (dimension == 2)
+    return Point_or_vector(number(c[0]), number(c[1]));
+  else
+    return Point_or_vector(number(c[0]), number(c[1]), number(c[2]));
+}
+
 // Where a range has its points: its items, the first members of its pairs, or what a named parameter
-// says; likewise its normals, if any.
+// says; likewise its normals, if any. And the points in other number types.
 template <class Range, class NamedParameters>
-struct Curve_maps
+struct Curve_points
 {
   using Item =
     typename std::iterator_traits<decltype(std::begin(std::declval<const Range&>()))>::value_type;
@@ -66,6 +92,13 @@ struct Curve_maps
   using Normal_map = std::decay_t<typename internal_np::Lookup_named_param_def<
     internal_np::normal_t, NamedParameters, typename Default_curve_normal_map<Item>::type>::type>;
   using Point = std::remove_const_t<typename boost::property_traits<Point_map>::value_type>;
+  using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
+  using FT = typename Kernel::FT;
+
+  static constexpr int dimension = CGAL::Ambient_dimension<Point>::value;
+  static constexpr bool has_normals = !std::is_same_v<Normal_map, No_curve_normal_map>;
+  using Vector =
+    std::conditional_t<dimension == 2, typename Kernel::Vector_2, typename Kernel::Vector_3>;
 
   static Point_map point_map(const NamedParameters& np)
   {
@@ -77,29 +110,13 @@ struct Curve_maps
     return parameters::choose_parameter<Normal_map>(
       parameters::get_parameter(np, internal_np::normal_map));
   }
-};
-
-// The points of a range, in its own and in other number types.
-template <class Range, class NamedParameters>
-struct Curve_points : Curve_maps<Range, NamedParameters>
-{
-  using Maps = Curve_maps<Range, NamedParameters>;
-  using typename Maps::Normal_map;
-  using typename Maps::Point;
-  using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
-  using FT = typename Kernel::FT;
-
-  static constexpr int dimension = CGAL::Ambient_dimension<Point>::value;
-  static constexpr bool has_normals = !std::is_same_v<Normal_map, No_curve_normal_map>;
-  using Vector =
-    std::conditional_t<dimension == 2, typename Kernel::Vector_2, typename Kernel::Vector_3>;
 
   // the points in the number type Number
   template <class Number>
   static std::vector<Coordinates<Number, dimension>> get_all(const Range& range,
                                                              const NamedParameters& np)
   {
-    const auto map = Maps::point_map(np);
+    const auto map = point_map(np);
     std::vector<Coordinates<Number, dimension>> points;
     for (const auto& item : range) {
       const Point p = get(map, item);
@@ -121,36 +138,7 @@ struct Curve_points : Curve_maps<Range, NamedParameters>
     else
       return Number(close_double(x));
   }
-
-  template <class Point_or_vector, class Number>
-  static Point_or_vector make(const Coordinates<Number, dimension>& c)
-  {
-    if constexpr (dimension == 2)
-      return Point_or_vector(coordinate(c[0]), coordinate(c[1]));
-    else
-      return Point_or_vector(coordinate(c[0]), coordinate(c[1]), coordinate(c[2]));
-  }
-
-  template <class Number>
-  static FT coordinate(const Number& x)
-  {
-    if constexpr (std::is_floating_point_v<FT>)
-      return static_cast<FT>(x);
-    else if constexpr (std::is_same_v<FT, Number>)
-      return x;
-    else
-      return FT(static_cast<double>(x));
-  }
 };
-
-template <class FT, std::size_t dimension>
-std::array<FT, dimension> difference_of(const std::array<FT, dimension>& a,
-                                        const std::array<FT, dimension>& b)
-{
-  std::array<FT, dimension> c;
-  for (std::size_t i = 0; i < dimension; ++i) c[i] = a[i] - b[i];
-  return c;
-}
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_CURVES_INTERNAL_CURVE_SUBDIVISION_H
 #define CGAL_PN_CURVES_INTERNAL_CURVE_SUBDIVISION_H
 
+#include <CGAL/PN_curves/internal/Curve_points.h>
 #include <CGAL/PN_curves/internal/Univariate_rows.h>
 #include <CGAL/PN_curves/masks/curve_masks.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
@@ -85,7 +86,8 @@ public:
   void add(const Point& point, const Vector& normal)
   {
     const auto name = [this] { return "point " + std::to_string(values_.size()); };
-    Point_normal<FT, dimension> value{coordinates(point), coordinates(normal)};
+    Point_normal<FT, dimension> value{coordinates_of<FT, dimension>(point),
+                                      coordinates_of<FT, dimension>(normal)};
     check_finite<FT, dimension>(value.point, "position", name);
     check_finite<FT, dimension>(value.normal, "normal", name);
     if (is_near_overflow<FT, dimension>(value.point)) is_near_overflow_ = true;
@@ -100,7 +102,8 @@ public:
   std::vector<std::pair<Point, Vector>> result(unsigned iterations)
   {
     return result<std::pair<Point, Vector>>(iterations, [](const Value& value) {
-      return std::pair<Point, Vector>(make<Point>(point_of(value)), make<Vector>(normal_of(value)));
+      return std::pair<Point, Vector>(from_coordinates<Point>(point_of(value)),
+                                      from_coordinates<Vector>(normal_of(value)));
     });
   }
 
@@ -172,14 +175,6 @@ public:
     return first - rows_.first_point();
   }
 
-  template <class Point_or_vector, class Number>
-  static Point_or_vector make(const Coordinates<Number, dimension>& c)
-  {
-    if constexpr (dimension == 2)
-      return Point_or_vector(FT(c[0]), FT(c[1]));
-    else
-      return Point_or_vector(FT(c[0]), FT(c[1]), FT(c[2]));
-  }
   static Vector_coordinates normal_of([[maybe_unused]] const Value& value)
   {
     if constexpr (is_pn)
@@ -192,13 +187,6 @@ private:
   using Block = typename Block_of<Average>::type;
   using Values = boost::container::vector<Value>;
 
-  template <class Point_or_vector>
-  static Vector_coordinates coordinates(const Point_or_vector& p)
-  {
-    Vector_coordinates c;
-    for (int i = 0; i < dimension; ++i) c[static_cast<std::size_t>(i)] = FT(p.cartesian(i));
-    return c;
-  }
   void check_centers() const
   {
     if constexpr (Normal_rows<FT, Round_mask>::differ)

@@ -10,7 +10,7 @@
 #define CGAL_PN_CURVES_INTERNAL_CURVE_WINDOWS_H
 
 #include <CGAL/PN_curves/internal/Univariate_rows.h>
-#include <CGAL/PN_curves/masks/Curve_end.h>
+#include <CGAL/PN_curves/masks/curve_masks.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_weights.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_masks.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>

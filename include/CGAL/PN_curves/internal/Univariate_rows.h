@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_CURVES_INTERNAL_UNIVARIATE_ROWS_H
 #define CGAL_PN_CURVES_INTERNAL_UNIVARIATE_ROWS_H
 
-#include <CGAL/PN_curves/masks/Curve_end.h>
+#include <CGAL/PN_curves/masks/curve_masks.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>

@@ -22,6 +22,14 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 
+/// \ingroup PkgPNSubdivision3Curves
+/// What happens at the ends of a control polygon.
+enum class Curve_end {
+  closed,  ///< the polygon is closed; its first point is not repeated
+  reflect, ///< open; points beyond an end are reflected in it: p_{-i} = 2 p_0 - p_i
+  none     ///< open; only points whose whole stencil exists are kept
+};
+
 /*!
 \ingroup PkgPNSubdivision3Curves
 

@@ -17,7 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
-#include <limits>
 #include <utility>
 #include <vector>
 

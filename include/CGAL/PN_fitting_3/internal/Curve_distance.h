@@ -101,7 +101,7 @@ private:
     };
     std::pair<std::ptrdiff_t, double> best{2 * part.center,
                                            std::numeric_limits<double>::infinity()};
-    if (n == 1) best.second = quick_length(difference<double, 3>(entry(0, {}).point, point));
+    if (n == 1) best.second = quick_length(difference(entry(0, {}).point, point));
     for (auto i = (std::max)(std::ptrdiff_t(0), part.center - 1); i <= part.center && i + 1 < n;
          ++i) {
       const bool is_inner = i > 0 && i + 2 < n;

@@ -101,7 +101,6 @@ double box_size(const std::vector<Eigen::Matrix<double, dimension, 1>>& points)
   return (greatest - least).maxCoeff();
 }
 
-// takes vertices without a normal off those to be interpolated; how many
 // Divides points of which squares would be out of range by a power of two, which changes no bit of theirs.
 template <int dimension>
 void divide_by_size(Interpolation_data<dimension>& data)
@@ -138,6 +137,7 @@ inline void multiply_by_size(int exponent, Limit_interpolation& report)
   report.curvature_residual = std::ldexp(report.curvature_residual, -exponent);
 }
 
+// takes vertices without a normal off those to be interpolated; how many
 template <int dimension>
 std::size_t leave_out_without_normal(Interpolation_data<dimension>& data)
 {

@@ -114,7 +114,7 @@ private:
     };
     // of a polygon the corner, until it becomes several faces
     if (!level.has_degree(base, degree))
-      return {0, 0, quick_length(difference<double, 3>(values[level.target(base)].point, point))};
+      return {0, 0, quick_length(difference(values[level.target(base)].point, point))};
     const Spline_piece piece(level, base, degree, neighborhood_.regular_rings > 0, [&](Index v) {
       if (level.is_border_vertex(v)) return Piece_vertex::border;
       const bool is_regular = level.valence(v) == Settled_neighborhood<Scheme>::regular_valence;

@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_LIMIT_FUNCTIONALS_H
 #define CGAL_PN_FITTING_3_INTERNAL_LIMIT_FUNCTIONALS_H
 
-#include <CGAL/PN_curves/masks/Curve_end.h>
+#include <CGAL/PN_curves/masks/curve_masks.h>
 #include <CGAL/PN_fitting_3/internal/Curve_distance.h>
 #include <CGAL/PN_fitting_3/internal/Foot_of_point.h>
 #include <CGAL/PN_fitting_3/internal/Functional_tower.h>
@@ -58,6 +58,30 @@ struct Limit_functionals
   unsigned depth = 0;
   unsigned rounds = 0; // of the mesh, before its rules settled about the vertex
   bool has_tangents = false;
+
+  // Fills in what a tower tells of a ring, given by its vertices; entries if there are blocks.
+  template <class Values>
+  void run(Functional_tower<dimension, tangents>& tower, const Ring_rule& rule,
+           const Values& values, const std::vector<Index>& ring, const Limit_precision& precision)
+  {
+    const auto& origin = values[ring[0]].point;
+    Values relative;
+    for (const Index w : ring) {
+      relative.push_back(values[w]);
+      for (std::size_t c = 0; c < dimension; ++c) relative.back().point[c] -= origin[c];
+    }
+    tower.run(rule, relative, precision);
+    limit_point = to_eigen<dimension>(tower.limit().point) + to_eigen<dimension>(origin);
+    control_normal = to_eigen<dimension>(tower.limit().normal);
+    error = tower.error();
+    depth += tower.depth();
+    has_tangents = !rule.tangents.empty();
+    if (!precision.with_blocks) return;
+    std::vector<double> weights(ring.size(), 0.);
+    for (const auto& e : rule.limit) weights[e.vertex] += e.weight;
+    for (std::size_t p = 0; p < ring.size(); ++p)
+      entries.push_back({ring[p], weights[p], tower.block(p)});
+  }
 
   // The blocks of a limit point sum to the identity and those of a tangent to 0: taking the points
   // relative to the center saves digits.
@@ -175,7 +199,8 @@ public:
     for (const Index v : vertices) {
       std::vector<Index> ring = {v};
       if (is_closed_ || (v != 0 && v + 1 != n)) ring = {v, (v + n - 1) % n, (v + 1) % n};
-      run(values, ring, precision, tower, result.emplace_back());
+      result.emplace_back().center = v;
+      result.back().run(tower, ring.size() == 1 ? end_ : inner_, values, ring, precision);
     }
     return result;
   }
@@ -187,30 +212,6 @@ public:
   }
 
 private:
-  void run(const std::vector<Value>& values, const std::vector<Index>& ring,
-           const Limit_precision& precision, Functional_tower<dimension, 1>& tower,
-           Functionals& f) const
-  {
-    const Ring_rule& rule = ring.size() == 1 ? end_ : inner_;
-    const Value& center = values[ring[0]];
-    std::vector<Value> relative;
-    for (const Index w : ring) {
-      relative.push_back(values[w]);
-      for (std::size_t c = 0; c < dimension; ++c) relative.back().point[c] -= center.point[c];
-    }
-    tower.run(rule, relative, precision);
-    f.center = ring[0];
-    f.limit_point = to_eigen<dimension>(tower.limit().point) + to_eigen<dimension>(center.point);
-    f.control_normal = to_eigen<dimension>(tower.limit().normal);
-    f.error = tower.error();
-    f.depth = tower.depth();
-    f.has_tangents = !rule.tangents.empty();
-    std::vector<double> weights(ring.size());
-    for (const auto& e : rule.limit) weights[e.vertex] = e.weight;
-    for (std::size_t p = 0; p < ring.size(); ++p)
-      f.entries.push_back({ring[p], weights[p], tower.block(p)});
-  }
-
   bool is_closed_;
   Ring_rule inner_, end_;
 };

@@ -13,6 +13,7 @@
 #include <CGAL/PN_fitting_3/internal/Limit_distance.h>
 #include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_classes.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
@@ -31,7 +32,6 @@
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -193,8 +193,9 @@ private:
         "it has no limit masks");
     const Sub_level cut(stage.level, unsettled, cut_rings(scheme_));
     const One_round round(scheme_, cut.level, next_round);
-    const auto [fine, fine_values] = refined(stage, cut, round);
-    evaluate(Stage{fine, fine_values, &stage, &cut, &round}, cut.centers, unsettled_positions,
+    const Valued_level<Value> fine =
+      level_of_round(round, values_of_part(stage.values, cut.vertices), for_chunks_);
+    evaluate(Stage{fine.level, fine.values, &stage, &cut, &round}, cut.centers, unsettled_positions,
              next_round + 1, depth + 1, result);
   }
 
@@ -220,29 +221,14 @@ private:
   {
     ring.clear();
     Limit_classes<Scheme, double>::append_ring(stage.level, v, *kind.kind, ring);
-    std::vector<Value> values;
-    for (const Index w : ring) {
-      values.push_back(stage.values[w]);
-      for (std::size_t c = 0; c < 3; ++c) values.back().point[c] -= stage.values[v].point[c];
-    }
-    tower.run(kind.rule, values,
-              precision_at(*kind.kind->ring_class, stage.level.is_border_vertex(v)));
-    f.limit_point = to_eigen<3>(tower.limit().point) + to_eigen<3>(stage.values[v].point);
-    f.control_normal = to_eigen<3>(tower.limit().normal);
-    f.error = tower.error();
-    f.depth += tower.depth();
-    f.has_tangents = !kind.rule.tangents.empty();
+    f.run(tower, kind.rule, stage.values, ring,
+          precision_at(*kind.kind->ring_class, stage.level.is_border_vertex(v)));
     if (precision_.second_forms > 0)
       if (const auto jet = surface_jet(stage.level, v, *kind.kind->ring_class, tower)) {
         f.second_form = second_form(*jet);
         f.has_second_form = true;
         if (!is_spline_at(stage.level, v)) f.share_of_slopes = tower.limit().roundness;
       }
-    if (!precision_.with_blocks) return;
-    std::vector<double> weights(ring.size(), 0.);
-    for (const auto& e : kind.rule.limit) weights[e.vertex] += e.weight;
-    for (std::size_t p = 0; p < ring.size(); ++p)
-      f.entries.push_back({ring[p], weights[p], tower.block(p)});
     for (const Stage* s = &stage; s->parent != nullptr; s = s->parent)
       f.entries = pulled_back(*s, f.entries);
   }
@@ -330,23 +316,6 @@ private:
     f.entries.assign(1, e);
     f.control_normal = to_eigen<3>(stage.values[v].normal);
     f.limit_point = to_eigen<3>(stage.values[v].point);
-  }
-
-  std::pair<Level_connectivity, std::vector<Value>>
-  refined(const Stage& stage, const Sub_level& cut, const One_round& round) const
-  {
-    std::vector<Value> old;
-    for (const Index v : cut.vertices) old.emplace_back(stage.values[v]);
-    Level_connectivity fine = child_level(round, for_chunks_);
-    std::vector<Value> values(fine.number_of_vertices());
-    const auto transfers = round.transfers(old.data(), for_chunks_);
-    for_chunks_(fine.number_of_vertices(), [&](Index begin, Index end) {
-      round.evaluate(
-        begin, end, old.data(), transfers, [&](Index v, const Value* refined, Index n) {
-          std::copy(refined, refined + n, values.begin() + static_cast<std::ptrdiff_t>(v));
-        });
-    });
-    return {std::move(fine), std::move(values)};
   }
 
   const Scheme& scheme_;

@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_fitting_3/internal/Functional_tower.h>
 #include <CGAL/PN_fitting_3/internal/change_of_curvature.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <Eigen/Core>
@@ -23,7 +24,6 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -225,23 +225,16 @@ private:
     std::vector<double> area(normals_.size(), 0);
     double sum = 0, number = 0;
     for (Index f = 0; f < level_.number_of_faces(); ++f) {
-      const Index first = level_.halfedge_of_face(f);
-      const Vector origin = points_[level_.target(first)];
+      const Vector origin = points_[level_.target(level_.halfedge_of_face(f))];
       Vector normal = Vector::Zero();
       double degree = 0;
-      const auto for_each = [&](const auto& function) {
-        Index h = first;
-        do {
-          function(h);
-          h = level_.next(h);
-        } while (h != first);
-      };
-      for_each([&](Index h) {
+      for_each_halfedge_of_face(level_, f, [&](Index h) {
         normal +=
           (points_[level_.source(h)] - origin).cross(points_[level_.target(h)] - origin) / 2;
         ++degree;
       });
-      for_each([&](Index h) { area[level_.target(h)] += normal.norm() / degree; });
+      for_each_halfedge_of_face(level_, f,
+                                [&](Index h) { area[level_.target(h)] += normal.norm() / degree; });
       sum += normal.norm();
     }
     for (Index v = 0; v < area.size(); ++v) number += level_.is_isolated(v) ? 0 : 1;

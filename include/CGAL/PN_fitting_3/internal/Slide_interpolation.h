@@ -220,6 +220,17 @@ Interpolation_result<dimension> slide_and_measure(const Interpolation_data<dimen
   return result;
 }
 
+// of the points that have a normal
+template <int dimension, int tangents>
+Interpolation_result<dimension> interpolate_by_sliding(Interpolation_data<dimension>& data,
+                                                       Limit_source<dimension, tangents>& source)
+{
+  const std::size_t left_out = leave_out_without_normal(data);
+  auto result = slide_and_measure<dimension, tangents>(data, source);
+  result.report.left_out = left_out;
+  return result;
+}
+
 // Normals M that are those of the surface that slides along them: the surface that interpolates with M
 // tells its normals at the points P, and they become the next M. The normal at P is that at the limit
 // point L, carried from L to P by the second fundamental form.

@@ -10,13 +10,13 @@
 #define CGAL_PN_FITTING_3_INTERNAL_SMOOTH_CORRECTION_H
 
 #include <CGAL/PN_fitting_3/internal/Functional_tower.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -136,14 +136,11 @@ private:
   void for_each_in_faces(Index v, const Function& f) const
   {
     if (level_.is_isolated(v)) return;
-    const Index first = level_.halfedge_of_vertex(v);
-    Index h = first;
-    do {
+    for_each_halfedge_to(level_, v, [&](Index h) {
       f(level_.source(h));
       if (!level_.is_border(h))
         for (Index g = level_.next(h); g != h; g = level_.next(g)) f(level_.target(g));
-      h = level_.next_around_target(h);
-    } while (h != first);
+    });
   }
 
   // of each coordinate; entries for the same place are added up

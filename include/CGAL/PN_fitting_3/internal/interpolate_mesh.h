@@ -16,6 +16,7 @@
 #include <CGAL/PN_fitting_3/internal/Prescription.h>
 #include <CGAL/PN_fitting_3/internal/Slide_interpolation.h>
 #include <CGAL/PN_fitting_3/internal/Strict_interpolation.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
@@ -79,13 +80,6 @@ constexpr void check_interpolation_arguments()
   static_assert(is_chosen_at_run_time<Scheme>() || !Has_curvature_transfer<Scheme>::value,
                 "PN_subdivision_3: interpolation is not known for schemes that transfer curvature, "
                 "whose normals depend on the points: take their modified forms");
-}
-
-inline void check_tolerance(double tolerance)
-{
-  if (!(tolerance >= 0))
-    throw std::invalid_argument(
-      "PN_subdivision_3: a tolerance must be a number that is not negative");
 }
 
 template <class Options>
@@ -153,18 +147,6 @@ Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme
   return data;
 }
 
-inline Interpolation_result<3> interpolate_by_sliding(const Level_connectivity& level,
-                                                      Control_normal_estimate estimate,
-                                                      Interpolation_data<3>& data,
-                                                      Surface_limits& source)
-{
-  estimate_missing_normals(level, estimate, data);
-  const std::size_t left_out = leave_out_without_normal(data);
-  auto result = slide_and_measure<3, 2>(data, source);
-  result.report.left_out = left_out;
-  return result;
-}
-
 // all control points move, as smoothly as they can
 inline Interpolation_result<3> interpolate_smoothly(const Level_connectivity& level,
                                                     Interpolation_data<3> data,
@@ -186,8 +168,10 @@ Interpolation_result<3> interpolate_mesh(const Level_connectivity& level,
                                          Control_normal_estimate estimate, const Options& options,
                                          Interpolation_data<3>& data, Surface_limits& source)
 {
-  if (options.mode == Limit_interpolation::Mode::slide)
-    return interpolate_by_sliding(level, estimate, data, source);
+  if (options.mode == Limit_interpolation::Mode::slide) {
+    estimate_missing_normals(level, estimate, data);
+    return interpolate_by_sliding<3, 2>(data, source);
+  }
   const bool solves = options.normals == Limit_interpolation::Normals::solved && data.takes_normals;
   Solved_normals<3> control_normals = solved_or_given<3, 2>(solves, data, source);
   auto result = options.free == Limit_interpolation::Free::smooth

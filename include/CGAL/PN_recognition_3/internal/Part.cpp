@@ -9,7 +9,6 @@
 #include <CGAL/PN_recognition_3/internal/Part.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <tuple>

@@ -8,7 +8,6 @@
 #ifndef CGAL_PN_RECOGNITION_3_INTERNAL_LINEAR_ALGEBRA_H
 #define CGAL_PN_RECOGNITION_3_INTERNAL_LINEAR_ALGEBRA_H
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -135,16 +135,12 @@ private:
   void add_face_neighbors(Index v)
   {
     const Level_connectivity& level = data_.level;
-    const bool has_border = level.has_border();
-    const Index first = level.halfedge_of_vertex(v);
-    Index h = first;
-    do { // the half-edge after h has the same edge as the next one
+    for_each_halfedge_to(level, v, [&](Index h) { // the one after h has the edge of the next one
       next_ring_.push_back(level.source(h));
-      if (!has_border || !level.is_border(h))
+      if (!level.is_border(h))
         for (Index g = level.next(level.next(h)); level.next(g) != h; g = level.next(g))
           next_ring_.push_back(level.target(g));
-      h = level.next_around_target(h);
-    } while (h != first);
+    });
   }
 
   // The cosine of the angle to the normal; where normals are fitted, which tell also what is steep, the square of that of

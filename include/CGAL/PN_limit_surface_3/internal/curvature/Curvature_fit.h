@@ -15,7 +15,6 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>

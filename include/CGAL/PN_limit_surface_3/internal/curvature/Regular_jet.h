@@ -17,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -74,12 +73,12 @@ Curvatures<FT> curvatures(const Jet_2<FT>& x, const Jet_2<FT>& y, const Jet_2<FT
 {
   using Vector = Coordinates<FT, 3>;
   const Vector a{x.a, y.a, z.a}, b{x.b, y.b, z.b};
-  Vector n = cross<FT>(a, b);
+  Vector n = cross(a, b);
   if (n[2] < 0)
     for (FT& c : n) c = -c;
-  const FT area = dot<FT, 3>(n, n); // squared
+  const FT area = dot(n, n); // squared
   const FT length = std::sqrt(area);
-  const FT e = dot<FT, 3>(a, a), f = dot<FT, 3>(a, b), g = dot<FT, 3>(b, b);
+  const FT e = dot(a, a), f = dot(a, b), g = dot(b, b);
   const FT l = dot<FT, 3>({x.aa, y.aa, z.aa}, n) / length;
   const FT m = dot<FT, 3>({x.ab, y.ab, z.ab}, n) / length;
   const FT k = dot<FT, 3>({x.bb, y.bb, z.bb}, n) / length;
@@ -107,21 +106,7 @@ public:
 
   std::size_t size() const { return weights_.size(); }
 
-  // the vertex at the target of h and its 1-ring, clockwise
-  void append_ring(const Level_connectivity& level, Index h, std::vector<Index>& ring) const
-  {
-    ring.push_back(level.target(h));
-    for (std::size_t i = 1; i < size();) {
-      h = level.next(h);
-      ring.push_back(level.target(h));
-      ++i;
-      h = Level_connectivity::opposite(h);
-      if (size() == 7) continue;
-      ring.push_back(level.target(level.next(level.next(h))));
-      ++i;
-    }
-  }
-
+  // `ring`: the vertex and its 1-ring, clockwise
   Curvatures<FT> operator()(const Index* ring, const Value* values,
                             const FT& roundness = FT(1)) const
   {
@@ -158,7 +143,7 @@ private:
       add_multiple<FT, 3>(a, weights_[k].a, v.point);
       add_multiple<FT, 3>(b, weights_[k].b, v.point);
     }
-    if (dot<FT, 3>(n, n) == FT(0)) n = cross<FT>(b, a); // the ring is clockwise
+    if (dot(n, n) == FT(0)) n = cross(b, a); // the ring is clockwise
     normalize(n);
     return n;
   }

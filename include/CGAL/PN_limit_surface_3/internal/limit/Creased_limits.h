@@ -19,6 +19,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -108,26 +109,14 @@ private:
     Level_cut<FT> cut;
   };
 
-  static Vector normal(const Value& value)
-  {
-    if constexpr (is_pn)
-      return value.normal;
-    else
-      return zero_vector<FT, 3>();
-  }
-
   // \name Where something is sharp, but not forever
   // The slots of the corners about a vertex, from its half-edge on, which is that of its descendants.
   static std::vector<Index> slots_about(const Level_connectivity& level,
                                         const Corner_slots<FT>& slot_of, Index v)
   {
     std::vector<Index> slot_ids;
-    const Index own = level.halfedge_of_vertex(v);
-    Index h = own;
-    do {
-      slot_ids.push_back(level.is_border(h) ? v : slot_of(h));
-      h = level.next_around_target(h);
-    } while (h != own);
+    for_each_halfedge_to(level, v,
+                         [&](Index h) { slot_ids.push_back(level.is_border(h) ? v : slot_of(h)); });
     return slot_ids;
   }
 
@@ -310,11 +299,8 @@ private:
   }
 
   // the tangent at a vertex along an edge of it, from the vertex and towards it from the other end
-  static Vector& tangent_from(Creases<FT>& creases, const Crease_end& e)
-  {
-    return creases.edges[e.crease].tangent_from[1 - e.side];
-  }
-  static const Vector& tangent_from(const Creases<FT>& creases, const Crease_end& e)
+  template <class Level_creases>
+  static auto& tangent_from(Level_creases& creases, const Crease_end& e)
   {
     return creases.edges[e.crease].tangent_from[1 - e.side];
   }
@@ -334,8 +320,8 @@ private:
     Crease_limit limit;
     limit.points = {point_of(level.values[star.vertex]), neighbor(from), neighbor(to)};
     limit.tangents = {tangent_from(creases, to), tangent_towards(creases, from),
-                      opposite_vector<FT, 3>(tangent_towards(creases, to))};
-    limit.arrival_tangent = opposite_vector<FT, 3>(tangent_from(creases, from));
+                      opposite_vector(tangent_towards(creases, to))};
+    limit.arrival_tangent = opposite_vector(tangent_from(creases, from));
     std::vector<Index> slot_ids;
     if constexpr (is_pn) {
       add_wedge(level, creases, from, to, false, limit, slot_ids);
@@ -352,7 +338,7 @@ private:
     if constexpr (is_pn)
       for (std::size_t w = 0; w < slot_ids.size(); ++w)
         results[slot_ids[w]].value.normal = limit.normals[w][0];
-    tangent_from(limits, from) = opposite_vector<FT, 3>(limit.tangents[0]);
+    tangent_from(limits, from) = opposite_vector(limit.tangents[0]);
     tangent_from(limits, to) = limit.tangents[0];
   }
 
@@ -385,7 +371,7 @@ private:
                                last.after[1 - before.side]};
     if (is_reversed) std::swap(three[1], three[2]);
     typename Crease_limit::Three normals;
-    for (std::size_t i = 0; i < 3; ++i) normals[i] = normal(level.values[three[i]]);
+    for (std::size_t i = 0; i < 3; ++i) normals[i] = level.values[three[i]].normal;
     limit.normals.push_back(normals);
     const auto roundness = [&](std::size_t i) { return level.values[three[i]].roundness; };
     limit.roundness.push_back({roundness(0), roundness(1), roundness(2)});
@@ -440,6 +426,11 @@ private:
   // of the border, whether the crease is on its first edge, valence
   std::map<std::tuple<bool, bool, Index>, std::unique_ptr<Dart>> darts_;
 };
+
+// What finds the limits at the slots of a level.
+template <class Scheme, class FT, class Level_creases>
+using Limits_of_level = std::conditional_t<are_creases_v<Level_creases>, Creased_limits<Scheme, FT>,
+                                           Limit_evaluation<Scheme, FT>>;
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -30,7 +30,6 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -257,7 +256,7 @@ private:
       next.push_back(
         average(dart.points().rows[p], dart.has_own_normals() ? &dart.normals().rows[p] : nullptr));
     const FT half = FT(1) / FT(2);
-    const Vector onwards = opposite_vector<FT, 3>(far_tangent);
+    const Vector onwards = opposite_vector(far_tangent);
     const std::array<Entry, 2> entries{
       {{half, point_of(ring.front()), tangent},
        {half, point_of(ring[dart.crease_places().front()]), onwards}}};
@@ -274,7 +273,7 @@ private:
         next[p].normal =
           rule.normal([&](std::size_t j) -> const Vector& { return ring[j == 0 ? 0 : p].normal; });
     }
-    far_tangent = opposite_vector<FT, 3>(rule.tangent());
+    far_tangent = opposite_vector(rule.tangent());
     turn_tangent(next.front());
     ring.swap(next);
   }
@@ -291,8 +290,8 @@ private:
   void turn_tangent([[maybe_unused]] const Value& value)
   {
     if constexpr (is_pn) {
-      const FT length = root_of_square<FT>(dot<FT, 3>(tangent, tangent));
-      add_multiple<FT, 3>(tangent, FT(-dot<FT, 3>(tangent, value.normal)), value.normal);
+      const FT length = root_of_square<FT>(dot(tangent, tangent));
+      add_multiple<FT, 3>(tangent, FT(-dot(tangent, value.normal)), value.normal);
       tangent = unit_or_zero<FT, 3>(tangent, length);
     }
   }

@@ -47,6 +47,23 @@ struct Valued_level
   std::vector<Value> values;
 };
 
+// the level that a round makes
+template <class One_round, class Value>
+Valued_level<Value> level_of_round(const One_round& round, const std::vector<Value>& old,
+                                   const For_chunks& for_chunks)
+{
+  using Index = Level_connectivity::Index;
+  Valued_level<Value> result{child_level(round, for_chunks),
+                             std::vector<Value>(round.refined_size().vertices)};
+  evaluate_rows(round, 0, result.level.number_of_vertices(), old.data(),
+                round.transfers(old.data(), for_chunks), for_chunks,
+                [&](Index first, const Value* values, Index n) {
+                  std::copy(values, values + n,
+                            result.values.begin() + static_cast<std::ptrdiff_t>(first));
+                });
+  return result;
+}
+
 // The limits at vertices of a level of a scheme that keeps its vertices. Where the neighborhood of a
 // vertex is not settled yet but will be after one round, the round makes its ring and nothing else;
 // the faces around all other such vertices are cut out and refined until it is.
@@ -73,6 +90,11 @@ public:
   {}
 
   // of all vertices, in the round that is next, or of some, whose results have the places that they have among all
+  std::vector<Result> operator()(const Level& level, const No_creases&, unsigned next_round,
+                                 const std::vector<Index>* some = nullptr)
+  {
+    return (*this)(level, next_round, some);
+  }
   std::vector<Result> operator()(const Level& level, unsigned next_round,
                                  const std::vector<Index>* some = nullptr)
   {
@@ -272,17 +294,15 @@ private:
     constexpr bool is_sqrt3 = std::is_same_v<typename Scheme::Host, Sqrt3_host>;
     // the same rows whichever vertices are asked for
     const Sub_level cut(level.level, vertices, cut_rings(scheme_), Sub_level::Keeps::walks);
-    std::vector<Value> values;
-    values.reserve(cut.vertices.size());
-    for (const Index v : cut.vertices) values.emplace_back(level.values[v]);
+    std::vector<Value> values = values_of_part(level.values, cut.vertices);
     vertices = cut.centers;
     if constexpr (is_sqrt3)
       if (Sqrt3_host::refines_border(round)) {
         Level_connectivity closed = cut.level;
         close_rim(level.level, cut, closed, values);
-        return refined(closed, values, round);
+        return level_of_round(One_round(scheme_, closed, round), values, for_chunks_);
       }
-    return refined(cut.level, values, round);
+    return level_of_round(One_round(scheme_, cut.level, round), values, for_chunks_);
   }
   // A round that refines the border would take the rim for it.
   static void close_rim(const Level_connectivity& whole, const Sub_level& cut,
@@ -293,25 +313,6 @@ private:
       const Value value = values[v];
       values.push_back(value);
     }
-  }
-
-  Level refined(const Level_connectivity& level, const std::vector<Value>& values,
-                unsigned number) const
-  {
-    const One_round round(scheme_, level, number);
-    Level result;
-    result.level = child_level(round, for_chunks_);
-    result.values.resize(round.refined_size().vertices);
-    const auto transfers = round.transfers(values.data(), for_chunks_);
-    const Caller_precision<FT> precision;
-    for_chunks_(result.level.number_of_vertices(), [&](Index begin, Index end) {
-      const typename Caller_precision<FT>::In_this_thread same(precision);
-      round.evaluate(
-        begin, end, values.data(), transfers, [&](Index v, const Value* refined, Index n) {
-          std::copy(refined, refined + n, result.values.begin() + static_cast<std::ptrdiff_t>(v));
-        });
-    });
-    return result;
   }
 
   const Scheme& scheme_;

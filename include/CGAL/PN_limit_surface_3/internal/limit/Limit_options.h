@@ -17,8 +17,11 @@
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -83,15 +86,21 @@ inline bool asks_for_points(const Limit_options& options)
   return options.points || !options.surface_normals;
 }
 
+inline double check_tolerance(double tolerance)
+{
+  if (!(tolerance >= 0))
+    throw std::invalid_argument("PN_subdivision_3: a tolerance must be a number that is not "
+                                "negative, not " +
+                                std::to_string(tolerance));
+  return tolerance;
+}
+
 template <class FT>
 Limit_demand limit_demand(const Limit_options& options, double box)
 {
-  if (!(options.tolerance >= 0) || !(options.normal_tolerance >= 0))
-    throw std::invalid_argument(
-      "PN_subdivision_3: a tolerance must be a number that is not negative");
   Limit_demand demand;
-  demand.tolerance = options.tolerance * box;
-  demand.normal_tolerance = options.normal_tolerance;
+  demand.tolerance = check_tolerance(options.tolerance) * box;
+  demand.normal_tolerance = check_tolerance(options.normal_tolerance);
   // exact numbers grow too long; the estimate needs one round
   demand.max_depth = is_exact_v<FT> ? 1 : (std::max)(1u, options.max_depth);
   demand.surface_normals = options.surface_normals;
@@ -115,6 +124,15 @@ Limit_report limit_report(const std::vector<Result>& results, const Limit_demand
     if (demand.surface_normals && !r.has_surface_normal) ++report.number_of_stand_ins;
   }
   return report;
+}
+
+// Floating point keeps more digits of a ring or window about the origin; intervals would only grow.
+template <class Value, class FT, std::size_t dimension>
+Value relative(Value v, [[maybe_unused]] const std::array<FT, dimension>& center,
+               [[maybe_unused]] const FT& sign)
+{
+  if constexpr (std::is_floating_point_v<FT>) add_multiple(point_of(v), sign, center);
+  return v;
 }
 
 // Averages L_k of a limit mask come closer to the limit by steps |L_{k+1} - L_k|, which become a geometric

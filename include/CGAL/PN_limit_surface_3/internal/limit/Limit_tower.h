@@ -163,14 +163,6 @@ private:
       return {FT(0), FT(0), FT(0)};
   }
 
-  // Floating point keeps more digits of a ring about the origin; intervals would only grow.
-  static Value relative(Value v, [[maybe_unused]] const Coordinates<FT, 3>& center,
-                        [[maybe_unused]] const FT& sign)
-  {
-    if constexpr (std::is_floating_point_v<FT>) add_multiple<FT, 3>(point_of(v), sign, center);
-    return v;
-  }
-
   // notes the limit of ring c at this depth; whether it is the last one
   bool advance(std::size_t c, unsigned depth)
   {
@@ -238,7 +230,7 @@ private:
     }
     result.has_surface_normal = true;
     const bool is_turned = !demand_.points && plane.is_against_faces;
-    result.surface_normal = is_turned ? opposite_vector<double, 3>(n) : n;
+    result.surface_normal = is_turned ? opposite_vector(n) : n;
     result.normal_error = error;
     return !is_pn_v<Scheme> || is_found_at_once ||
            (depth != 0 && had_normal && error <= demand_.normal_tolerance);

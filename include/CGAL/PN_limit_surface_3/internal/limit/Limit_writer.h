@@ -26,7 +26,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>

@@ -50,7 +50,7 @@ public:
     , frame_(limit.point, has_normal(limit) ? limit.normal : cross_product(ring, tangents))
     , has_control_normal_(has_normal(limit))
   {
-    if (!(dot<double, 3>(frame_.normal(), frame_.normal()) > 0.5)) return; // collapsed
+    if (!(dot(frame_.normal(), frame_.normal()) > 0.5)) return; // collapsed
     const auto height = [&](const Value& v) {
       const double of_arc = arc_height(v);
       return roundness_ == 1 ? of_arc : of_arc - (1 - roundness_) * (of_arc - frame_.z(v.point));
@@ -169,8 +169,8 @@ private:
       for (std::size_t r = 0; r < 2; ++r)
         add_multiple<double, 3>(t[r], tangents[r][i], ring[i].point);
     for (Vector& x : t) normalize(x); // their product might underflow
-    Vector n = cross<double>(t[0], t[1]);
-    if (!(dot<double, 3>(n, n) > 1e-24)) return Vector{};
+    Vector n = cross(t[0], t[1]);
+    if (!(dot(n, n) > 1e-24)) return Vector{};
     normalize(n);
     return n;
   }

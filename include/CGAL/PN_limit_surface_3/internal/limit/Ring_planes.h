@@ -144,10 +144,9 @@ private:
       const Vector& v = ring_[0].point;
       const auto [neighbors, is_closed] = fan();
       for (std::size_t i = 1; i < neighbors; ++i)
-        add(difference<double, 3>(ring_[1 + i].point, v), difference<double, 3>(ring_[i].point, v));
+        add(difference(ring_[1 + i].point, v), difference(ring_[i].point, v));
       if (is_closed && neighbors != 0)
-        add(difference<double, 3>(ring_[1].point, v),
-            difference<double, 3>(ring_[neighbors].point, v));
+        add(difference(ring_[1].point, v), difference(ring_[neighbors].point, v));
     });
     return result;
   }

@@ -9,74 +9,50 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SUB_LEVEL_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SUB_LEVEL_H
 
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <cstddef>
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// Numbers that some elements of a level get: in a table of all if they may be many, and otherwise at the first free place
-// from that of a hash on.
+// Numbers that some elements of a level get: in a table of all if they may be many.
 class Element_numbers
 {
 public:
   using Index = Level_connectivity::Index;
 
   Element_numbers(std::size_t all, bool are_many)
-    : elements_(are_many ? 0 : few)
-    , numbers_(are_many ? all : few, null)
+    : of_all_(are_many ? all : 0, null)
   {}
 
   // whether the element had no number
   bool insert(Index element, Index number)
   {
-    if (!elements_.empty() && 2 * size_ >= elements_.size()) grow();
-    const std::size_t i = place(element);
-    if (numbers_[i] != null) return false;
-    if (!elements_.empty()) elements_[i] = element;
-    numbers_[i] = number;
-    ++size_;
+    if (of_all_.empty()) return of_some_.emplace(element, number).second;
+    if (of_all_[element] != null) return false;
+    of_all_[element] = number;
     return true;
   }
-  bool contains(Index element) const { return numbers_[place(element)] != null; }
-  // of an element that has one
-  Index operator[](Index element) const { return numbers_[place(element)]; }
+  // null: it has none
+  Index find(Index element) const
+  {
+    if (!of_all_.empty()) return of_all_[element];
+    const auto found = of_some_.find(element);
+    return found == of_some_.end() ? null : found->second;
+  }
 
 private:
   static constexpr Index null = Level_connectivity::null;
-  static constexpr std::size_t few = 256;
 
-  std::size_t place(Index element) const
-  {
-    if (elements_.empty()) return element;
-    const std::size_t last = elements_.size() - 1;
-    std::size_t i = (element ^ (element >> 6)) & last;
-    while (numbers_[i] != null && elements_[i] != element) i = (i + 1) & last;
-    return i;
-  }
-
-  void grow()
-  {
-    std::vector<Index> elements(2 * elements_.size()), numbers(2 * elements_.size(), null);
-    elements.swap(elements_);
-    numbers.swap(numbers_);
-    for (std::size_t k = 0; k < elements.size(); ++k) {
-      if (numbers[k] == null) continue;
-      const std::size_t i = place(elements[k]);
-      elements_[i] = elements[k];
-      numbers_[i] = numbers[k];
-    }
-  }
-
-  std::vector<Index> elements_; // empty: the numbers are a table
-  std::vector<Index> numbers_;
-  std::size_t size_ = 0;
+  std::vector<Index> of_all_;
+  std::unordered_map<Index, Index> of_some_;
 };
 
 // The elements of the faces within some rings about the center vertices of a level, in the order in which they are found.
@@ -103,7 +79,7 @@ public:
     list_vertices();
   }
 
-  bool is_taken(Index f) const { return is_taken_.contains(f); }
+  bool is_taken(Index f) const { return is_taken_.find(f) != Level_connectivity::null; }
 
   Index number_of_vertices() const { return static_cast<Index>(vertices_.size()); }
   Index number_of_edges() const { return static_cast<Index>(edges_.size()); }
@@ -111,7 +87,7 @@ public:
   Index vertex(Index i) const { return whole_.target(vertices_[i]); }
   Index edge(Index i) const { return Level_connectivity::edge(edges_[i]); }
   Index face(Index i) const { return whole_.face(faces_[i]); }
-  Index place_of_edge(Index e) const { return place_of_edge_[e]; }
+  Index place_of_edge(Index e) const { return place_of_edge_.find(e); }
   Index halfedge_of_vertex(Index i) const
   {
     return keeps_ == Keeps::walks ? whole_.halfedge_of_vertex(vertex(i)) : vertices_[i];
@@ -127,19 +103,13 @@ private:
     for (const Index v : centers) known.insert(v, 0);
     for (unsigned r = 0; r < rings; ++r) {
       next_ring.clear();
-      for (const Index v : ring) {
-        const Index first = whole_.halfedge_of_vertex(v);
-        Index h = first;
-        do {
-          if (!whole_.is_border(h) && is_taken_.insert(whole_.face(h), 0)) {
-            faces_.push_back(keeps_ == Keeps::nothing ? h
-                                                      : whole_.halfedge_of_face(whole_.face(h)));
-            for (Index g = whole_.next(h); g != h; g = whole_.next(g))
-              if (known.insert(whole_.target(g), 0)) next_ring.push_back(whole_.target(g));
-          }
-          h = whole_.next_around_target(h);
-        } while (h != first);
-      }
+      for (const Index v : ring)
+        for_each_halfedge_to(whole_, v, [&](Index h) {
+          if (whole_.is_border(h) || !is_taken_.insert(whole_.face(h), 0)) return;
+          faces_.push_back(keeps_ == Keeps::nothing ? h : whole_.halfedge_of_face(whole_.face(h)));
+          for (Index g = whole_.next(h); g != h; g = whole_.next(g))
+            if (known.insert(whole_.target(g), 0)) next_ring.push_back(whole_.target(g));
+        });
       ring.swap(next_ring);
     }
   }

@@ -98,20 +98,40 @@ template <class FT, class Access>
 void require_sharp_for_ever(const Access&, No_creases, unsigned)
 {}
 
+// Calls sink(level, creases, creases of the mesh) with a mesh as its maps tell of it. So many rounds may be made before
+// anything that is sharp has to be so forever.
+template <class FT, class Access, class Scheme, class Point_map, class Normal_map, class Edge_map,
+          class Vertex_map, class Sink>
+void with_slot_level(const Access& access, const Scheme& scheme, Point_map points,
+                     Normal_map normals, Edge_map edge_map, Vertex_map vertex_map, unsigned rounds,
+                     const Sink& sink)
+{
+  static_assert(check_no_grid_rows<Scheme>());
+  if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
+    require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+    Valued_level<typename Average_of_scheme<Scheme, FT>::Value> level;
+    level.level = checked_level(access);
+    check_scheme<Scheme, Element_names>(scheme, level.level, access);
+    Mesh_creases_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
+      scheme, access, level.level, edge_map, vertex_map);
+    auto creases = of_mesh.creases(level.level);
+    require_sharp_for_ever<FT>(access, creases, rounds);
+    of_mesh.read_tangents(creases);
+    level.values = of_mesh.values(level.level, points, normals, creases);
+    sink(level, creases, of_mesh);
+  }
+}
+
 // The limits at the slots of a level, which are its vertices if there are no creases. These get the tangents of the
 // limit. If only some vertices are asked for, which are sorted, the others have no results.
 template <class FT, class Scheme, class Level, class Level_creases>
 auto limits_at_slots(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
-                     Level& level, [[maybe_unused]] Level_creases& creases, unsigned next_round,
+                     Level& level, Level_creases& creases, unsigned next_round,
                      const std::vector<Level_connectivity::Index>* some = nullptr,
                      std::shared_ptr<Limit_classes<Scheme, FT>> classes = nullptr)
 {
-  if constexpr (are_creases_v<Level_creases>)
-    return Creased_limits<Scheme, FT>(scheme, demand, for_chunks,
-                                      std::move(classes))(level, creases, next_round, some);
-  else
-    return Limit_evaluation<Scheme, FT>(scheme, demand, for_chunks,
-                                        std::move(classes))(level, next_round, some);
+  Limits_of_level<Scheme, FT, Level_creases> limits(scheme, demand, for_chunks, std::move(classes));
+  return limits(level, creases, next_round, some);
 }
 
 // At vertices with several wedges: the mean of the normals of these.

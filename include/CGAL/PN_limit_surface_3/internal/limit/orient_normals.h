@@ -13,11 +13,11 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -33,7 +33,7 @@ bool is_against_area(const Coordinates<double, 3>& normal, const For_each_triang
   double height = 0, size = 0;
   for_each([&](const Vector& a, const Vector& b) {
     size = (std::max)({size, largest_coordinate(a), largest_coordinate(b)});
-    height += dot<double, 3>(cross<double>(a, b), normal);
+    height += dot(cross(a, b), normal);
   });
   if (size > greatest || size < 1 / greatest) {
     const int exponent = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
@@ -41,7 +41,7 @@ bool is_against_area(const Coordinates<double, 3>& normal, const For_each_triang
     for_each([&](Vector a, Vector b) {
       for (double& x : a) x = std::ldexp(x, -exponent);
       for (double& x : b) x = std::ldexp(x, -exponent);
-      height += dot<double, 3>(cross<double>(a, b), normal);
+      height += dot(cross(a, b), normal);
     });
   }
   return height < 0;
@@ -54,14 +54,11 @@ bool is_against_faces(const Level_connectivity& level, Level_connectivity::Index
 {
   using Index = Level_connectivity::Index;
   const Coordinates<double, 3> center = point(v);
-  const auto away = [&](Index w) { return difference<double, 3>(point(w), center); };
-  const Index first = level.halfedge_of_vertex(v);
+  const auto away = [&](Index w) { return difference(point(w), center); };
   return is_against_area(normal, [&](const auto& add) {
-    Index h = first;
-    do {
+    for_each_halfedge_to(level, v, [&](Index h) {
       if (!level.is_border(h)) add(away(level.target(level.next(h))), away(level.source(h)));
-      h = level.next_around_target(h);
-    } while (h != first);
+    });
   });
 }
 
@@ -72,28 +69,35 @@ bool is_against_face(const Level_connectivity& level, Level_connectivity::Index 
 {
   using Index = Level_connectivity::Index;
   const Coordinates<double, 3> corner = point(level.target(first));
-  const auto away = [&](Index h) { return difference<double, 3>(point(level.target(h)), corner); };
+  const auto away = [&](Index h) { return difference(point(level.target(h)), corner); };
   return is_against_area(normal, [&](const auto& add) {
     for (Index h = level.next(first); level.next(h) != first; h = level.next(h))
       add(away(h), away(level.next(h)));
   });
 }
 
-// The frame of a surface normal is that of the control normal, which may be on the wrong side of the faces, whose
-// corners are point(v). Result i is that of vertex(i).
-template <class Results, class Point_of, class Vertex_of>
-void orient_normals(const Level_connectivity& level, Results& results, const For_chunks& for_chunks,
-                    const Point_of& point, const Vertex_of& vertex)
+// The frame of a surface normal is that of the control normal, which may be on the wrong side: is_against(i, normal).
+template <class Results, class Is_against>
+void orient_normals(Results& results, const For_chunks& for_chunks, const Is_against& is_against)
 {
   using Index = Level_connectivity::Index;
   for_chunks(static_cast<Index>(results.size()), [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i) {
       auto& result = results[i];
-      const Index v = vertex(i);
-      if (result.has_surface_normal && !level.is_isolated(v) &&
-          is_against_faces(level, v, point, result.surface_normal))
-        result.surface_normal = opposite_vector<double, 3>(result.surface_normal);
+      if (result.has_surface_normal && is_against(i, result.surface_normal))
+        result.surface_normal = opposite_vector(result.surface_normal);
     }
+  });
+}
+// of the faces at vertices, whose corners are point(v); result i is that of vertex(i)
+template <class Results, class Point_of, class Vertex_of>
+void orient_normals(const Level_connectivity& level, Results& results, const For_chunks& for_chunks,
+                    const Point_of& point, const Vertex_of& vertex)
+{
+  using Index = Level_connectivity::Index;
+  orient_normals(results, for_chunks, [&](Index i, const auto& normal) {
+    const Index v = vertex(i);
+    return !level.is_isolated(v) && is_against_faces(level, v, point, normal);
   });
 }
 // of all limits, or of some, whose neighbors have none: these go by the points of the level

@@ -21,6 +21,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <cstddef>
@@ -66,12 +67,8 @@ public:
       std::vector<Index> ring;
       for (Index f = begin; f < end; ++f) {
         ring.clear();
-        const Index first = level.level.halfedge_of_face(f);
-        Index h = first;
-        do {
-          ring.push_back(level.level.target(h));
-          h = level.level.next(h);
-        } while (h != first);
+        for_each_halfedge_of_face(level.level, f,
+                                  [&](Index h) { ring.push_back(level.level.target(h)); });
         auto& tower = towers[static_cast<Index>(ring.size())];
         if (!tower)
           tower =
@@ -82,25 +79,16 @@ public:
       }
       for (auto& entry : towers) entry.second->evaluate();
     });
-    if (demand_.surface_normals) orient_normals(level, results);
+    const auto point = [&](Index v) { return to_double_3(point_of(level.values[v])); };
+    if (demand_.surface_normals)
+      orient_normals(results, for_chunks_, [&](Index f, const auto& normal) {
+        return is_against_face(level.level, level.level.halfedge_of_face(f), point, normal);
+      });
     return results;
   }
 
 private:
   using Class = Ring_class<Scheme, FT>;
-
-  // The frame of a surface normal is that of the control normal, which may be on the wrong side.
-  static void orient_normals(const Level& level, std::vector<Result>& results)
-  {
-    const auto point = [&](Index v) { return to_double_3(point_of(level.values[v])); };
-    for (Index f = 0; f < static_cast<Index>(results.size()); ++f) {
-      Result& result = results[f];
-      const Index h = level.level.halfedge_of_face(f);
-      if (result.has_surface_normal &&
-          is_against_face(level.level, h, point, result.surface_normal))
-        result.surface_normal = opposite_vector<double, 3>(result.surface_normal);
-    }
-  }
 
   // from a level of one face: its new vertices are the corners in their order
   std::unique_ptr<Class> make(Index degree) const
@@ -155,32 +143,23 @@ Limit_report vertex_limits(const Access& access, const Scheme& scheme, Point_map
                            const Limit_options& options, const For_chunks& for_chunks,
                            const Sink& sink)
 {
-  static_assert(check_no_grid_rows<Scheme>());
-  if constexpr (!check_corner_normals<Scheme, Access, Normal_map>())
-    return {};
-  else {
-    require_crease_rules(scheme, access, normals, edge_map, vertex_map);
-    Valued_level<typename Average_of_scheme<Scheme, FT>::Value> level;
-    level.level = checked_level(access);
-    check_scheme(scheme, level.level, access);
-    Mesh_creases_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
-      scheme, access, level.level, edge_map, vertex_map);
-    auto creases = of_mesh.creases(level.level);
-    require_sharp_for_ever<FT>(access, creases, 0);
-    of_mesh.read_tangents(creases);
-    level.values = of_mesh.values(level.level, points, normals, creases);
+  Limit_report report;
+  const auto evaluate = [&](auto& level, auto& creases, auto& of_mesh) {
     const Limit_demand demand = limit_demand<FT>(options, box_size(level));
     auto results = limits_at_slots<FT>(rules_of(scheme), demand, for_chunks, level, creases,
                                        options.rounds_done + 1);
-    decltype(level.values)().swap(level.values);
+    std::decay_t<decltype(level.values)>().swap(level.values);
     check_limits<FT>(results, [&](std::size_t v) {
       return access.vertex_name(static_cast<Level_connectivity::Index>(v));
     });
     using Result = typename decltype(results)::value_type;
-    sink(Vertex_limits<Result, decltype(creases)>{level.level, creases, results}, of_mesh);
+    sink(Vertex_limits<Result, std::decay_t<decltype(creases)>>{level.level, creases, results},
+         of_mesh);
     results.resize(level.level.number_of_vertices());
-    return limit_report(results, demand);
-  }
+    report = limit_report(results, demand);
+  };
+  with_slot_level<FT>(access, scheme, points, normals, edge_map, vertex_map, 0, evaluate);
+  return report;
 }
 
 // Puts limits into the maps of a mesh, and the old values back if that fails.

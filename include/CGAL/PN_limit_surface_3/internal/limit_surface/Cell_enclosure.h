@@ -10,27 +10,82 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Limit_cells.h>
-#include <CGAL/PN_limit_surface_3/internal/limit_surface/Proven_bound.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// A bound of the distance of a point-normal limit from that of the linear scheme on the same net, whose edges have ends no
+// farther apart than D, with unit normals that differ by delta at most. With non-negative weights the height H of a
+// point-normal average is bounded by its covariances, and both differences contract:
+//   eta = ((1 - (1 - sigma2 delta^2)^(1/2)) / (2 - d0^2 delta^2 / 2))^(1/2) sigma D >= |H|,
+//   delta' = gamma delta / (1 - sigma2 delta^2)^(1/2),  D' = gamma D + 2 eta;
+// the bound is the sum of all eta, infinite where the normals differ too much. The constants are those of
+// scripts/enclosure_constants.py, rounded up.
+class Proven_bound
+{
+public:
+  static constexpr unsigned least_valence = 3, most_valence = 12;
+
+  // degree: of the faces; valence: the one at a corner with the largest gamma is decisive, see include()
+  explicit Proven_bound(unsigned degree)
+    : is_quads_(degree == 4)
+    , gamma_(0.5)
+    , sigma2_(is_quads_ ? 0.75 : 0.4258)
+    , d0_(is_quads_ ? 4 : 2)
+  {}
+
+  // \pre least_valence <= valence <= most_valence
+  void include(unsigned valence)
+  {
+    constexpr double of_quads[] = {0.5,    0.5,    0.67,   0.75,   0.7909,
+                                   0.8125, 0.8241, 0.8300, 0.8327, 0.8334};
+    constexpr double of_triangles[] = {0.5,   0.5,    0.5,    0.5,    0.5760,
+                                       0.625, 0.6588, 0.6834, 0.7021, 0.7168};
+    const double gamma = (is_quads_ ? of_quads : of_triangles)[valence - least_valence];
+    if (gamma > gamma_) gamma_ = gamma;
+    if (is_quads_ && valence == 3) sigma2_ = 0.8426;
+  }
+
+  double operator()(double delta, double d) const
+  {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    double sum = 0;
+    for (int i = 0; i < 1000 && delta * d > 0; ++i) {
+      const double remaining = 1 - sigma2_ * delta * delta;
+      const double cosine = 2 - d0_ * d0_ * delta * delta / 2;
+      if (!(remaining > 0) || !(cosine >= 1)) return infinite;
+      const double root = std::sqrt(remaining);
+      // 1 - root without cancellation
+      const double eta =
+        std::sqrt(sigma2_ * delta * delta / (1 + root) / cosine) * std::sqrt(sigma2_) * d;
+      sum += eta;
+      delta = gamma_ * delta / root;
+      d = gamma_ * d + 2 * eta;
+      if (delta < 1e-40) break;
+    }
+    return sum * (1 + 1e-12);
+  }
+
+private:
+  bool is_quads_;
+  double gamma_, sigma2_, d0_;
+};
 
 // what computing with the points of a net adds to a bound, per unit of the largest coordinate
 constexpr double rounding_of_bound = 64 * std::numeric_limits<double>::epsilon();
@@ -53,19 +108,10 @@ public:
   void for_each_halfedge(const Function& f) const
   {
     const Level_connectivity& level = cell_.level.level;
-    for (const Index corner : cell_.halfedges()) {
-      Index h = corner;
-      do {
-        if (!level.is_border(h)) {
-          Index g = h;
-          do {
-            f(g);
-            g = level.next(g);
-          } while (g != h);
-        }
-        h = level.next_around_target(h);
-      } while (h != corner);
-    }
+    for (const Index corner : cell_.corners())
+      for_each_halfedge_to(level, corner, [&](Index h) {
+        if (!level.is_border(h)) for_each_halfedge_of_face(level, level.face(h), f);
+      });
   }
 
   bool has_uniform_faces() const
@@ -86,11 +132,11 @@ public:
       const auto &a = cell_.level.values[slot_of(h)],
                  &b = cell_.level.values[slot_of(cell_.level.level.next(h))];
       f(point_of(a));
-      d = (std::max)(d, quick_length(difference<double, 3>(point_of(a), point_of(b))));
+      d = (std::max)(d, quick_length(difference(point_of(a), point_of(b))));
       if constexpr (has_normal_v<typename Cells::Value>) {
         const auto none = zero_vector<double, 3>();
         delta = (std::max)(delta, (a.normal == none) == (b.normal == none)
-                                    ? quick_length(difference<double, 3>(a.normal, b.normal))
+                                    ? quick_length(difference(a.normal, b.normal))
                                     : std::numeric_limits<double>::infinity());
       }
     });
@@ -211,22 +257,21 @@ bool has_proven_bound(const Scheme& scheme)
            name_in_message(scheme) == name_in_message(Loop_scheme());
 }
 
-// Whether there is a normal in the faces at the target of a half-edge. A vertex without has none after any round.
+// Whether there is a normal in the faces at a vertex. A vertex without has none after any round.
 template <class Cells>
-bool has_normals_about(const Cells& cells, Level_connectivity::Index h)
+bool has_normals_about(const Cells& cells, Level_connectivity::Index v)
 {
   using Index = Level_connectivity::Index;
   const Level_connectivity& level = cells.control().level;
-  Index g = h;
-  do {
-    Index k = level.is_border(g) ? g : level.next(g);
-    for (;; k = level.next(k)) {
-      if (cells.control().values[level.target(k)].normal != zero_vector<double, 3>()) return true;
-      if (k == g) break;
-    }
-    g = level.next_around_target(g);
-  } while (g != h);
-  return false;
+  bool result = false;
+  const auto look = [&](Index h) {
+    result = result || cells.control().values[level.target(h)].normal != zero_vector<double, 3>();
+  };
+  for_each_halfedge_to(level, v, [&](Index h) {
+    look(h);
+    if (!level.is_border(h)) for_each_halfedge_of_face(level, level.face(h), look);
+  });
+  return result;
 }
 
 // Calls f(vertex, what) with what the proof does not cover about a face. Rounding may take half of a tolerance: it counts on
@@ -241,9 +286,7 @@ void for_each_unproven(const Cells& cells, Level_connectivity::Index face, unsig
   const auto is_covered = [](Index n) {
     return n >= Proven_bound::least_valence && n <= Proven_bound::most_valence;
   };
-  const Index first = level.halfedge_of_face(face);
-  Index h = first;
-  do {
+  for_each_halfedge_of_face(level, face, [&](Index h) {
     const Index v = level.target(h);
     if (level.is_border_vertex(v)) f(v, std::string("which is on the border"));
     if (!is_covered(level.valence(v)))
@@ -254,7 +297,7 @@ void for_each_unproven(const Cells& cells, Level_connectivity::Index face, unsig
       f(v, "whose coordinates leave " + text_of(rounding) +
              " to rounding, more than the tolerance (move the mesh to the origin)");
     if constexpr (has_normal_v<typename Cells::Value>)
-      if (!has_normals_about(cells, h) && has_normals_about(cells, level.next(h)))
+      if (!has_normals_about(cells, v) && has_normals_about(cells, level.target(level.next(h))))
         f(v, std::string("which has no normals about it, while a neighbor has"));
     if constexpr (are_creases_v<std::decay_t<decltype(cells.creases())>>)
       for (const Crease_star& star : cells.creases().stars)
@@ -263,14 +306,11 @@ void for_each_unproven(const Cells& cells, Level_connectivity::Index face, unsig
       const double w = cells.control().values[v].roundness;
       if (!(w >= 0 && w <= 1)) f(v, std::string("whose roundness is not from 0 to 1"));
     }
-    Index g = h;
-    do {
+    for_each_halfedge_to(level, v, [&](Index g) {
       if (degree == 4 && !is_covered(level.degree(g)))
         f(v, std::string("which has a face with more than 12 corners"));
-      g = level.next_around_target(g);
-    } while (g != h);
-    h = level.next(h);
-  } while (h != first);
+    });
+  });
 }
 
 // Refuses that, naming the first vertex of the face.

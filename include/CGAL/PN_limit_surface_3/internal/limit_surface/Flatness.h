@@ -29,22 +29,10 @@ namespace flatness {
 
 using Vector = Coordinates<double, 3>;
 
-inline Vector minus(const Vector& a, const Vector& b)
-{
-  return difference<double, 3>(a, b);
-}
-inline double product(const Vector& a, const Vector& b)
-{
-  return dot<double, 3>(a, b);
-}
-inline double length(const Vector& v)
-{
-  return std::sqrt(product(v, v));
-}
 // zero if there is none
 inline Vector unit(const Vector& v)
 {
-  const double l = length(v);
+  const double l = quick_length(v);
   return l > 0 ? Vector{v[0] / l, v[1] / l, v[2] / l} : Vector{};
 }
 inline Vector between(const Vector& a, const Vector& b, double t)
@@ -57,11 +45,11 @@ inline Vector between(const Vector& a, const Vector& b, double t)
 // The distance from a line; from its first point if it has no direction.
 inline double distance_from_line(const Vector& p, const Vector& a, const Vector& b)
 {
-  const Vector d = minus(b, a), r = minus(p, a);
-  const double square = product(d, d);
-  if (!(square > 0)) return length(r);
-  const double t = product(r, d) / square;
-  return length(minus(r, {t * d[0], t * d[1], t * d[2]}));
+  const Vector d = difference(b, a), r = difference(p, a);
+  const double square = dot(d, d);
+  if (!(square > 0)) return quick_length(r);
+  const double t = dot(r, d) / square;
+  return quick_length(difference(r, {t * d[0], t * d[1], t * d[2]}));
 }
 
 // A corner of a triangle: a point of the surface and its unit normal there, zero if none is known.
@@ -72,7 +60,7 @@ struct Corner
 
 inline double distance(const Corner& a, const Corner& b)
 {
-  return length(minus(a.point, b.point));
+  return quick_length(difference(a.point, b.point));
 }
 
 // The section of a surface over the chord of two corners: a cubic over the chord, whose height in the middle is that
@@ -84,7 +72,7 @@ public:
   // would have the say.
   Section(const Corner& a, const Corner& b)
     : a_(a.point)
-    , chord_(minus(b.point, a.point))
+    , chord_(difference(b.point, a.point))
   {
     const Vector of_a = a.normal == Vector{} ? mirrored(b.normal) : a.normal;
     const Vector of_b = b.normal == Vector{} ? mirrored(a.normal) : b.normal;
@@ -107,7 +95,7 @@ public:
   // how high a point is over the chord, and how much more than the section
   double height_of(const Vector& p) const
   {
-    return product(normal_, minus(p, a_)) - along(p) * slope_of_chord();
+    return dot(normal_, difference(p, a_)) - along(p) * slope_of_chord();
   }
   double excess_of(const Vector& p) const { return height_of(p) - height(along(p)); }
 
@@ -116,28 +104,28 @@ private:
   static Vector between(const Vector& m, const Vector& n)
   {
     const Vector sum = {m[0] + n[0], m[1] + n[1], m[2] + n[2]};
-    return product(sum, sum) > 0x1p-40 ? unit(sum) : Vector{};
+    return dot(sum, sum) > 0x1p-40 ? unit(sum) : Vector{};
   }
   // by the plane between the ends
   Vector mirrored(Vector n) const
   {
-    const double square = product(chord_, chord_);
-    if (square > 0) add_multiple<double, 3>(n, -2 * product(n, chord_) / square, chord_);
+    const double square = dot(chord_, chord_);
+    if (square > 0) add_multiple<double, 3>(n, -2 * dot(n, chord_) / square, chord_);
     return n;
   }
-  double slope_of_chord() const { return product(normal_, chord_); }
+  double slope_of_chord() const { return dot(normal_, chord_); }
   double along(const Vector& p) const
   {
-    const double square = product(chord_, chord_);
+    const double square = dot(chord_, chord_);
     if (!(square > 0)) return 0.5;
-    return (std::min)(1., (std::max)(0., product(minus(p, a_), chord_) / square));
+    return (std::min)(1., (std::max)(0., dot(difference(p, a_), chord_) / square));
   }
   // of the stereographic image of a normal, along the chord; steep where it is opposite
   double slope(const Vector& n) const
   {
     constexpr double least = 1. / 64;
-    const double d = (std::max)(least, 1 + product(n, normal_));
-    return (product(n, chord_) + product(normal_, chord_)) / d - product(normal_, chord_);
+    const double d = (std::max)(least, 1 + dot(n, normal_));
+    return (dot(n, chord_) + dot(normal_, chord_)) / d - dot(normal_, chord_);
   }
 
   Vector a_, chord_, normal_;
@@ -186,11 +174,11 @@ inline std::array<double, 2> over_quadrilateral(const Corner& a, const Corner& b
 // side.
 inline bool is_turned_or_thin(const Corner& a, const Corner& b, const Corner& c, double part)
 {
-  const Vector ab = minus(b.point, a.point), ac = minus(c.point, a.point),
-               bc = minus(c.point, b.point), area = cross<double>(ab, ac);
-  if (product(area, a.normal) + product(area, b.normal) + product(area, c.normal) < 0) return true;
-  const double longest = (std::max)({product(ab, ab), product(ac, ac), product(bc, bc)});
-  return !(length(area) > part * longest);
+  const Vector ab = difference(b.point, a.point), ac = difference(c.point, a.point),
+               bc = difference(c.point, b.point), area = cross(ab, ac);
+  if (dot(area, a.normal) + dot(area, b.normal) + dot(area, c.normal) < 0) return true;
+  const double longest = (std::max)({dot(ab, ab), dot(ac, ac), dot(bc, bc)});
+  return !(quick_length(area) > part * longest);
 }
 
 } // namespace flatness

@@ -57,11 +57,6 @@ struct Parameters_in_double : Surface_parameters<PolygonMesh, NamedParameters>
   using Kernel = Simple_cartesian<double>;
   using FT = double;
 
-  static constexpr bool has_number_of_iterations =
-    !std::is_same_v<typename internal_np::Lookup_named_param_def<
-                      internal_np::number_of_iterations_t, NamedParameters, No_roundness>::type,
-                    No_roundness>;
-
   static auto points(const PolygonMesh& mesh, const NamedParameters& np)
   {
     const auto map = Base::const_point_map(mesh, np);

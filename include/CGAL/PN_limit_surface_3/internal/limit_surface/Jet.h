@@ -108,10 +108,9 @@ struct Jet_average
   {
     std::array<double, 3> u{point[0].u, point[1].u, point[2].u},
       v{point[0].v, point[1].v, point[2].v}, n{};
-    if (scale_to_about_one<double, 3>(u) && scale_to_about_one<double, 3>(v))
-      n = cross<double>(u, v);
-    const double square = dot<double, 3>(n, n);
-    if (!(square > 1e-18 * dot<double, 3>(u, u) * dot<double, 3>(v, v)))
+    if (scale_to_about_one<double, 3>(u) && scale_to_about_one<double, 3>(v)) n = cross(u, v);
+    const double square = dot(n, n);
+    if (!(square > 1e-18 * dot(u, u) * dot(v, v)))
       return {normal[0].value, normal[1].value, normal[2].value};
     divide_by_length<double, 3>(n, square);
     return n;

@@ -11,27 +11,48 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
-#include <CGAL/PN_limit_surface_3/internal/limit_surface/Adaptive_level.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Spline_piece.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// The slots of the corners of a level.
+template <class Level_creases>
+class Slots_of_corners;
+template <>
+class Slots_of_corners<No_creases>
+{
+public:
+  using Index = Level_connectivity::Index;
+  Slots_of_corners(const Level_connectivity& level, No_creases)
+    : level_(level)
+  {}
+  Index operator()(Index h) const { return level_.target(h); }
+
+private:
+  const Level_connectivity& level_;
+};
+template <class FT>
+class Slots_of_corners<Creases<FT>> : public Corner_slots<FT>
+{
+public:
+  using Corner_slots<FT>::Corner_slots;
+};
 
 // A face of some level with the faces around it that its rounds and limits read. Corner 0 is at the target of `base`.
 template <class Value, class Level_creases>
@@ -203,11 +224,8 @@ private:
            const Cell_slots& slot_of, Index base, unsigned rounds) const
   {
     std::vector<Index> centers;
-    Index h = base;
-    do {
-      centers.push_back(level.target(h));
-      h = level.next(h);
-    } while (h != base);
+    for_each_halfedge_of_face(level, level.face(base),
+                              [&](Index h) { centers.push_back(level.target(h)); });
     Sub_level part(level, distinct(centers), rings(creases), Sub_level::Keeps::walks);
     Cell cell{{{}, {}}, Level_creases(static_cast<Index>(part.vertices.size())), 0, rounds};
     std::vector<Index> origins = part.vertices;

@@ -121,8 +121,6 @@ public:
 
 private:
   using Value = typename Cells::Value;
-  using Limits = std::conditional_t<are_creases_v<Level_creases>, Creased_limits<Scheme, double>,
-                                    Limit_evaluation<Scheme, double>>;
   static constexpr Index degree = Scheme::Host::refined_degree;
   static constexpr bool is_pn = is_pn_v<Scheme>;
 
@@ -259,7 +257,8 @@ private:
       std::vector<Index> vertices = cell.corners();
       std::sort(vertices.begin(), vertices.end());
       vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-      const auto results = limits(cell, vertices);
+      Level_creases creases = cell.creases; // gets the tangents of the limit
+      const auto results = limits_(cell.level, creases, cell.rounds + 1, &vertices);
       const typename Cells::Cell_slots slot_of(cell.level.level, cell.creases);
       std::vector<Corner> corners;
       for (const Index h : cell.halfedges()) {
@@ -274,14 +273,6 @@ private:
         corners.push_back(c);
       }
       return corners;
-    }
-    auto limits(Cell& cell, const std::vector<Index>& vertices)
-    {
-      if constexpr (are_creases_v<Level_creases>) {
-        Level_creases creases = cell.creases; // gets the tangents of the limit
-        return limits_(cell.level, creases, cell.rounds + 1, &vertices);
-      } else
-        return limits_(cell.level, cell.rounds + 1, &vertices);
     }
 
     void put(Surface_query& q, const Cell& cell, const Corner& corner)
@@ -316,8 +307,8 @@ private:
       if (is_exact)
         q.error = q.normal_error = 0;
       else if (q.has_last) {
-        const double step = quick_length(difference<double, 3>(p, last)),
-                     turn = quick_length(difference<double, 3>(n, q.normal));
+        const double step = quick_length(difference(p, last)),
+                     turn = quick_length(difference(n, q.normal));
         q.error = (std::max)(step, ratio * q.last_step);
         q.normal_error = (std::max)(turn, ratio * q.last_turn);
         q.last_step = step;
@@ -345,7 +336,7 @@ private:
     const Scheme_evaluation& of_;
     const Surface_demand demand_;
     const Limit_demand limits_demand_;
-    Limits limits_;
+    Limits_of_level<Scheme, double, Level_creases> limits_;
   };
 
   const Cells cells_;

@@ -19,26 +19,12 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
-
-// The limits that the named parameters of a call ask for.
-template <class NamedParameters>
-struct Limits_of_call
-{
-  static constexpr bool may_be_any = is_given_v<to_limit_t, NamedParameters>;
-
-  static std::optional<Limit_options> options(const NamedParameters& np)
-  {
-    if (!parameter_or<to_limit_t>(np, false)) return std::nullopt;
-    return limit_options(np);
-  }
-};
 
 // What pieces at the limit are asked for, whatever the scheme.
 template <class Average>

@@ -9,8 +9,7 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_REFINER_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_REFINER_H
 
-#include <CGAL/PN_limit_surface_3/internal/pieces/Kept_level.h>
-#include <CGAL/PN_limit_surface_3/internal/pieces/Whole_levels.h>
+#include <CGAL/PN_limit_surface_3/internal/pieces/Piece_levels.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Carried_through.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>

@@ -12,8 +12,7 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Creased_limits.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
-#include <CGAL/PN_limit_surface_3/internal/limit_surface/Adaptive_level.h>
-#include <CGAL/PN_limit_surface_3/internal/tessellation/Face_flatness.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Adaptive_level.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Proven_distance.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Split_edges.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation_attributes.h>
@@ -148,12 +147,9 @@ private:
   // those at the slots, where only some vertices are asked for, at theirs
   Results limits(Level& level, const std::vector<Index>* some)
   {
-    if constexpr (is_creased) {
-      Level_creases creases =
-        level.creases; // gets the tangents of the limit, with which no round goes on
-      return limits_(level.level, creases, rounds_ + 1, some);
-    } else
-      return limits_(level.level, rounds_ + 1, some);
+    // these get the tangents of the limit, with which no round goes on
+    Level_creases creases = level.creases;
+    return limits_(level.level, creases, rounds_ + 1, some);
   }
 
   // at the slots that are new

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -121,11 +120,10 @@ private:
       const auto i = static_cast<std::size_t>(p.at);
       if (p.at == double(i)) before = 0;
       const flatness::Vector a = all_.corner(leaf.slot_ids[i]).point,
-                             side = flatness::minus(
-                               all_.corner(leaf.slot_ids[(i + 1) % degree_]).point, a);
-      const double length = flatness::length(side);
-      const double along =
-        length > 0 ? flatness::product(flatness::minus(p.corner.point, a), side) / length : 0;
+                             side =
+                               difference(all_.corner(leaf.slot_ids[(i + 1) % degree_]).point, a);
+      const double length = quick_length(side);
+      const double along = length > 0 ? dot(difference(p.corner.point, a), side) / length : 0;
       way = (std::max)(way, before - along);
       before = (std::max)(before, along);
     }

@@ -148,14 +148,15 @@ private:
   static double distance_from_segment(const Vector& p, const Vector& a, const Vector& b)
   {
     using namespace flatness;
-    const double t = product(minus(p, a), minus(b, a)) / product(minus(b, a), minus(b, a));
-    return quick_length(minus(p, between(a, b, t > 0 ? (std::min)(t, 1.) : 0)));
+    const double t =
+      dot(difference(p, a), difference(b, a)) / dot(difference(b, a), difference(b, a));
+    return quick_length(difference(p, between(a, b, t > 0 ? (std::min)(t, 1.) : 0)));
   }
 
   static double distance_from_triangle(const Vector& p, const Vector& a, const Vector& b,
                                        const Vector& c)
   {
-    const Combination inside(flatness::minus(p, a), flatness::minus(b, a), flatness::minus(c, a));
+    const Combination inside(difference(p, a), difference(b, a), difference(c, a));
     if (inside.s >= 0 && inside.t >= 0 && inside.s + inside.t <= 1) return inside.distance;
     return (std::min)({distance_from_segment(p, a, b), distance_from_segment(p, b, c),
                        distance_from_segment(p, c, a)});
@@ -165,7 +166,7 @@ private:
   static double distance_of_segments(const Vector& a, const Vector& b, const Vector& c,
                                      const Vector& d)
   {
-    const Combination inside(flatness::minus(c, a), flatness::minus(b, a), flatness::minus(c, d));
+    const Combination inside(difference(c, a), difference(b, a), difference(c, d));
     if (inside.s >= 0 && inside.s <= 1 && inside.t >= 0 && inside.t <= 1) return inside.distance;
     return (std::min)({distance_from_segment(a, c, d), distance_from_segment(b, c, d),
                        distance_from_segment(c, a, b), distance_from_segment(d, a, b)});
@@ -176,12 +177,12 @@ private:
   {
     Combination(Vector r, const Vector& a, const Vector& b)
     {
-      const double square = flatness::product(a, a);
+      const double square = dot(a, a);
       Vector across = b;
-      add_multiple<double, 3>(across, -flatness::product(a, b) / square, a);
-      t = flatness::product(r, across) / flatness::product(across, across);
+      add_multiple<double, 3>(across, -dot(a, b) / square, a);
+      t = dot(r, across) / dot(across, across);
       add_multiple<double, 3>(r, -t, b);
-      s = flatness::product(r, a) / square;
+      s = dot(r, a) / square;
       add_multiple<double, 3>(r, -s, a);
       distance = quick_length(r);
     }

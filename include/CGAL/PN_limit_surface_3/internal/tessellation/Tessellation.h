@@ -14,8 +14,7 @@
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Adaptive_refinement.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Leaf_triangles.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Merged_leaves.h>
-#include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation_mesh.h>
-#include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation_table.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation_output.h>
 #include <CGAL/PN_limit_surface_3/tessellation/Tessellation_result.h>
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
@@ -217,37 +216,24 @@ private:
   template <class Access, class Scheme, class Point_map, class Sink>
   void read(const Access& access, const Scheme& scheme, Point_map points, const Sink& sink) const
   {
-    static_assert(check_no_grid_rows<Scheme>());
-    const auto normals = normal_map<Scheme>();
-    using Normal_map = std::decay_t<decltype(normals)>;
-    const auto edge_map = Parameters::edge_constraint_map(np_);
-    const auto vertex_map = Parameters::vertex_constraint_map(np_);
-    if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
-      require_crease_rules(scheme, access, normals, edge_map, vertex_map);
-      Valued_level<typename Average_of_scheme<Scheme, FT>::Value> control;
-      control.level = checked_level(access);
-      check_scheme<Scheme, Element_names>(scheme, control.level, access);
-      const Mesh_creases_of_call<Scheme, FT, Access, Normal_map,
-                                 typename Parameters::Edge_constraint_map,
-                                 typename Parameters::Vertex_constraint_map>
-        of_mesh(scheme, access, control.level, edge_map, vertex_map);
-      auto creases = of_mesh.creases(control.level);
-      require_sharp_for_ever<FT>(access, creases, rounds_of_all(control.level.number_of_faces()));
-      of_mesh.read_tangents(creases);
-      control.values = of_mesh.values(control.level, points, normals, creases);
+    const auto take = [&](auto& control, auto& creases, const auto&) {
+      using Level = std::decay_t<decltype(control)>;
+      using Level_creases = std::decay_t<decltype(creases)>;
       const Tessellation_demand demand = this->demand(box_size(control));
       constexpr bool may_be_proven =
         is_given_v<proven_bound_t, NamedParameters> && std::is_same_v<FT, double>;
       if constexpr (may_be_proven)
         if (demand.is_proven)
-          require_proof_of_all(
-            Limit_cells<Rules_of<Scheme>, decltype(creases)>(
-              rules_of(scheme), decltype(control)(control), decltype(creases)(creases)),
-            chord_error_);
-      using Data = Tessellation_data<Rules_of<Scheme>, FT, decltype(creases), may_be_proven>;
+          require_proof_of_all(Limit_cells<Rules_of<Scheme>, Level_creases>(
+                                 rules_of(scheme), Level(control), Level_creases(creases)),
+                               chord_error_);
+      using Data = Tessellation_data<Rules_of<Scheme>, FT, Level_creases, may_be_proven>;
       auto attributes = table_.template read<typename Data::Attributes>(control.level);
       sink(Data{demand, std::move(control), std::move(creases), std::move(attributes)});
-    }
+    };
+    with_slot_level<FT>(
+      access, scheme, points, normal_map<Scheme>(), Parameters::edge_constraint_map(np_),
+      Parameters::vertex_constraint_map(np_), rounds_of_all(access.size().faces), take);
   }
 
   static constexpr unsigned most_runs = 64;
@@ -277,10 +263,7 @@ private:
     // 2^-exponent is a number, too
     demand.exponent = box > 0 && std::isfinite(box) ? (std::max)(std::ilogb(box), -1000) : 0;
     demand.tolerance = std::ldexp(chord_error_, -demand.exponent);
-    constexpr bool is_given =
-      !std::is_same_v<typename internal_np::Lookup_named_param_def<
-                        internal_np::number_of_iterations_t, NamedParameters, No_roundness>::type,
-                      No_roundness>;
+    constexpr bool is_given = is_given_v<internal_np::number_of_iterations_t, NamedParameters>;
     demand.most_rounds = is_given ? Parameters::number_of_iterations(np_) : 12;
     demand.most_triangles = std::uint64_t(1) << 31;
     Limit_options options;

@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_limit_surface_3/internal/limit/Creased_limits.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
-#include <CGAL/PN_limit_surface_3/internal/limit_surface/Adaptive_level.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Adaptive_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
@@ -20,7 +20,6 @@
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -29,11 +28,6 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
-
-// What finds the limits at the slots of a level.
-template <class Scheme, class FT, class Level_creases>
-using Limits_of_level = std::conditional_t<are_creases_v<Level_creases>, Creased_limits<Scheme, FT>,
-                                           Limit_evaluation<Scheme, FT>>;
 
 // What an adaptive refinement carries besides the points: attributes of vertices as points without normals, three numbers
 // a plane, which go to their limits; those of corners linear inside the faces of the control mesh.
@@ -103,11 +97,8 @@ public:
                  const std::vector<Index>* some)
   {
     Valued_level<Value> values{level.level.level, level.planes[plane]};
-    if constexpr (are_creases_v<Level_creases>) {
-      Level_creases creases = without_tangents(level.creases);
-      return evaluation_(values, creases, rounds + 1, some);
-    } else
-      return evaluation_(values, rounds + 1, some);
+    Level_creases creases = without_tangents(level.creases);
+    return evaluation_(values, creases, rounds + 1, some);
   }
   void set(std::size_t plane, Index vertex, const Result& result)
   {

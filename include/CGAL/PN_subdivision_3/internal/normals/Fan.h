@@ -55,6 +55,19 @@ void for_each_halfedge(const Level_connectivity& level, const Fan& fan, const Fu
   if (!fan.closed) f(h);
 }
 
+// calls function(half-edge) for those with a target, clockwise. \pre v is not isolated
+template <class Function>
+void for_each_halfedge_to(const Level_connectivity& level, Level_connectivity::Index v,
+                          const Function& function)
+{
+  const Level_connectivity::Index first = level.halfedge_of_vertex(v);
+  Level_connectivity::Index h = first;
+  do {
+    function(h);
+    h = level.next_around_target(h);
+  } while (h != first);
+}
+
 // calls function(half-edge) for those of a face
 template <class Function>
 void for_each_halfedge_of_face(const Level_connectivity& level, Level_connectivity::Index f,

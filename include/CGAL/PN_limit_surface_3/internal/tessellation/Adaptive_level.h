@@ -6,25 +6,97 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_FACE_FLATNESS_H
-#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_FACE_FLATNESS_H
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_ADAPTIVE_LEVEL_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_ADAPTIVE_LEVEL_H
 
-#include <CGAL/PN_limit_surface_3/internal/limit_surface/Adaptive_level.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Flatness.h>
+#include <CGAL/PN_limit_surface_3/internal/limit_surface/Limit_cells.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Split_edges.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// What is known of a face of a level: where it comes from, and what limit points have told of it.
+struct Adaptive_face
+{
+  using Index = Level_connectivity::Index;
+
+  // Of which face the middles have been seen: there are none of faces of the control mesh, nor of children of polygons,
+  // before a round is made of them.
+  enum class Seen : unsigned char { none, of_parent, of_itself };
+
+  Index origin = 0;       // the face of the control mesh
+  bool is_wanted = false; // a part of what is tessellated here, not of a ring around it
+  bool is_split = false;  // not flat enough, or to be seen
+  Seen seen = Seen::none;
+  Index node = Level_connectivity::null, before = Level_connectivity::null;
+  double measured = 0;    // how far the middles were from the triangles
+  double discrepancy = 0; // and from where they had been expected
+};
+
+// The part of a level that is refined further: the faces that are wanted, with rings around them; their slots and edges
+// have the numbers of Split_edges, or null.
+template <class Value, class Level_creases>
+struct Adaptive_level
+{
+  using Index = Level_connectivity::Index;
+  using Slot_value = Value;
+
+  Valued_level<Value> level; // values are those of the slots
+  Level_creases creases;
+  std::vector<Index> slot_ids, edges;
+  std::vector<Adaptive_face> faces;
+  std::vector<std::vector<Value>>
+    planes{}; // attributes of vertices, three a plane, as points of the slots without normals
+  std::vector<std::vector<double>>
+    corners{}; // attributes of the corners of each face that is wanted
+};
+
+// Leaves those faces that are marked, and some rings around them.
+template <class Level>
+void cut_adaptive_level(Level& level, Face_marks kept, unsigned rings)
+{
+  const Level_connectivity& whole = level.level.level;
+  for (unsigned r = 0; r < rings; ++r) add_ring(whole, kept);
+  const auto number = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), char(1)));
+  if (10 * number > 9 * kept.size()) return; // it would save little
+  const All_candidates candidates(whole, kept);
+  Piece_extraction<All_candidates> extraction(whole, candidates, false);
+  Level_part part(extraction, true);
+  auto [creases, origins] = part.creases_and_slots(whole, level.creases);
+  Level left{{},
+             std::move(creases),
+             {},
+             values_of_part(level.edges, part.edges),
+             values_of_part(level.faces, part.faces),
+             {},
+             {}};
+  left.level.values = values_of_part(level.level.values, origins);
+  left.slot_ids = values_of_part(level.slot_ids, origins);
+  for (const auto& plane : level.planes) left.planes.push_back(values_of_part(plane, origins));
+  if (!level.corners.empty())
+    for (const Level_part::Index f : part.faces)
+      left.corners.push_back(std::move(level.corners[f]));
+  left.level.level = std::move(part.level);
+  level = std::move(left);
+}
 
 // How far the limit surface is from the triangles of a face, estimated from limit points and surface normals at its
 // corners, and from what was seen on its parent. Along creases and the border, whose curves count for themselves, from
@@ -73,15 +145,12 @@ public:
   void read(Index f, Tessellation_leaf& leaf) const
   {
     leaf.origin = level_.faces[f].origin;
-    const Index first = connectivity_.halfedge_of_face(f);
-    Index h = first;
-    do {
+    for_each_halfedge_of_face(connectivity_, f, [&](Index h) {
       const Index next = connectivity_.next(h);
       leaf.slot_ids[leaf.degree] = level_.slot_ids[slot_of_(h)];
       leaf.halfedges[leaf.degree++] =
         2 * level_.edges[Level_connectivity::edge(next)] + (next & 1u);
-      h = next;
-    } while (h != first);
+    });
   }
 
   std::array<Vector, 4> places(Index f) const
@@ -135,13 +204,9 @@ public:
   template <class Function>
   void for_each_edge(Index f, const Function& function) const
   {
-    const Index first = connectivity_.next(connectivity_.halfedge_of_face(f));
-    Index h = first;
     std::size_t i = 0;
-    do {
-      function(i++, h);
-      h = connectivity_.next(h);
-    } while (h != first);
+    for_each_halfedge_of_face(connectivity_, f,
+                              [&](Index h) { function(i++, connectivity_.next(h)); });
   }
 
 private:
@@ -160,24 +225,21 @@ private:
   Corners corners(Index f) const
   {
     Corners c;
-    const Index first = connectivity_.halfedge_of_face(f);
-    Index h = first;
-    do {
+    for_each_halfedge_of_face(connectivity_, f, [&](Index h) {
       const Index slot = level_.slot_ids[slot_of_(h)];
       c.corners[c.number] = all_.corner(slot);
       c.know_normals = c.know_normals && all_.slot(slot).has_surface_normal;
       c.are_trusted = c.are_trusted && !(c.corners[c.number].normal == Vector{});
       c.are_at_curve = c.are_at_curve || connectivity_.is_border_vertex(connectivity_.target(h));
-      h = connectivity_.next(h);
-      c.halfedges[c.number++] = h;
-    } while (h != first);
+      c.halfedges[c.number++] = connectivity_.next(h);
+    });
     return c;
   }
 
   static void note(const flatness::Section& section, const flatness::Corner& a,
                    const flatness::Corner& b, const Vector& middle, bool is_curve, Measure& result)
   {
-    const bool has_side = flatness::product(section.normal(), section.normal()) > 0;
+    const bool has_side = dot(section.normal(), section.normal()) > 0;
     const double distance = is_curve || !has_side
                               ? flatness::distance_from_line(middle, a.point, b.point)
                               : std::abs(section.height_of(middle));
@@ -190,7 +252,7 @@ private:
   double along_curve(const Corners& c, std::size_t i) const
   {
     const Index h = c.halfedges[i];
-    const double chord = flatness::length(flatness::minus(c[(i + 1) % c.number].point, c[i].point));
+    const double chord = quick_length(difference(c[(i + 1) % c.number].point, c[i].point));
     const double bend =
       (std::max)(bend_at(connectivity_.source(h)), bend_at(connectivity_.target(h)));
     return bend * chord * chord / 8;
@@ -220,11 +282,11 @@ private:
       after = connectivity_.target(connectivity_.next(h));
     }
     if (before == v || after == v) return 0;
-    const Vector in = flatness::minus(place(v), place(before));
-    const Vector out = flatness::minus(place(after), place(v));
-    const double lengths = flatness::length(in) + flatness::length(out);
-    const Vector turn = flatness::minus(flatness::unit(out), flatness::unit(in));
-    return lengths > 0 ? 2 * flatness::length(turn) / lengths : 0;
+    const Vector in = difference(place(v), place(before));
+    const Vector out = difference(place(after), place(v));
+    const double lengths = quick_length(in) + quick_length(out);
+    const Vector turn = difference(flatness::unit(out), flatness::unit(in));
+    return lengths > 0 ? 2 * quick_length(turn) / lengths : 0;
   }
 
   const Level& level_;
@@ -238,4 +300,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_FACE_FLATNESS_H
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_ADAPTIVE_LEVEL_H

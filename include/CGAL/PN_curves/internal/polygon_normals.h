@@ -6,10 +6,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_CURVES_INTERNAL_SPACE_POLYGON_NORMALS_H
-#define CGAL_PN_CURVES_INTERNAL_SPACE_POLYGON_NORMALS_H
+#ifndef CGAL_PN_CURVES_INTERNAL_POLYGON_NORMALS_H
+#define CGAL_PN_CURVES_INTERNAL_POLYGON_NORMALS_H
 
-#include <CGAL/PN_curves/internal/Curve_points.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
@@ -17,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -49,7 +49,7 @@ inline Coordinates<double, 3> rotated(const Coordinates<double, 3>& v,
                                       const Coordinates<double, 3>& a,
                                       const Coordinates<double, 3>& b)
 {
-  const double d = 1 + dot<double, 3>(a, b);
+  const double d = 1 + dot(a, b);
   if (is_zero(a) || is_zero(b) || !(d > 0x1p-40)) return v;
   const auto axis = cross(a, b);
   const auto once = cross(axis, v), twice = cross(axis, once);
@@ -104,13 +104,13 @@ private:
   // shorter edge is scaled to a size of about 1, so that nothing overflows.
   Coordinates<FT, 3> outward(std::size_t i) const
   {
-    auto a = difference_of(points_[before(i)], points_[i]),
-         b = difference_of(points_[after(i)], points_[i]);
+    auto a = difference(points_[before(i)], points_[i]),
+         b = difference(points_[after(i)], points_[i]);
     const int e = std::ilogb((std::min)(length_[before(i)], length_[i]));
     const FT scale(std::ldexp(1., -e / 2)), rest(std::ldexp(1., -e + e / 2));
     for (FT& x : a) x = x * scale * rest;
     for (FT& x : b) x = x * scale * rest;
-    const FT aa = dot<FT, 3>(a, a), bb = dot<FT, 3>(b, b);
+    const FT aa = dot(a, a), bb = dot(b, b);
     Coordinates<FT, 3> c;
     for (int k = 0; k < 3; ++k) c[k] = bb * a[k] - aa * b[k];
     return cross(c, cross(a, b));
@@ -123,7 +123,7 @@ private:
     length_.resize(size());
     tangent_.assign(size(), Vector{0, 0, 0});
     for (std::size_t i = 0; i < size(); ++i) {
-      edge_[i] = to_double_3<FT>(difference_of(points_[after(i)], points_[i]));
+      edge_[i] = to_double_3<FT>(difference(points_[after(i)], points_[i]));
       length_[i] = length(edge_[i]);
       if (length_[i] > 0) edge_[i] = quotient(edge_[i], length_[i]);
     }
@@ -155,7 +155,7 @@ private:
   static Vector mirrored(const Vector& t, const Vector& edge)
   {
     Vector r = multiple(-1, t);
-    add_multiple<double, 3>(r, 2 * dot<double, 3>(t, edge), edge);
+    add_multiple<double, 3>(r, 2 * dot(t, edge), edge);
     return r;
   }
 
@@ -193,7 +193,7 @@ private:
         n = carried_on(n, i);
         i = after(i);
       } while (i != next);
-      agreement[k] = dot<double, 3>(n, unit_outward(next));
+      agreement[k] = dot(n, unit_outward(next));
     }
     std::size_t first = 0;
     if (closed_) {
@@ -244,8 +244,7 @@ private:
       i = after(i);
     } while (i != last);
     const Vector& end = carried_[last];
-    const double angle =
-      std::atan2(dot<double, 3>(cross(n, end), tangent_[last]), dot<double, 3>(n, end));
+    const double angle = std::atan2(dot(cross(n, end), tangent_[last]), dot(n, end));
     n = carried_[first];
     double s = 0;
     for (i = first; after(i) != last; i = after(i)) {
@@ -262,7 +261,7 @@ private:
   Vector across_tangent(Vector n, std::size_t i) const
   {
     if (is_zero(tangent_[i])) return {0, 0, 0};
-    add_multiple<double, 3>(n, -dot<double, 3>(n, tangent_[i]), tangent_[i]);
+    add_multiple<double, 3>(n, -dot(n, tangent_[i]), tangent_[i]);
     return n;
   }
 
@@ -275,13 +274,89 @@ private:
   std::vector<int> sign_;       // of a turning vertex: 1 outside, -1 inside; else 0
 };
 
+// Normals of a polygon in the plane without repeated neighbors: of the circles through three points, to the right of their
+// tangents.
 template <class FT>
-std::vector<Coordinates<FT, 3>> space_polygon_normals(const std::vector<Coordinates<FT, 3>>& points,
-                                                      bool closed)
+class Planar_polygon_normals
+{
+public:
+  using Vector = Coordinates<FT, 2>;
+
+  Planar_polygon_normals(std::vector<Vector> points, bool closed)
+    : points_(std::move(points))
+    , closed_(closed)
+  {}
+
+  // zero where there is none
+  Vector operator()(std::size_t i) const
+  {
+    const Vector t = tangent(i);
+    return {t[1], FT(0) - t[0]}; // not -0
+  }
+
+private:
+  struct Edge
+  {
+    Vector direction;
+    FT length;
+  };
+
+  Vector tangent(std::size_t i) const
+  {
+    const std::size_t n = points_.size();
+    if (n == 1) return zero();
+    if (closed_) return at(edge((i + n - 1) % n), edge(i));
+    if (i > 0 && i + 1 < n) return at(edge(i - 1), edge(i));
+    const Edge end = i == 0 ? edge(0) : edge(n - 2);
+    if (n == 2) return end.direction;
+    return reflected(at(i == 0 ? end : edge(n - 3), i == 0 ? edge(1) : end), end.direction);
+  }
+
+  static Vector zero() { return {FT(0), FT(0)}; }
+
+  Edge edge(std::size_t i) const
+  {
+    const Vector e = difference(points_[(i + 1) % points_.size()], points_[i]);
+    Vector u = e;
+    normalize_control_normal<FT, 2>(u);
+    return {u, dot(u, e)};
+  }
+
+  static Vector at(const Edge& before, const Edge& after)
+  {
+    const FT w = FT(1) / (FT(1) + after.length / before.length);
+    Vector t = zero();
+    add_multiple<FT, 2>(t, FT(1) - w, before.direction);
+    add_multiple<FT, 2>(t, w, after.direction);
+    const FT tolerance = Unit_normal_traits<FT>::vanishing_tolerance();
+    if (dot(t, t) <= tolerance * tolerance) return zero();
+    normalize_control_normal<FT, 2>(t);
+    return t;
+  }
+
+  // A circle has the mirror image of its tangent at the other end of a chord; without a circle the
+  // edge itself is taken.
+  static Vector reflected(const Vector& t, const Vector& edge)
+  {
+    if (t == zero()) return edge;
+    Vector r = {-t[0], -t[1]};
+    add_multiple<FT, 2>(r, FT(2) * dot(t, edge), edge);
+    return r;
+  }
+
+  std::vector<Vector> points_;
+  bool closed_;
+};
+
+// of all points of a polygon
+template <class FT, int dimension>
+std::vector<Coordinates<FT, dimension>>
+polygon_normals(const std::vector<Coordinates<FT, dimension>>& points, bool closed)
 {
   auto [distinct, position] = distinct_neighbors(points, closed);
-  const Space_polygon_normals<FT> normal(std::move(distinct), closed);
-  std::vector<Coordinates<FT, 3>> normals;
+  const std::conditional_t<dimension == 2, Planar_polygon_normals<FT>, Space_polygon_normals<FT>>
+    normal(std::move(distinct), closed);
+  std::vector<Coordinates<FT, dimension>> normals;
   for (std::size_t i : position) normals.push_back(normal(i));
   return normals;
 }
@@ -290,4 +365,4 @@ std::vector<Coordinates<FT, 3>> space_polygon_normals(const std::vector<Coordina
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_CURVES_INTERNAL_SPACE_POLYGON_NORMALS_H
+#endif // CGAL_PN_CURVES_INTERNAL_POLYGON_NORMALS_H

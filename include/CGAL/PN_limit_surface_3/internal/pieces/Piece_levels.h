@@ -6,17 +6,18 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_KEPT_LEVEL_H
-#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_KEPT_LEVEL_H
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_LEVELS_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_LEVELS_H
 
-#include <CGAL/PN_limit_surface_3/internal/pieces/Whole_levels.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Whole_level.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
@@ -28,6 +29,105 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// The elements of the child of a level of a piece: their numbers follow from those of their parents, and who
+// owns a parent owns its children.
+template <class Host>
+class Child_elements
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  // all of it must stay
+  Child_elements(const Piece_elements& elements, const Host& host, const Whole_level& whole,
+                 const For_chunks& for_chunks)
+    : elements_(elements)
+    , host_(host)
+    , numbering_(whole)
+    , for_chunks_(for_chunks)
+  {}
+
+  Numbered_elements vertices(std::size_t size) const
+  {
+    return children(
+      size, [&](Index c) { return host_.parent_of_vertex(c); },
+      [&](const Whole_parent& p) { return numbering_.vertex(p); });
+  }
+  Numbered_elements edges(std::size_t size) const
+  {
+    return children(
+      size, [&](Index c) { return host_.parent_of_edge(c); },
+      [&](const Whole_parent& p) { return numbering_.edge(p); });
+  }
+  Numbered_elements faces(std::size_t size) const
+  {
+    return children(
+      size, [&](Index c) { return host_.parent_of_face(c); },
+      [&](const Whole_parent& p) { return numbering_.face(p); });
+  }
+  Piece_elements all(const Level_size& size) const
+  {
+    return {vertices(size.vertices), edges(size.edges), faces(size.faces)};
+  }
+
+private:
+  using Kind = Element_parent::Kind;
+
+  template <class Parent_of, class Number_of>
+  Numbered_elements children(std::size_t size, const Parent_of& parent_of,
+                             const Number_of& number) const
+  {
+    Numbered_elements result(size);
+    for_chunks_(static_cast<Index>(size), [&](Index begin, Index end) {
+      for (Index c = begin; c < end; ++c) {
+        const Element_parent p = parent_of(c);
+        const Numbered_elements& parents = p.kind == Kind::vertex ? elements_.vertices
+                                           : p.kind == Kind::edge ? elements_.edges
+                                                                  : elements_.faces;
+        const auto kind = static_cast<Whole_parent::Kind>(p.kind);
+        result.set(c, number(Whole_parent{kind, parents.number(p.index), p.ordinal}),
+                   parents.is_owned(p.index));
+      }
+    });
+    return result;
+  }
+
+  const Piece_elements& elements_;
+  const Host& host_;
+  Whole_numbering<Host> numbering_;
+  const For_chunks& for_chunks_;
+};
+
+inline Face_marks owned_faces(const Numbered_elements& faces)
+{
+  Face_marks is_owned(faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) is_owned[f] = faces.is_owned(f) ? 1 : 0;
+  return is_owned;
+}
+
+// What the numbers of the elements depend on, from a level that is held up to the last one.
+template <class Host>
+class Whole_levels
+{
+public:
+  // the first level, the number of its round, and that of the last one
+  Whole_levels(const Level_connectivity& base, unsigned base_round, unsigned last_round)
+    : base_round_(base_round)
+  {
+    levels_.push_back({base.size(), Face_corners<std::uint64_t>(base)});
+    for (unsigned k = base_round + 1; k <= last_round; ++k)
+      levels_.push_back({Host::refined_size(levels_.back().size, k),
+                         Face_corners<std::uint64_t>(Host::refined_degree)});
+  }
+
+  // after round k
+  const Whole_level& operator[](unsigned k) const { return levels_[k - base_round_]; }
+  const Whole_level& back() const { return levels_.back(); }
+
+private:
+  unsigned base_round_;
+  std::vector<Whole_level> levels_;
+};
 
 // What pieces are asked for, whatever the scheme.
 template <class Average>
@@ -152,13 +252,10 @@ private:
     const Corner_slots<FT> slot_of(level, creases);
     for (const Crease_star& star : creases.stars) {
       if (star.number_of_wedges == 1) continue;
-      const Index first = level.halfedge_of_vertex(star.vertex);
-      Index h = first;
-      do {
+      for_each_halfedge_to(level, star.vertex, [&](Index h) {
         if (extraction.is_inside(h))
           corners_.push_back({extraction.new_halfedge(h), slot_of(h), star.wedge(slot_of(h))});
-        h = level.next_around_target(h);
-      } while (h != first);
+      });
     }
     std::sort(corners_.begin(), corners_.end(),
               [](const Corner& a, const Corner& b) { return a.halfedge < b.halfedge; });
@@ -172,4 +269,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_KEPT_LEVEL_H
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_LEVELS_H
