@@ -288,6 +288,14 @@ std::string closing_line(const Curve_options& options, const Curve_rule& rule,
          time;
 }
 
+const char* description_of_normals(const Curve_rule& rule, bool has_center,
+                                   const Curve_data& polygon)
+{
+  if (rule.linear) return "no normals";
+  if (has_center) return "normals of the sphere";
+  return polygon.has_normals ? "normals of the file" : "estimated normals";
+}
+
 } // namespace
 
 void run_curve_command(const Curve_options& options)
@@ -312,10 +320,7 @@ void run_curve_command(const Curve_options& options)
   if (center)
     polygon =
       naming(input_title(options), [&] { return with_spherical_normals(polygon, *center); });
-  std::string normals = rule.linear           ? "no normals"
-                        : center              ? "normals of the sphere"
-                        : polygon.has_normals ? "normals of the file"
-                                              : "estimated normals";
+  std::string normals = description_of_normals(rule, center.has_value(), polygon);
   std::vector<std::size_t> corners;
   const bool has_arcs = options.sharp == "arcs";
   if (options.sharp && !has_arcs) corners = read_corners(*options.sharp, polygon.size());
