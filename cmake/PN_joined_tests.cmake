@@ -109,25 +109,22 @@ function(pn_use_precompiled_in_command name)
   endforeach()
   # what is of one group has no names of its own in common
   set_target_properties(pn_subdivide_io PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  pn_join(pn_subdivide_io data io/Attributes io/Error io/Held_attributes io/Limit_choice io/Obj_attributes io/Output_file
-          io/formats io/mesh_io io/write_text)
-  pn_join(pn_subdivide_io reading io/Ply_header io/Ply_values io/normals_of_file io/read_obj io/read_off
-          io/read_ply)
-  pn_join(pn_subdivide_io reports io/Report io/Text_reader io/read_stl surface/diverging_colors)
-  pn_join(pn_subdivide_io soups io/border_edges io/corner_normals io/merge_points io/near_points io/orient_outwards io/orient_soup
-          io/selection io/soup_check io/soup_repair)
+  pn_join(pn_subdivide_io data io/Attributes io/Error io/Limit_choice io/Obj_attributes io/Output_file io/formats io/mesh_io)
+  pn_join(pn_subdivide_io reading io/Ply_header io/mesh_normals io/read_obj io/read_off io/read_ply)
+  pn_join(pn_subdivide_io reports io/Report io/Text_reader io/read_stl)
+  pn_join(pn_subdivide_io soups io/border_edges io/merge_points io/orient_outwards io/orient_soup
+          io/soup_check io/soup_repair)
   pn_join(pn_subdivide_io writing io/write_obj io/write_off io/write_ply io/write_vtp)
   pn_join(pn_subdivide_command checks surface/Linear_check surface/split_polygon surface/surface_command
-          surface/triangulate surface/verification)
-  pn_join(pn_subdivide_command curves curve/curve_command curve/curve_corners curve/curve_picture curve/curve_schemes
+          surface/verification)
+  pn_join(pn_subdivide_command curves curve/curve_command curve/Curve_data curve/curve_picture curve/curve_schemes
           curve/level_masks)
-  pn_join(pn_subdivide_command output surface/Crease_plan surface/Output_normals surface/Surface_table surface/attributes
-          surface/control_mesh surface/output_mesh)
-  pn_join(pn_subdivide_command parts surface/Planes_from_rims surface/Planes_of_part surface/Recognized_part
-          surface/common_curves surface/cut_vertices surface/part_borders surface/part_choice)
-  pn_join(pn_subdivide_command pieces pieces/Output_names pieces/Piece_count
-          pieces/Piece_folder pieces/Row_writer pieces/Shared_file)
-  pn_join(pn_subdivide_command piece_files pieces/Ply_pieces pieces/Vtp_pieces pieces/pieces_command pieces/write_pieces)
+  pn_join(pn_subdivide_command output surface/Crease_plan surface/Surface_table surface/attributes surface/control_mesh
+          surface/output_mesh)
+  pn_join(pn_subdivide_command parts surface/Planes_of_part surface/Recognized_part surface/border_curves
+          surface/part_choice)
+  pn_join(pn_subdivide_command pieces pieces/Output_names pieces/Ply_pieces pieces/Shared_file pieces/Vtp_pieces
+          pieces/pieces_command pieces/write_pieces)
 endfunction()
 
 # pn_join(target group source...): sources, without .cpp, that target compiles as one

@@ -6,12 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// The command line. What it means is in surface_command.h and curve_command.h.
+// The command line. What it means is in surface/surface_command.cpp and curve/curve_command.cpp.
 
 #include "command_line.h"
 
 #include "command_help.h"
-#include "curve/curve_scheme_names.h"
+#include "exclusions.h"
 #include "io/Error.h"
 #include "io/mesh_io.h"
 
@@ -278,18 +278,8 @@ void add_interpolate(CLI::App& command, std::optional<std::string>& mode, const 
                        "cylinders and circles) or points (each point is the limit of its own)");
 }
 
-void add_surface_command(CLI::App& app, Surface_options& options)
+void add_normals_options(CLI::App& surface, Surface_options& options)
 {
-  CLI::App& surface = *app.add_subcommand("surface", "Subdivide a mesh");
-  surface.footer(surface_footer());
-  surface.add_option("INPUT", options.input, "Control mesh; - for standard input")->required();
-  surface.add_option("OUTPUT", options.output, "Refined mesh; - for standard output")->required();
-  surface.add_option("--format", options.format,
-                     "Format of standard input and output: " + writable_formats() +
-                       " (vtp is written only)");
-  add_scheme_options(surface, options.scheme);
-  add_surface_levels(surface, options);
-  add_linear(surface, options.linear);
   surface.add_option(
     "--normals", options.normals,
     "Control normals: auto (the file's if it has any that are not zero or those of the "
@@ -302,16 +292,14 @@ void add_surface_command(CLI::App& app, Surface_options& options)
     "property roundness besides its control normals, 1 with other given normals, "
     "else as estimate), file, estimate (computed from the points), or a number for all "
     "vertices from 0 (linear points) to 1");
-  add_part(surface, options.part);
-  add_crease_options(surface, options.creases);
-  add_recognition_options(surface, options.creases);
-  add_planes(surface, options.planes);
+}
+
+void add_output_options(CLI::App& surface, Surface_options& options)
+{
   surface.add_option("--write-tags", options.write_tags,
                      "Write what is sharp in the result as a selection file of CGAL, "
                      "FILE.selection.txt; with --output-normals control or both .ply and .obj hold "
                      "it themselves");
-  add_interpolate(surface, options.interpolate, "The limit surface");
-  add_limit_options(surface, options.limit, "vertices");
   surface.add_option(
     "--output-normals", options.output_normals,
     "Normals in OUTPUT: auto (default; those of the mesh that is written, those "
@@ -321,6 +309,14 @@ void add_surface_command(CLI::App& app, Surface_options& options)
   surface.add_option("--curvature", options.curvature,
                      "Add gaussian or mean curvature to the vertices, and colors for it, "
                      "symmetric about 0 (.ply, .vtp)");
+  surface.add_flag("--split-seams", options.split_seams,
+                   "Write texture coordinates to the vertices of a .ply file, which are doubled at "
+                   "seams, as VTK and game engines read them (.vtp files always have them so)");
+  surface.add_flag("--ascii", options.ascii, "PLY, STL and VTP as text");
+}
+
+void add_attribute_options(CLI::App& surface, Surface_options& options)
+{
   surface.add_option("--texture-rule", options.texture_rule,
                      "What stays of texture coordinates where charts end, as in OpenSubdiv: none, "
                      "corners-only (corners of one face), corners-plus1 (default; and where three "
@@ -332,6 +328,32 @@ void add_surface_command(CLI::App& app, Surface_options& options)
   surface.add_option("--directions", options.directions,
                      "Numbers of vertices that are unit vectors, and are made unit again: three "
                      "names for each, or one before x, y, z; separated by commas");
+  surface.add_flag("--drop-attributes", options.drop_attributes,
+                   "Points, faces and normals only: texture coordinates, colors, materials, groups "
+                   "and other properties are not read");
+}
+
+void add_surface_command(CLI::App& app, Surface_options& options)
+{
+  CLI::App& surface = *app.add_subcommand("surface", "Subdivide a mesh");
+  surface.footer(surface_footer());
+  surface.add_option("INPUT", options.input, "Control mesh; - for standard input")->required();
+  surface.add_option("OUTPUT", options.output, "Refined mesh; - for standard output")->required();
+  surface.add_option("--format", options.format,
+                     "Format of standard input and output: " + writable_formats() +
+                       " (vtp is written only)");
+  add_scheme_options(surface, options.scheme);
+  add_surface_levels(surface, options);
+  add_linear(surface, options.linear);
+  add_normals_options(surface, options);
+  add_part(surface, options.part);
+  add_crease_options(surface, options.creases);
+  add_recognition_options(surface, options.creases);
+  add_planes(surface, options.planes);
+  add_output_options(surface, options);
+  add_attribute_options(surface, options);
+  add_interpolate(surface, options.interpolate, "The limit surface");
+  add_limit_options(surface, options.limit, "vertices");
   surface.add_option("--threads", options.threads, "Number of threads; 0 for all cores")
     ->transform(whole_number())
     ->capture_default_str();
@@ -343,13 +365,6 @@ void add_surface_command(CLI::App& app, Surface_options& options)
   add_verify_options(surface, options.verify, "sphere:X,Y,Z,R or cylinder:X,Y,Z,DX,DY,DZ,R");
   add_pieces_options(surface, options.pieces);
   add_repair_options(surface, options);
-  surface.add_flag("--drop-attributes", options.drop_attributes,
-                   "Points, faces and normals only: texture coordinates, colors, materials, groups "
-                   "and other properties are not read");
-  surface.add_flag("--split-seams", options.split_seams,
-                   "Write texture coordinates to the vertices of a .ply file, which are doubled at "
-                   "seams, as VTK and game engines read them (.vtp files always have them so)");
-  surface.add_flag("--ascii", options.ascii, "PLY, STL and VTP as text");
   add_report_options(surface, options.report);
 }
 
@@ -477,7 +492,9 @@ Command parse_command_line(int argc, char** argv)
     app.exit(e);
     return {};
   }
-  if (app.got_subcommand("curve")) return curve;
+  const bool is_curve = app.got_subcommand("curve");
+  require_no_exclusions(*app.get_subcommand(is_curve ? "curve" : "surface"));
+  if (is_curve) return curve;
   return surface;
 }
 

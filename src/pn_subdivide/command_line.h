@@ -9,9 +9,9 @@
 #ifndef PN_SUBDIVIDE_COMMAND_LINE_H
 #define PN_SUBDIVIDE_COMMAND_LINE_H
 
-#include "curve/curve_command.h"
-#include "surface/surface_command.h"
+#include "options.h"
 
+#include <string>
 #include <variant>
 
 namespace pn_subdivide {
@@ -21,6 +21,14 @@ using Command = std::variant<std::monostate, Surface_options, Curve_options>;
 
 // Throws Usage_error.
 Command parse_command_line(int argc, char** argv);
+
+// The commands. They throw Usage_error, Error or what the library throws; the files to be written are then as they were.
+// They throw Tolerance_error and Strict_error after writing them.
+void run_surface_command(const Surface_options& options);
+void run_curve_command(const Curve_options& options);
+
+// As in "bspline:DEGREE (DEGREE 2 to 9), ...".
+std::string curve_scheme_names();
 
 } // namespace pn_subdivide
 

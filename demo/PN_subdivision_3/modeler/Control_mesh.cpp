@@ -9,10 +9,9 @@
 #include "Control_mesh.h"
 
 #include "io/Error.h"
-#include "io/corner_normals.h"
 #include "io/formats.h"
-#include "io/near_points.h"
-#include "io/normals_of_file.h"
+#include "io/merge_points.h"
+#include "io/mesh_normals.h"
 #include "io/shading_normals.h"
 #include "io/soup_check.h"
 #include "io/soup_repair.h"

@@ -8,7 +8,7 @@
 
 // What files of the command ask for, and the page has no use for: it reads no files of masks.
 
-#include "curve/level_masks.h"
+#include "curve/curve_schemes.h"
 
 #include "io/Error.h"
 

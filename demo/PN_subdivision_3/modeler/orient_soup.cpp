@@ -8,7 +8,7 @@
 
 // What the command takes from a part of CGAL that is under the GPL.
 
-#include "io/orient_soup.h"
+#include "io/soup_repair.h"
 
 #include <algorithm>
 #include <map>

@@ -12,16 +12,17 @@
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_file.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <limits>
-#include <map>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -43,90 +44,44 @@ Value constraint_as(double sharpness)
     return sharpness == infinite_sharpness ? sharp_for_ever<Value>() : Value(sharpness);
 }
 
-using Ends = std::pair<std::size_t, std::size_t>;
-inline Ends ends_of_edge(const Level_connectivity& level, Level_connectivity::Index e)
+template <class Map, class Element>
+void put_constraints([[maybe_unused]] Map map,
+                     [[maybe_unused]] const std::vector<double>& sharpness,
+                     [[maybe_unused]] const Element& element)
 {
-  return std::minmax(std::size_t(level.target(2 * e)), std::size_t(level.target(2 * e + 1)));
+  if constexpr (is_constraint_map_v<Map>)
+    for (Level_connectivity::Index i = 0; i < sharpness.size(); ++i)
+      put(map, element(i),
+          constraint_as<typename boost::property_traits<Map>::value_type>(sharpness[i]));
 }
 
-// the sharpness of the edges of a level
-inline std::vector<double> sharpness_of_edges(const Control_file& file,
-                                              const Level_connectivity& level)
+// over the estimate; where a vertex has several normals it has its own of the file only if that is all that is asked for
+template <class Access, class Key, class Kernel>
+void put_normals(const Access& access, const Control_file& file, const Level_connectivity& level,
+                 [[maybe_unused]] const std::vector<double>& sharpness,
+                 const Estimated_control_normals<Key, Kernel>& map)
 {
-  std::map<Ends, double> sharp;
-  for (const auto& edge : file.edges)
-    sharp[std::minmax(edge.ends[0], edge.ends[1])] = checked_sharpness(edge.sharpness, [&] {
-      return file.name + ": the edge from vertex " + std::to_string(edge.ends[0]) + " to vertex " +
-             std::to_string(edge.ends[1]);
-    });
-  std::vector<double> all(level.number_of_edges(), 0);
-  for (Level_connectivity::Index e = 0; e < all.size() && !sharp.empty(); ++e)
-    if (const auto found = sharp.find(ends_of_edge(level, e)); found != sharp.end()) {
-      all[e] = found->second;
-      sharp.erase(found);
-    }
-  if (!sharp.empty())
-    refuse_file(file.name, "no face has the sharp edge from vertex " +
-                             std::to_string(sharp.begin()->first.first) + " to vertex " +
-                             std::to_string(sharp.begin()->first.second));
-  return all;
-}
-
-// puts what a file has into a mesh with its connectivity, of which `level` is a copy
-template <class Access>
-struct Control_data_writer
-{
+  using FT = typename Kernel::FT;
   using Index = Level_connectivity::Index;
-
-  Access& access;
-  const Control_file& file;
-  const Level_connectivity& level;
-
-  template <class Edge_map, class Vertex_map>
-  void put_creases(const std::vector<double>& sharpness, [[maybe_unused]] Edge_map edges,
-                   [[maybe_unused]] Vertex_map vertices) const
-  {
-    if constexpr (is_constraint_map_v<Edge_map>)
-      for (Index e = 0; e < sharpness.size(); ++e)
-        put(edges, access.edge_at(e),
-            constraint_as<typename boost::property_traits<Edge_map>::value_type>(sharpness[e]));
-    if constexpr (is_constraint_map_v<Vertex_map>)
-      for (Index v = 0; v < file.points.size(); ++v)
-        put(vertices, access.vertex(v),
-            constraint_as<typename boost::property_traits<Vertex_map>::value_type>(
-              file.sharpness.empty() ? 0 : file.sharpness[v]));
-  }
-
-  // over the estimate; where a vertex has several normals it has its own of the file only if that is all that is asked for
-  template <class Key, class Kernel>
-  void put_normals(const std::vector<double>& sharpness,
-                   const Estimated_control_normals<Key, Kernel>& map) const
-  {
-    if constexpr (std::is_same_v<Key, typename Access::vertex_descriptor>) {
-      for (Index v = 0; v < file.points.size(); ++v) put_normal(v, access.vertex(v), map);
-    } else {
-      std::vector<bool> has_wedges(file.points.size(), false);
-      for (Index e = 0; e < sharpness.size(); ++e)
-        if (sharpness[e] > 0 && !level.is_border_edge(e))
-          has_wedges[level.target(2 * e)] = has_wedges[level.target(2 * e + 1)] = true;
-      for (Index h = 0; h < level.number_of_halfedges(); ++h)
-        if (!level.is_border(h) && !has_wedges[level.target(h)])
-          put_normal(level.target(h), access.halfedge_at(h), map);
-    }
-  }
-
-private:
-  template <class Key, class Kernel>
-  void put_normal(Index v, const Key& key, const Estimated_control_normals<Key, Kernel>& map) const
-  {
-    using FT = typename Kernel::FT;
+  const auto put_normal = [&](Index v, const Key& key) {
     if (!file.normals.empty()) {
       const auto& n = file.normals[v];
       put(map, key, typename Kernel::Vector_3(FT(n.x()), FT(n.y()), FT(n.z())));
     }
     if (!file.roundness.empty()) put(map.roundness_map(), key, FT(file.roundness[v]));
+  };
+  if constexpr (std::is_same_v<Key, typename Access::vertex_descriptor>) {
+    for (Index v = 0; v < file.points.size(); ++v) put_normal(v, access.vertex(v));
+  } else {
+    std::vector<bool> has_wedges(file.points.size(), false);
+    for (Index e = 0; e < sharpness.size(); ++e)
+      if (sharpness[e] > 0 && !level.is_border_edge(e))
+        has_wedges[level.target(2 * e)] = has_wedges[level.target(2 * e + 1)] = true;
+    for (Index h = 0; h < level.number_of_halfedges(); ++h)
+      if (!level.is_border(h) && !has_wedges[level.target(h)])
+        put_normal(level.target(h), access.halfedge_at(h));
   }
-};
+}
 
 // the normal and the roundness of the vertices as they are written: of several normals the mean, and the least roundness
 template <class Access, class Normal_map>
@@ -157,45 +112,88 @@ written_normals(const Access& access, const Level_connectivity& level, const Nor
   return all;
 }
 
+// in the order of bytes of this processor; the properties of vertices are numbers, one column each
+inline void
+write_ply_elements(std::ostream& out, const Level_connectivity& level,
+                   const std::string& properties, const std::vector<std::vector<double>>& columns,
+                   const std::vector<std::pair<Level_connectivity::Index, double>>* edges)
+{
+  using Index = Level_connectivity::Index;
+  out.imbue(std::locale::classic());
+  const std::uint16_t one = 1;
+  const bool is_little = reinterpret_cast<const char&>(one) == 1;
+  out << "ply\nformat binary_" << (is_little ? "little" : "big")
+      << "_endian 1.0\ncomment control normals\n"
+      << "element vertex " << level.number_of_vertices() << '\n'
+      << properties << "element face " << level.number_of_faces()
+      << "\nproperty list uint uint vertex_indices\n";
+  if (edges != nullptr)
+    out << "element edge " << edges->size()
+        << "\nproperty uint vertex1\nproperty uint vertex2\nproperty double sharpness\n";
+  out << "end_header\n";
+  const auto write = [&out](const auto& x) {
+    out.write(reinterpret_cast<const char*>(&x), sizeof x);
+  };
+  for (Index v = 0; v < level.number_of_vertices(); ++v)
+    for (const auto& column : columns) write(column[v]);
+  for (Index f = 0; f < level.number_of_faces(); ++f) {
+    Index h = level.halfedge_of_face(f);
+    const Index degree = level.degree(h);
+    write(degree);
+    for (Index i = 0; i < degree; ++i, h = level.next(h)) write(level.target(h));
+  }
+  if (edges == nullptr) return;
+  for (const auto& [e, sharpness] : *edges) {
+    write(level.target(2 * e + 1));
+    write(level.target(2 * e));
+    write(sharpness);
+  }
+}
+
 template <class PolygonMesh, class NamedParameters>
 void write_ply(std::ostream& out, const PolygonMesh& mesh, const NamedParameters& np)
 {
   using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
   using Normal_map = typename Parameters::Normal_map;
-  using Edge_map = typename Parameters::Edge_constraint_map;
-  using Vertex_map = typename Parameters::Vertex_constraint_map;
-  using Roundness_map = typename Parameters::Roundness_map;
   using Index = Level_connectivity::Index;
+  constexpr bool has_edges = is_constraint_map_v<typename Parameters::Edge_constraint_map>,
+                 has_corners = is_constraint_map_v<typename Parameters::Vertex_constraint_map>,
+                 has_roundness = is_given_roundness_v<typename Parameters::Roundness_map>;
   with_mesh_access(mesh, [&](const auto& access) {
-    Ply_of_level ply;
-    ply.level = checked_level(access);
+    const Level_connectivity level = checked_level(access);
     const auto points = Parameters::const_point_map(mesh, np);
-    const auto normals = written_normals(access, ply.level, Parameters::normal_map(np));
+    const auto normals = written_normals(access, level, Parameters::normal_map(np));
+    std::vector<std::vector<double>> columns;
+    std::ostringstream properties;
+    const auto add = [&](const char* name, const auto& value) {
+      properties << "property double " << name << '\n';
+      columns.emplace_back();
+      for (Index v = 0; v < level.number_of_vertices(); ++v) columns.back().push_back(value(v));
+    };
     for (const int i : {0, 1, 2})
-      ply.columns.emplace_back(std::string(1, "xyz"[i]), [&, i](Index v) {
-        return CGAL::to_double(get(points, access.vertex(v))[i]);
-      });
-    if (!std::is_same_v<Normal_map, No_normal_map>)
-      for (const int i : {0, 1, 2})
-        ply.columns.emplace_back(std::string("n") + "xyz"[i],
-                                 [&, i](Index v) { return normals[v][i]; });
-    if constexpr (is_given_roundness_v<Roundness_map>)
-      ply.columns.emplace_back("roundness", [&](Index v) {
+      add(std::array{"x", "y", "z"}[i],
+          [&](Index v) { return CGAL::to_double(get(points, access.vertex(v))[i]); });
+    for (const int i : {0, 1, 2})
+      if (!std::is_same_v<Normal_map, No_normal_map>)
+        add(std::array{"nx", "ny", "nz"}[i], [&](Index v) { return normals[v][i]; });
+    if constexpr (has_roundness)
+      add("roundness", [&](Index v) {
         return CGAL::to_double(get(Parameters::roundness_map(np), access.vertex(v)));
       });
     else if (goes_with_roundness_v<Normal_map>)
-      ply.columns.emplace_back("roundness", [&](Index v) { return normals[v][3]; });
-    if constexpr (is_constraint_map_v<Vertex_map>)
-      ply.columns.emplace_back("sharpness", [&](Index v) {
+      add("roundness", [&](Index v) { return normals[v][3]; });
+    if constexpr (has_corners)
+      add("sharpness", [&](Index v) {
         return sharpness_in(Parameters::vertex_constraint_map(np), access.vertex(v));
       });
-    ply.has_edges = is_constraint_map_v<Edge_map> || is_constraint_map_v<Vertex_map>;
-    if constexpr (is_constraint_map_v<Edge_map>)
-      for (Index e = 0; e < ply.level.number_of_edges(); ++e)
+    std::vector<std::pair<Index, double>> edges;
+    if constexpr (has_edges)
+      for (Index e = 0; e < level.number_of_edges(); ++e)
         if (const double s = sharpness_in(Parameters::edge_constraint_map(np), access.edge_at(e));
             s > 0)
-          ply.sharp_edges.emplace_back(e, s);
-    ply.write(out);
+          edges.emplace_back(e, s);
+    write_ply_elements(out, level, properties.str(), columns,
+                       has_edges || has_corners ? &edges : nullptr);
   });
 }
 
@@ -266,18 +264,20 @@ auto read_control_mesh(const std::string& file_name, PolygonMesh& mesh,
     const internal::Control_file file = internal::read_control_file(file_name);
     const Level_connectivity level = internal::level_of_file<PolygonMesh>(file);
     const std::vector<double> sharpness = internal::sharpness_of_edges(file, level);
+    std::vector<double> corners = file.sharpness;
+    corners.resize(file.points.size(), 0);
     std::vector<Point> points;
     for (const auto& p : file.points) points.emplace_back(FT(p.x()), FT(p.y()), FT(p.z()));
     internal::with_mesh_access(mesh, [&](auto& access) {
       internal::build_mesh(access, level, Parameters::point_map(mesh, np), points,
                            internal::No_normal_map(), std::vector<char>(), [] {});
       try {
-        using Access = std::decay_t<decltype(access)>;
-        const internal::Control_data_writer<Access> writer{access, file, level};
-        writer.put_creases(sharpness, Parameters::edge_constraint_map(np),
-                           Parameters::vertex_constraint_map(np));
+        internal::put_constraints(Parameters::edge_constraint_map(np), sharpness,
+                                  [&](auto e) { return access.edge_at(e); });
+        internal::put_constraints(Parameters::vertex_constraint_map(np), corners,
+                                  [&](auto v) { return access.vertex(v); });
         normals = estimate_control_normals(mesh, np);
-        writer.put_normals(sharpness, normals);
+        internal::put_normals(access, file, level, sharpness, normals);
       } catch (...) {
         access.shrink();
         throw;

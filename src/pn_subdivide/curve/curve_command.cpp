@@ -6,17 +6,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "curve/curve_command.h"
+#include "command_line.h"
 
-#include "curve/curve_corners.h"
+#include "curve/Curve_data.h"
 #include "curve/curve_picture.h"
 #include "curve/curve_schemes.h"
 #include "curve/limit_curve.h"
 #include "io/Error.h"
 #include "io/Report.h"
-#include "io/curve_io.h"
+#include "io/Text_reader.h"
 #include "io/mesh_io.h"
-#include "io/parse_numbers.h"
 #include "pieces/Ranks.h"
 #include "surface/verification.h"
 
@@ -38,11 +37,7 @@ constexpr std::size_t points_worth_a_report = 1000000;
 
 PN::Curve_end parse_end(const Curve_options& options, const Curve_scheme& scheme)
 {
-  if (options.closed) {
-    if (options.end)
-      throw Usage_error("--end and --closed exclude each other: a closed polygon has no ends");
-    return PN::Curve_end::closed;
-  }
+  if (options.closed) return PN::Curve_end::closed;
   if (!options.end) return scheme.primal ? PN::Curve_end::reflect : PN::Curve_end::none;
   if (*options.end == "reflect") return PN::Curve_end::reflect;
   if (*options.end == "none") return PN::Curve_end::none;
@@ -59,22 +54,10 @@ void warn_of_end(const Curve_options& options, const Curve_rule& rule, Report& r
                 "reach the ends; that of bspline:3 does");
 }
 
-double roundness_of(const Curve_options& options)
-{
-  if (options.linear)
-    throw Usage_error("--roundness and --linear exclude each other: without normals nothing is "
-                      "round");
-  return parse_roundness(*options.roundness);
-}
-
 // The center of --normals spherical:X,Y,Z, if it is given.
 std::optional<Triple> center_of_normals(const Curve_options& options)
 {
   if (!options.normals) return std::nullopt;
-  if (options.linear)
-    throw Usage_error(
-      "--normals and --linear exclude each other: in linear schemes normals take no "
-      "part");
   const auto [name, arguments] = split_at_colon(*options.normals);
   if (name != "spherical")
     throw Usage_error("--normals '" + *options.normals + "': curves take spherical:X,Y,Z");
@@ -103,18 +86,8 @@ Curve_rule parse_rule(const Curve_options& options)
                       options.scheme + " keeps no end points");
   if (options.sharp == "-" && options.input == "-")
     throw Usage_error("--sharp -: standard input is the polygon already");
-  if (options.sharp && rule.end == PN::Curve_end::none)
-    throw Usage_error("--sharp and --end none exclude each other: the parts between corners end "
-                      "where the corners are");
-  if (options.sharp == "arcs" && options.interpolate)
-    throw Usage_error(
-      "--sharp arcs and --interpolate exclude each other: lines and arcs pass through "
-      "their points already");
-  if (options.roundness) rule.roundness = roundness_of(options);
+  if (options.roundness) rule.roundness = parse_roundness(*options.roundness);
   if (!options.normal_scheme) return rule;
-  if (options.linear)
-    throw Usage_error("--normal-scheme and --linear exclude each other: in linear schemes normals "
-                      "take no part");
   rule.normal_scheme = parse_curve_scheme("--normal-scheme", *options.normal_scheme);
   if (!rule.scheme.levels.empty() || !rule.normal_scheme->levels.empty())
     throw Usage_error(
@@ -139,16 +112,15 @@ std::optional<Interpolation_mode> interpolation_of(const Curve_options& options,
 void require_writable_places(const Curve_options& options)
 {
   require_writable_place(options.output);
-  require_report_place(options.report,
-                       {options.input, options.output, options.comb.value_or(""),
-                        options.sharp.value_or("arcs") == "arcs" ? "" : *options.sharp});
+  if (options.report.file)
+    require_own_file("--report", *options.report.file,
+                     {options.input, options.output, options.comb.value_or(""),
+                      options.sharp.value_or("arcs") == "arcs" ? "" : *options.sharp});
   if (!options.comb) return;
-  require_writable_place(*options.comb);
   if (!boost::algorithm::iends_with(*options.comb, ".svg"))
     throw Usage_error("--comb " + *options.comb +
                       ": the drawing is an SVG file, whose name ends in .svg");
-  if (same_file(*options.comb, options.output) || same_file(*options.comb, options.input))
-    throw Usage_error("--comb " + *options.comb + ": the drawing needs a file of its own");
+  require_own_file("--comb", *options.comb, {options.input, options.output});
 }
 
 bool has_normal(const Curve_data& curve)
@@ -316,6 +288,14 @@ std::string closing_line(const Curve_options& options, const Curve_rule& rule,
          time;
 }
 
+const char* description_of_normals(const Curve_rule& rule, bool has_center,
+                                   const Curve_data& polygon)
+{
+  if (rule.linear) return "no normals";
+  if (has_center) return "normals of the sphere";
+  return polygon.has_normals ? "normals of the file" : "estimated normals";
+}
+
 } // namespace
 
 void run_curve_command(const Curve_options& options)
@@ -340,10 +320,7 @@ void run_curve_command(const Curve_options& options)
   if (center)
     polygon =
       naming(input_title(options), [&] { return with_spherical_normals(polygon, *center); });
-  std::string normals = rule.linear           ? "no normals"
-                        : center              ? "normals of the sphere"
-                        : polygon.has_normals ? "normals of the file"
-                                              : "estimated normals";
+  std::string normals = description_of_normals(rule, center.has_value(), polygon);
   std::vector<std::size_t> corners;
   const bool has_arcs = options.sharp == "arcs";
   if (options.sharp && !has_arcs) corners = read_corners(*options.sharp, polygon.size());

@@ -9,7 +9,7 @@
 #ifndef PN_SUBDIVIDE_CURVE_PICTURE_H
 #define PN_SUBDIVIDE_CURVE_PICTURE_H
 
-#include "io/curve_io.h"
+#include "curve/Curve_data.h"
 
 #include <CGAL/PN_subdivision_curve.h>
 

@@ -8,7 +8,6 @@
 
 #include "curve/curve_schemes.h"
 
-#include "curve/level_masks.h"
 #include "io/Error.h"
 
 #include <boost/algorithm/string/predicate.hpp>

@@ -9,8 +9,7 @@
 #ifndef PN_SUBDIVIDE_CURVE_SCHEMES_H
 #define PN_SUBDIVIDE_CURVE_SCHEMES_H
 
-#include "curve/curve_scheme_names.h"
-#include "io/curve_io.h"
+#include "curve/Curve_data.h"
 
 #include <CGAL/PN_subdivision_curve.h>
 
@@ -81,6 +80,10 @@ auto with_mask(const Curve_rule& rule, std::size_t rounds, const Function& funct
 // The refined curve. Throws Error if it would have more points than can be numbered, and what the
 // library throws.
 Curve_data refine_curve(const Curve_data& curve, const Curve_rule& rule, unsigned levels);
+
+// The scheme of --scheme levels:FILE: a line for each round, FIRST_INDEX c0 c1 ..., the last of which counts for all
+// further rounds. Throws Error, with the line, if the weights of a new point do not sum to 1.
+Curve_scheme read_level_masks(const std::string& file);
 
 } // namespace pn_subdivide
 

@@ -5,7 +5,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-#include "curve/level_masks.h"
+#include "curve/curve_schemes.h"
 
 #include "io/Error.h"
 #include "io/Text_reader.h"

@@ -85,9 +85,6 @@ void require_interpolation(const std::string& scheme, const Curve_rule& rule)
     throw Usage_error(
       "--interpolate and --normal-scheme exclude each other: interpolation is for one "
       "scheme of points and normals");
-  if (rule.end == PN::Curve_end::none)
-    throw Usage_error("--interpolate and --end none exclude each other: without its ends the curve "
-                      "does not pass through them");
 }
 
 #if __has_include(<Eigen/Core>)

@@ -9,9 +9,9 @@
 #ifndef PN_SUBDIVIDE_LIMIT_CURVE_H
 #define PN_SUBDIVIDE_LIMIT_CURVE_H
 
+#include "curve/Curve_data.h"
 #include "curve/curve_schemes.h"
 #include "io/Limit_choice.h"
-#include "io/curve_io.h"
 
 #include <string>
 

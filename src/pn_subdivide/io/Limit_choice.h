@@ -9,7 +9,7 @@
 #ifndef PN_SUBDIVIDE_LIMIT_CHOICE_H
 #define PN_SUBDIVIDE_LIMIT_CHOICE_H
 
-#include "io/Report.h"
+#include "options.h"
 
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
@@ -20,19 +20,6 @@
 #include <vector>
 
 namespace pn_subdivide {
-
-// The options --limit, --limit-tolerance and --surface-normals or --curve-normals.
-constexpr double default_limit_tolerance = 1e-9;
-
-struct Limit_choice
-{
-  const char* shape = "surface";
-  bool points = false, normals = false;
-  std::optional<double> tolerance;                  // of the bounding box
-  const char* normals_option = "--surface-normals"; // that asks for normals
-
-  bool is_used() const { return points || normals; }
-};
 
 // Throws Usage_error if there is nothing that the tolerance is for, or if it is none.
 void require_consistent(const Limit_choice& choice);
@@ -67,21 +54,6 @@ std::optional<Interpolation_mode> parse_interpolation(const std::optional<std::s
 std::string description(const Interpolation_report& report);
 // What has to be said of it; empty if all is well.
 std::string warning(const Interpolation_report& report, Interpolation_mode mode);
-
-// --verify and --tolerance as they are on the command line.
-struct Verify_options
-{
-  std::optional<std::string> shape;
-  std::optional<double> tolerance;
-};
-
-// --sharp, --sharpness, --border and what goes with them, as they are on the command line.
-struct Crease_options
-{
-  std::optional<std::string> sharp, sharpness, border;
-  // with --sharp surfaces
-  std::optional<std::string> min_facets, surface_tolerance, sharp_angle, surface_labels;
-};
 
 } // namespace pn_subdivide
 

@@ -9,8 +9,6 @@
 #ifndef PN_SUBDIVIDE_OUTPUT_FILE_H
 #define PN_SUBDIVIDE_OUTPUT_FILE_H
 
-#include "io/Temporary_on_signal.h"
-
 #include <boost/endian/conversion.hpp>
 
 #include <cstddef>
@@ -22,6 +20,24 @@
 #include <string_view>
 
 namespace pn_subdivide {
+
+// While it lives, a signal that ends the program (an interrupt at the keyboard, a closed terminal,
+// kill) removes the file first. Signals that the caller ignores, as nohup does, stay ignored.
+class Temporary_on_signal
+{
+public:
+  explicit Temporary_on_signal(const std::string& file)
+    : Temporary_on_signal(file, 0)
+  {}
+  // A folder with files piece_0.vtp, piece_1.vtp, ..., of which some may be there.
+  Temporary_on_signal(const std::string& folder, std::size_t pieces);
+  ~Temporary_on_signal();
+  Temporary_on_signal(const Temporary_on_signal&) = delete;
+  Temporary_on_signal& operator=(const Temporary_on_signal&) = delete;
+
+private:
+  std::size_t slot_;
+};
 
 // Writes a file that appears as a whole, or not at all: everything goes into a temporary file in
 // the same folder, which `commit()` gives its name. Links are followed, also to files that are not

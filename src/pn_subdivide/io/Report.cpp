@@ -124,15 +124,4 @@ void Report::require_no_warnings() const
                      "; the result is written");
 }
 
-void require_report_place(const Report_options& options, const std::vector<std::string>& others)
-{
-  if (!options.file) return;
-  if (options.file->empty() || *options.file == "-")
-    throw Usage_error("--report '" + *options.file + "': it takes the name of a file");
-  require_writable_place(*options.file);
-  for (const std::string& other : others)
-    if (!other.empty() && other != "-" && same_file(*options.file, other))
-      throw Usage_error("--report " + *options.file + ": the report needs a file of its own");
-}
-
 } // namespace pn_subdivide

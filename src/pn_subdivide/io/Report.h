@@ -93,10 +93,6 @@ private:
   std::vector<std::size_t> high_faces_;
 };
 
-// Throws Usage_error or Error if the file of --report cannot be one: it is none of `others`, in which
-// empty words and "-" do not count.
-void require_report_place(const Report_options& options, const std::vector<std::string>& others);
-
 } // namespace pn_subdivide
 
 #endif // PN_SUBDIVIDE_REPORT_H

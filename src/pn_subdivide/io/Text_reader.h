@@ -14,6 +14,8 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace pn_subdivide {
 
@@ -85,6 +87,22 @@ private:
 // All bytes of a file or, for "-", of standard input. Throws Error if there are none or they cannot be read; the message does not
 // name the file.
 std::string file_content(const std::string& file);
+
+// "name:rest" as name and rest; the rest is empty if there is no colon.
+std::pair<std::string, std::string> split_at_colon(const std::string& text);
+
+// Finite numbers with commas between, for the argument of an option. Throws Usage_error, which
+// begins with `option`.
+std::vector<double> parse_numbers(const std::string& text, const std::string& option);
+// exactly so many
+std::vector<double> parse_numbers(const std::string& text, std::size_t number,
+                                  const std::string& option);
+
+// Throws Usage_error if the three numbers are zero.
+void require_direction(const double* direction, const std::string& option);
+
+// The number of --roundness, from 0 to 1. Throws Usage_error, which says what else might have been `expected`.
+double parse_roundness(const std::string& text, const std::string& expected = "");
 
 } // namespace pn_subdivide
 

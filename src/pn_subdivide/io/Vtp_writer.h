@@ -10,8 +10,8 @@
 #define PN_SUBDIVIDE_VTP_WRITER_H
 
 #include "io/Attributes.h"
+#include "io/formats.h"
 #include "io/mesh_io.h"
-#include "io/write_text.h"
 
 #include <functional>
 #include <string>

@@ -8,7 +8,7 @@
 
 #include "io/border_edges.h"
 
-#include "io/corner_normals.h"
+#include "io/mesh_normals.h"
 
 #include <CGAL/box_intersection_d.h>
 

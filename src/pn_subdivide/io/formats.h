@@ -11,9 +11,12 @@
 
 #include "io/Attributes.h"
 #include "io/Mesh_data.h"
+#include "io/Output_file.h"
 #include "io/mesh_io.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -62,6 +65,106 @@ void take_types_of_format(const Mesh_file& output, Attributes& attributes);
 // those that hold for the output, where it is in another folder. Standard input and output are in the
 // current folder.
 void move_file_references(Attributes& attributes, const Mesh_file& input, const Mesh_file& output);
+
+// What of a mesh's attributes a file format takes, so that the rest can be named.
+class Held_attributes
+{
+public:
+  explicit Held_attributes(const Mesh_data& mesh)
+    : attributes_(mesh.attributes)
+  {}
+
+  // Returns its argument.
+  Column_group take(Column_group columns)
+  {
+    taken_.insert(columns.begin(), columns.end());
+    return columns;
+  }
+  void take_texture() { texture_ = true; }
+  void take_texture_files() { texture_files_ = true; }
+  void take_material_files() { material_files_ = true; }
+
+  // For people, as in "groups" or "'quality' of vertices".
+  std::vector<std::string> rest() const;
+
+private:
+  const Attributes& attributes_;
+  std::set<const Column*> taken_;
+  bool texture_ = false, texture_files_ = false, material_files_ = false;
+};
+
+Column_group all_of(const Columns& columns);
+
+// Texture coordinates of the vertices: their own, or those of the corners if these are the same all
+// round each vertex and every corner has some. Empty if there are none; vertices without faces have 0.
+std::vector<Texture_point> texture_of_vertices(const Mesh_data& mesh);
+
+// Vertices whose corners have different texture coordinates get a copy for each, behind the others, as formats with
+// texture coordinates of vertices need it. Corners without any get 0 0; returns how many.
+std::size_t split_at_seams(Mesh_data& mesh);
+
+// Texture coordinates of corners become the columns of vertices that other programs read from .ply files; the mesh
+// must be split at its seams.
+void move_texture_to_vertices(Mesh_data& mesh);
+
+// The three coordinates of a point or vector with blanks between.
+inline void write_triple(Output_file& out, const Triple& t)
+{
+  out.number(t[0]);
+  out.text(" ");
+  out.number(t[1]);
+  out.text(" ");
+  out.number(t[2]);
+}
+
+inline void write_count(Output_file& out, std::size_t n)
+{
+  out.number(static_cast<std::uint64_t>(n));
+}
+
+// The values of an element with a blank before each.
+inline void write_values(Output_file& out, const Column_group& columns, std::size_t element)
+{
+  for (const Column* column : columns) {
+    out.text(" ");
+    out.number(column->values[element]);
+  }
+}
+
+// What text OFF and PLY have in common after their headers: a line for each vertex and one for each
+// face; `rest_of_vertex(v)` and `rest_of_face(f)` write what these have besides points, normals and
+// vertices.
+template <class Rest_of_vertex, class Rest_of_face>
+void write_vertices_and_faces(Output_file& out, const Mesh_data& mesh,
+                              const Rest_of_vertex& rest_of_vertex,
+                              const Rest_of_face& rest_of_face)
+{
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    write_triple(out, mesh.points[v]);
+    if (mesh.has_normals()) {
+      out.text(" ");
+      write_triple(out, mesh.normals[v]);
+    }
+    rest_of_vertex(v);
+    out.text("\n");
+  }
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    write_count(out, mesh.face(f).size());
+    for (const Mesh_data::Index v : mesh.face(f)) {
+      out.text(" ");
+      write_count(out, v);
+    }
+    rest_of_face(f);
+    out.text("\n");
+  }
+}
+
+// Text as it stands between quotes in XML, whose files are UTF-8. What XML cannot hold, most control characters
+// and bytes that are no UTF-8, becomes '?'.
+std::string xml_text(const std::string& text);
+
+// Does XML hold all of it?
+bool is_xml_text(const std::string& text);
 
 } // namespace pn_subdivide
 

@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <iterator>
 #include <new>
+#include <string_view>
 
 namespace pn_subdivide {
 namespace {
@@ -149,6 +150,17 @@ bool same_file(const std::string& a, const std::string& b)
   return place(a) == place(b);
 }
 
+void require_own_file(const std::string& option, const std::string& file,
+                      const std::vector<std::string>& others)
+{
+  if (file.empty() || file == "-")
+    throw Usage_error(option + " '" + file + "': it takes the name of a file");
+  require_writable_place(file);
+  for (const std::string& other : others)
+    if (!other.empty() && other != "-" && same_file(file, other))
+      throw Usage_error(option + " " + file + ": it needs a file of its own");
+}
+
 std::vector<std::string> not_held(const Mesh_file& file, const Mesh_data& mesh, Encoding encoding)
 {
   return format_of(file).not_held(mesh, encoding);
@@ -191,6 +203,67 @@ void write_mesh(const Mesh_file& file, const Mesh_data& mesh, Encoding encoding)
 void write_mesh(const std::string& name, const Mesh_data& mesh, Encoding encoding)
 {
   write_mesh(output_mesh_file(name, std::nullopt), mesh, encoding);
+}
+
+namespace {
+
+std::vector<std::int64_t> read_numbers(Text_reader& in, const char* what)
+{
+  std::vector<std::int64_t> numbers;
+  for (std::string_view w = in.word(); !w.empty(); w = in.word()) {
+    numbers.push_back(in.to_integer(w, what));
+    if (numbers.back() < 0) in.fail(std::string(what) + " is negative: " + std::string(w));
+  }
+  return numbers;
+}
+
+Selection parse_selection(const std::string& content)
+{
+  Text_reader in(content, '\0');
+  Selection selection;
+  while (in.next_line()) {
+    if (in.line() > 3)
+      in.fail("a selection has three lines only: vertices, faces, and edges as pairs of vertices");
+    std::vector<std::int64_t> numbers =
+      read_numbers(in, in.line() == 2 ? "a face number" : "a vertex number");
+    if (in.line() == 1)
+      selection.vertices = std::move(numbers);
+    else if (in.line() == 2)
+      selection.faces = std::move(numbers);
+    else if (numbers.size() % 2 != 0)
+      in.fail("edges are pairs of vertex numbers, and there are " + std::to_string(numbers.size()) +
+              " numbers");
+    else
+      for (std::size_t i = 0; i < numbers.size(); i += 2)
+        selection.edges.push_back({numbers[i], numbers[i + 1]});
+  }
+  return selection;
+}
+
+} // namespace
+
+Selection read_selection(const std::string& file)
+{
+  try {
+    return parse_selection(file_content(file));
+  } catch (const std::bad_alloc&) {
+    throw; // has no file to blame
+  } catch (const std::exception& e) {
+    throw Error(file + ": " + e.what());
+  }
+}
+
+void write_selection(Output_file& out, const Crease_tags& tags)
+{
+  std::string line;
+  for (std::size_t v = 0; v < tags.vertices.size(); ++v)
+    if (tags.vertices[v] > 0) line += (line.empty() ? "" : " ") + std::to_string(v);
+  out.text(line + "\n\n");
+  line.clear();
+  for (const Crease_tags::Edge& edge : tags.edges)
+    line +=
+      (line.empty() ? "" : " ") + std::to_string(edge.ends[0]) + " " + std::to_string(edge.ends[1]);
+  out.text(line + "\n");
 }
 
 } // namespace pn_subdivide

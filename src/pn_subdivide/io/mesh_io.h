@@ -11,6 +11,9 @@
 
 #include "io/Mesh_data.h"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,6 +59,11 @@ void require_writable_place(const std::string& file);
 // Do the names mean one file, through links or other folders?
 bool same_file(const std::string& a, const std::string& b);
 
+// Throws Usage_error or Error if the file of an option cannot be one: it is none of `others`, in which empty words and "-" do
+// not count.
+void require_own_file(const std::string& option, const std::string& file,
+                      const std::vector<std::string>& others);
+
 enum class Encoding { binary, text };
 
 // What of the mesh's attributes the format has no place for, for people: "groups".
@@ -74,6 +82,21 @@ Mesh_data read_mesh(const std::string& name);
 // Throws Error.
 void write_mesh(const Mesh_file& file, const Mesh_data& mesh, Encoding encoding);
 void write_mesh(const std::string& name, const Mesh_data& mesh, Encoding encoding);
+
+// What a file of CGAL's format of selections (.selection.txt) holds: numbers of vertices in the first
+// line, of faces in the second, edges as pairs of vertex numbers in the third. Lines may be blank.
+struct Selection
+{
+  std::vector<std::int64_t> vertices, faces;
+  std::vector<std::array<std::int64_t, 2>> edges;
+};
+
+// Throws Error, which names the file and the line. Numbers are not negative.
+Selection read_selection(const std::string& file);
+
+class Output_file;
+// Whatever is sharp for some rounds or for ever.
+void write_selection(Output_file& out, const Crease_tags& tags);
 
 } // namespace pn_subdivide
 

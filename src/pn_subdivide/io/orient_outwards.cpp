@@ -6,10 +6,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "io/orient_outwards.h"
+#include "io/soup_repair.h"
 
 #include "io/Error.h"
-#include "io/corner_normals.h"
+#include "io/mesh_normals.h"
 #include "io/soup_check.h"
 
 #include <boost/math/constants/constants.hpp>

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "io/orient_soup.h"
+#include "io/soup_repair.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 

@@ -10,8 +10,8 @@
 #include "io/Mesh_data.h"
 #include "io/Obj_attributes.h"
 #include "io/Text_reader.h"
-#include "io/corner_normals.h"
 #include "io/formats.h"
+#include "io/mesh_normals.h"
 
 #include <algorithm>
 #include <cstdint>

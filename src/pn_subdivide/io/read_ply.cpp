@@ -8,9 +8,8 @@
 
 #include "io/Error.h"
 #include "io/Ply_header.h"
-#include "io/Ply_values.h"
-#include "io/corner_normals.h"
 #include "io/formats.h"
+#include "io/mesh_normals.h"
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 
 #include "io/shading_normals.h"
 
-#include "io/corner_normals.h"
+#include "io/mesh_normals.h"
 
 #include <CGAL/PN_recognition_3/internal/recognition.h>
 #include <CGAL/number_utils.h>

@@ -10,7 +10,7 @@
 #define PN_SUBDIVIDE_SHADING_NORMALS_H
 
 #include "io/Mesh_data.h"
-#include "io/corner_normals.h"
+#include "io/mesh_normals.h"
 
 #include <cstddef>
 #include <utility>

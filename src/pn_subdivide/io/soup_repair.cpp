@@ -9,8 +9,6 @@
 #include "io/soup_repair.h"
 
 #include "io/Error.h"
-#include "io/orient_outwards.h"
-#include "io/orient_soup.h"
 #include "io/soup_check.h"
 
 #include <algorithm>

@@ -11,6 +11,7 @@
 
 #include "io/Mesh_data.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -51,20 +52,34 @@ Soup_repair repair_soup(Mesh_data& mesh);
 // must be in order.
 std::size_t split_fans(Mesh_data& mesh);
 
-struct Point_merge
+// Turns closed components of an oriented 2-manifold so that those that lie in no other one, or in an even number of
+// others, are oriented outwards, and those in an odd number, which are cavities, the other way. What has a border or
+// bounds no volume stays as it is. Components that cross each other lie in none of each other. Returns the number of
+// components that were turned, and marks their faces, which begin with the same vertex as before.
+std::size_t orient_outwards(Mesh_data& mesh, std::vector<bool>& is_turned);
+
+struct Inside_out
 {
-  std::size_t merged_vertices = 0;               // that are gone: equal ones
-  std::size_t joined_vertices = 0;               // others within the distance
-  std::vector<std::string> differing_attributes; // of which only the value of the first is left
+  std::size_t number = 0, first_face = 0;
+  std::string description() const; // for a warning
 };
 
-// Merges vertices with equal points into the first of them. Where their normals or texture coordinates
-// differ, these become those of corners; of other attributes those of the first vertex are kept. Coordinates
-// must be finite.
-Point_merge merge_equal_points(Mesh_data& mesh);
+// Those of them that are oriented inwards and are no cavities.
+Inside_out find_inside_out(const Mesh_data& mesh);
 
-// The same, and then for points within a distance as first_near() tells.
-Point_merge merge_near_points(Mesh_data& mesh, double distance);
+// Orients the faces consistently and gives vertices and edges that join too many faces a copy for each part, which stand behind
+// the old vertices. Faces that are turned change their `is_reversed`. Returns the number of copies.
+std::size_t orient_soup(Mesh_data& mesh, std::vector<bool>& is_reversed);
+
+// What a copy has from its vertex, but for the point.
+inline void add_values_of_copy(Mesh_data& mesh, Mesh_data::Index original)
+{
+  mesh.copied_from.push_back(original);
+  if (mesh.has_normals()) mesh.normals.push_back(mesh.normals[original]);
+  if (!mesh.roundness.empty()) mesh.roundness.push_back(mesh.roundness[original]);
+  for (Column& column : mesh.attributes.of_vertices)
+    column.values.push_back(column.values[original]);
+}
 
 } // namespace pn_subdivide
 

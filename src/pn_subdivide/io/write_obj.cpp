@@ -6,11 +6,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "io/Held_attributes.h"
 #include "io/Obj_attributes.h"
-#include "io/corner_normals.h"
 #include "io/formats.h"
-#include "io/write_text.h"
+#include "io/mesh_normals.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -6,9 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "io/Held_attributes.h"
 #include "io/formats.h"
-#include "io/write_text.h"
 
 #include <algorithm>
 

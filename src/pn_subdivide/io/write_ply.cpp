@@ -6,10 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "io/Held_attributes.h"
 #include "io/Ply_header.h"
 #include "io/formats.h"
-#include "io/write_text.h"
 
 #include <algorithm>
 #include <array>

@@ -7,11 +7,9 @@
 // Author(s): PN_subdivision_3 developers
 
 #include "io/Error.h"
-#include "io/Held_attributes.h"
 #include "io/Output_file.h"
-#include "io/corner_normals.h"
 #include "io/formats.h"
-#include "io/write_text.h"
+#include "io/mesh_normals.h"
 
 #include <algorithm>
 #include <array>

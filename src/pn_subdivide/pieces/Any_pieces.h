@@ -10,6 +10,7 @@
 #define PN_SUBDIVIDE_ANY_PIECES_H
 
 #include "io/Limit_choice.h"
+#include "options.h"
 #include "surface/Surface.h"
 #include "surface/creases.h"
 #include "surface/surface_schemes.h"
@@ -21,6 +22,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace pn_subdivide {
 
@@ -54,6 +56,15 @@ std::unique_ptr<Any_pieces> make_pieces(Surface& surface, const Scheme_choice& c
 // The bytes that so many pieces take in a process, about, with so many for each vertex besides.
 double memory_of_pieces(const Surface& surface, const Scheme_choice& choice, unsigned levels,
                         std::size_t number, double of_vertex);
+
+// "500M": bytes. Throws Usage_error.
+double parse_memory(const std::string& text);
+
+// How many pieces are made: as asked for, or so many that one of them fits into the memory. Throws Error if none
+// does.
+std::size_t piece_count(const Surface& surface, const Scheme_choice& scheme, unsigned levels,
+                        const Pieces_options& options, unsigned ranks, bool with_limits,
+                        double of_vertex);
 
 } // namespace pn_subdivide
 

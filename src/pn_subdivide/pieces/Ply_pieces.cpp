@@ -6,23 +6,120 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// One binary PLY file: every vertex and every face has its place, which follows from its number.
+#include "pieces/Piece_output.h"
 
 #include "io/Error.h"
 #include "io/Ply_header.h"
-#include "pieces/Piece_output.h"
 #include "pieces/Ranks.h"
-#include "pieces/Row_writer.h"
+#include "pieces/Shared_file.h"
+
+#include <boost/endian/conversion.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
+
+// One binary PLY file: every vertex and every face has its place, which follows from its number.
 
 namespace fs = std::filesystem;
 
 namespace pn_subdivide {
 namespace {
+
+// Collects rows that follow on each other in the file.
+class Row_writer
+{
+public:
+  Row_writer(Shared_file& file, bool keeps_receipt)
+    : file_(file)
+    , keeps_receipt_(keeps_receipt)
+  {
+    buffer_.reserve(most + 1024);
+  }
+
+  // The places increase.
+  void begin_row(std::uint64_t place)
+  {
+    if (place != place_ + buffer_.size() || buffer_.size() >= most) flush();
+    if (buffer_.empty()) place_ = place;
+  }
+  template <class T>
+  void little_endian(T x)
+  {
+    unsigned char bytes[sizeof(T)];
+    boost::endian::endian_store<T, sizeof(T), boost::endian::order::little>(bytes, x);
+    buffer_.append(reinterpret_cast<const char*>(bytes), sizeof(T));
+  }
+  void flush();
+
+  // After flush(): the checksum of all rows, and where they are.
+  std::string receipt() const;
+
+private:
+  static constexpr std::size_t most = 1 << 20;
+
+  // from a place in the file to another one
+  struct Run
+  {
+    std::uint64_t begin, end;
+  };
+
+  Shared_file& file_;
+  std::string buffer_;
+  std::uint64_t place_ = 0;
+
+  bool keeps_receipt_;
+  Checksum checksum_;
+  std::vector<Run> runs_;
+};
+
+void Row_writer::flush()
+{
+  if (buffer_.empty()) return;
+  file_.write(place_, buffer_.data(), buffer_.size());
+  if (keeps_receipt_) {
+    checksum_.process_bytes(buffer_.data(), buffer_.size());
+    if (runs_.empty() || place_ != runs_.back().end) runs_.push_back({place_, place_});
+    runs_.back().end = place_ + buffer_.size();
+  }
+  buffer_.clear();
+}
+
+std::string Row_writer::receipt() const
+{
+  std::ostringstream text;
+  text << text_of(checksum_) << std::hex;
+  for (const Run& run : runs_) text << ' ' << run.begin << ' ' << run.end;
+  return text.str();
+}
+
+// Are the rows of a receipt in a file?
+bool has_rows(const std::filesystem::path& file, const std::string& receipt)
+{
+  std::ifstream rows;
+  rows.rdbuf()->pubsetbuf(nullptr, 0); // runs are read as they are, often from far away
+  rows.open(file, std::ios::binary);
+  std::istringstream text(receipt);
+  std::string expected;
+  text >> expected >> std::hex;
+  Checksum checksum;
+  std::vector<char> buffer(1 << 16);
+  for (std::uint64_t place = 0, end = 0; text >> place >> end;) {
+    rows.seekg(static_cast<std::streamoff>(place));
+    while (rows && place < end) {
+      const std::size_t n = std::min<std::uint64_t>(end - place, buffer.size());
+      rows.read(buffer.data(), static_cast<std::streamsize>(n));
+      checksum.process_bytes(buffer.data(), n);
+      place += n;
+    }
+  }
+  return rows && text.eof() && text_of(checksum) == expected;
+}
 
 class Ply_pieces : public Piece_output
 {

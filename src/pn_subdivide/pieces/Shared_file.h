@@ -9,12 +9,26 @@
 #ifndef PN_SUBDIVIDE_SHARED_FILE_H
 #define PN_SUBDIVIDE_SHARED_FILE_H
 
+#include <boost/crc.hpp>
+
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace pn_subdivide {
+
+// that of ECMA-182
+using Checksum = boost::crc_optimal<64, 0x42f0e1eba9ea3693u, ~0ull, ~0ull, true, true>;
+
+inline std::string text_of(const Checksum& checksum)
+{
+  char text[20];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(checksum.checksum()));
+  return text;
+}
 
 // A file into which several processes write at places of their own. Throws Error where something fails.
 class Shared_file

@@ -11,9 +11,7 @@
 #include "io/Error.h"
 #include "io/Output_file.h"
 #include "io/formats.h"
-#include "io/write_text.h"
-#include "pieces/Checksum.h"
-#include "pieces/Piece_folder.h"
+#include "pieces/Output_names.h"
 #include "pieces/Piece_output.h"
 #include "pieces/Shared_file.h"
 

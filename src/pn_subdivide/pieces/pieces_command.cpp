@@ -10,9 +10,9 @@
 
 #include "io/Error.h"
 #include "io/formats.h"
-#include "pieces/Checksum.h"
-#include "pieces/Piece_count.h"
+#include "pieces/Any_pieces.h"
 #include "pieces/Ranks.h"
+#include "pieces/Shared_file.h"
 
 #include <CGAL/PN_subdivision_3/version.h>
 
@@ -24,13 +24,6 @@
 
 namespace pn_subdivide {
 namespace {
-
-void refuse(bool is_given, const std::string& option)
-{
-  if (is_given)
-    throw Usage_error(option + " is not known for refinement in pieces (--memory, --pieces, "
-                               ".pvtp, mpirun): leave one of the two out");
-}
 
 bool is_creased(const Creases& creases)
 {
@@ -126,30 +119,10 @@ void require_options_for_pieces(const Surface_options& options, const Mesh_file&
     throw Usage_error("refinement in pieces (--memory, --pieces, .pvtp, mpirun) writes files "
                       "whose names end in .ply or .pvtp");
   if (options.pieces.pieces == std::size_t(0)) throw Usage_error("--pieces must be at least 1");
-  refuse(options.pieces.pieces && options.pieces.memory, "--memory together with --pieces");
   if (options.pieces.memory) parse_memory(*options.pieces.memory);
-  const std::string whole = " in pieces (--memory, --pieces, .pvtp, mpirun)";
-  if (options.chord)
-    throw Usage_error("--chord makes no triangles" + whole +
-                      ": leave those out, since --chord "
-                      "makes few where it is flat, or take --levels N");
-  const std::string& of_points = options.scheme.scheme;
-  if (!of_points.empty() && !keeps_edges(of_points))
-    throw Usage_error("--scheme " + of_points + " is not known for refinement" + whole +
-                      ", which halves edges: leave those out, or take catmull-clark or loop");
-  refuse(options.curvature.has_value(), "--curvature");
-  refuse(options.check, "--check");
-  refuse(options.verify.shape.has_value(), "--verify");
-  refuse(options.interpolate.has_value(), "--interpolate");
-  refuse(options.limit.points && options.output_normals == "both",
-         "--limit together with --output-normals both");
-  refuse(options.ascii, "--ascii");
-  refuse(options.split_seams, "--split-seams");
-  refuse(options.write_tags.has_value(), "--write-tags");
-  if (wants_surfaces(options.creases))
-    throw Usage_error("--sharp surfaces is not known for refinement in pieces (--memory, --pieces, "
-                      ".pvtp, mpirun): recognize first, with --levels 0 --output-normals both, and "
-                      "refine that .ply file with --drop-attributes");
+  if (options.limit.points && options.output_normals == "both")
+    throw Usage_error("--limit together with --output-normals both is not known for refinement in "
+                      "pieces (--memory, --pieces, .pvtp, mpirun): leave one of these out");
 }
 
 void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases,

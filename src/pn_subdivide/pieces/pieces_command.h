@@ -12,12 +12,11 @@
 #include "io/Limit_choice.h"
 #include "io/Report.h"
 #include "io/mesh_io.h"
+#include "options.h"
 #include "pieces/Any_pieces.h"
 #include "pieces/Output_names.h"
-#include "pieces/Piece_attributes.h"
-#include "pieces/Piece_normals.h"
+#include "pieces/Piece_output.h"
 #include "surface/creases.h"
-#include "surface/surface_command.h"
 
 #include <memory>
 #include <optional>

@@ -9,8 +9,8 @@
 #include "surface/Crease_plan.h"
 
 #include "io/Error.h"
-#include "io/parse_numbers.h"
-#include "surface/surface_command.h"
+#include "io/Text_reader.h"
+#include "options.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -60,12 +60,6 @@ std::string given_option(const Crease_options& options)
   return {};
 }
 
-void exclude(bool is_given, const std::string& option, const std::string& why)
-{
-  if (is_given)
-    throw Usage_error(option + " and " + sharp_surfaces + " exclude each other: " + why);
-}
-
 } // namespace
 
 bool wants_surfaces(const Crease_options& options)
@@ -83,15 +77,6 @@ Recognition_plan Recognition_plan::make(const Crease_options& options)
   if (!option.empty() && !wants_surfaces(options))
     throw Usage_error(option + " needs " + sharp_surfaces + " or --part");
   return plan;
-}
-
-void require_options_for_surfaces(const Surface_options& options)
-{
-  if (!wants_surfaces(options.creases)) return;
-  exclude(options.creases.sharpness.has_value(), "--sharpness",
-          "creases between surfaces are sharp forever");
-  exclude(options.interpolate.has_value(), "--interpolate",
-          "surfaces with sharp edges cannot be made to pass through points");
 }
 
 namespace {
@@ -173,8 +158,6 @@ Crease_plan Crease_plan::make(const Crease_options& options)
   plan.has_sharpness = options.sharpness.has_value();
   if (options.sharp) parse_sharp(*options.sharp, plan);
   plan.recognition = Recognition_plan::make(options);
-  if (plan.has_sharpness && plan.source == Source::none)
-    throw Usage_error("--sharpness and --sharp none exclude each other: no edge is sharp");
   return plan;
 }
 

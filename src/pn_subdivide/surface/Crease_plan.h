@@ -10,7 +10,7 @@
 #define PN_SUBDIVIDE_CREASE_PLAN_H
 
 #include "io/Limit_choice.h"
-#include "io/selection.h"
+#include "io/mesh_io.h"
 #include "surface/surface_schemes.h"
 
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
@@ -37,9 +37,6 @@ struct Recognition_plan
 };
 
 bool wants_surfaces(const Crease_options& options);
-
-// Throws Usage_error if other options exclude --sharp surfaces.
-void require_options_for_surfaces(const Surface_options& options);
 
 using Border = CGAL::PN_subdivision_3::Border;
 

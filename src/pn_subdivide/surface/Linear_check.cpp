@@ -11,10 +11,8 @@
 #include "io/Error.h"
 #include "surface/Recognized_part.h"
 #include "surface/Reference_surface.h"
-#include "surface/limit_surface.h"
 #include "surface/part_choice.h"
 #include "surface/refine_surface.h"
-#include "surface/tessellate_surface.h"
 
 #include <CGAL/PN_certificates_3/compare_with_linear.h>
 

@@ -8,7 +8,7 @@
 
 #include "surface/Recognized_part.h"
 
-#include "io/corner_normals.h"
+#include "io/mesh_normals.h"
 #include "surface/Wedges.h"
 
 #include <CGAL/PN_recognition_3/internal/recognition.h>
@@ -20,11 +20,162 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace pn_subdivide {
 namespace {
+
+namespace Recognition = CGAL::PN_subdivision_3::internal::recognition;
+
+using Kind = Recognized_surface::Kind;
+using Recognition::Shape;
+using Recognition::Vec3;
+using Vertex = Surface::Vertex_index;
+
+// Where vertices belong: on all surfaces of the faces around them.
+class Places_on_surfaces
+{
+public:
+  // segments: the numbers of the surfaces of the faces
+  Places_on_surfaces(const Surface& surface, const std::vector<std::size_t>& segments,
+                     const std::vector<Recognized_surface>& surfaces)
+    : surface_(surface)
+    , segments_(segments)
+    , surfaces_(surfaces)
+  {
+    for (const Recognized_surface& s : surfaces) shapes_.push_back(Recognition::as_shape(s, 1, {}));
+  }
+
+  // Programs that cut facets, not what these stand for, leave vertices on their chords, which refinement would keep.
+  std::vector<Moved_vertex> cut_vertices()
+  {
+    std::vector<Moved_vertex> result;
+    for (const Vertex v : surface_.vertices())
+      if (find_surfaces(v) && is_cut(v))
+        if (const std::optional<Vec3> p = place_of(v, 0.4 * shortest_edge(v)))
+          result.push_back({std::size_t(v), Point_3(p->x, p->y, p->z)});
+    return result;
+  }
+
+  // Those of a refined mesh on surfaces that the scheme has left anywhere by more than a fiftieth of what facets do.
+  std::vector<Moved_vertex> left_vertices()
+  {
+    std::vector<bool> is_left(surfaces_.size(), false);
+    for (const Vertex v : surface_.vertices()) {
+      find_surfaces(v);
+      for (const std::size_t s : around_) is_left[s] = is_left[s] || is_off(s, at(v));
+    }
+    std::vector<Moved_vertex> result;
+    for (const Vertex v : surface_.vertices()) {
+      find_surfaces(v);
+      double most = 0;
+      for (const std::size_t s : around_) most = (std::max)(most, sagitta(s, at(v)));
+      if (std::none_of(around_.begin(), around_.end(), [&](std::size_t s) { return is_left[s]; }))
+        continue;
+      if (const std::optional<Vec3> p = place_of(v, 2 * most))
+        result.push_back({std::size_t(v), Point_3(p->x, p->y, p->z)});
+    }
+    return result;
+  }
+
+private:
+  Vec3 at(Vertex v) const
+  {
+    const Point_3& p = surface_.point(v);
+    return {p.x(), p.y(), p.z()};
+  }
+
+  // Those that are known; returns whether all are.
+  bool find_surfaces(Vertex v)
+  {
+    around_.clear();
+    if (surface_.is_isolated(v)) return false;
+    for (const auto f : CGAL::faces_around_target(surface_.halfedge(v), surface_))
+      if (f != Surface::null_face()) around_.push_back(segments_[f]);
+    std::sort(around_.begin(), around_.end());
+    around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
+    const auto known = std::remove_if(around_.begin(), around_.end(), [&](std::size_t s) {
+      return surfaces_[s].kind == Kind::unknown;
+    });
+    const bool are_all = known == around_.end();
+    around_.erase(known, around_.end());
+    return are_all;
+  }
+
+  // how far the middle of a facet may be from its surface
+  double sagitta(std::size_t segment, const Vec3& p) const
+  {
+    const Recognized_surface& s = surfaces_[segment];
+    const auto height = [](double radius, double step) {
+      return radius * (1 - std::cos(step / 2));
+    };
+    switch (s.kind) {
+    case Kind::unknown:
+    case Kind::plane:
+      break;
+    case Kind::cone:
+      return height(shapes_[segment].local(p).rho, s.widest_step);
+    case Kind::cylinder:
+    case Kind::sphere:
+    case Kind::torus:
+      return height(s.radius + s.tube_radius, s.widest_step) +
+             height(s.tube_radius, s.widest_meridian_step);
+    }
+    return 0;
+  }
+
+  // well off a round surface
+  bool is_off(std::size_t segment, const Vec3& p) const
+  {
+    return surfaces_[segment].kind != Kind::plane &&
+           std::abs(shapes_[segment].distance(p)) > 0.02 * sagitta(segment, p);
+  }
+  // by no more than a chord is
+  bool is_cut(Vertex v) const
+  {
+    const Vec3 p = at(v);
+    const auto is_far = [&](std::size_t s) {
+      return surfaces_[s].kind != Kind::plane &&
+             !(std::abs(shapes_[s].distance(p)) <= 1.1 * sagitta(s, p));
+    };
+    return std::none_of(around_.begin(), around_.end(), is_far) &&
+           std::any_of(around_.begin(), around_.end(), [&](std::size_t s) { return is_off(s, p); });
+  }
+
+  // by projections in turn, which go to a near point of all of them if they meet at an angle
+  std::optional<Vec3> place_of(Vertex v, double farthest) const
+  {
+    const Vec3 start = at(v);
+    const double edge = shortest_edge(v);
+    Vec3 p = start;
+    double off = 0;
+    for (int k = 0; k < 200; ++k) {
+      for (const std::size_t s : around_) p = p - shapes_[s].distance(p) * shapes_[s].normal(p);
+      off = 0;
+      for (const std::size_t s : around_) off = (std::max)(off, std::abs(shapes_[s].distance(p)));
+      if (off <= 1e-9 * edge) break;
+    }
+    if (!(off <= 1e-6 * edge && Recognition::norm(p - start) <= farthest)) return std::nullopt;
+    return p;
+  }
+  double shortest_edge(Vertex v) const
+  {
+    double shortest = -1;
+    for (const auto h : CGAL::halfedges_around_target(surface_.halfedge(v), surface_)) {
+      const double length = Recognition::norm(at(surface_.source(h)) - at(v));
+      if (shortest < 0 || length < shortest) shortest = length;
+    }
+    return shortest;
+  }
+
+  const Surface& surface_;
+  const std::vector<std::size_t>& segments_;
+  const std::vector<Recognized_surface>& surfaces_;
+  std::vector<Shape> shapes_;
+  std::vector<std::size_t> around_; // a vertex: the surfaces
+};
 
 namespace PN = CGAL::PN_subdivision_3;
 
@@ -162,7 +313,7 @@ void try_tolerance_of_six_digits(Recognized_part& part, Surface& surface,
       largest = (std::max)(largest, std::abs(p[i]));
     }
   }
-  if (PN::internal::recognition::file_rounding(x) > std::ldexp(largest, -40)) return;
+  if (Recognition::file_rounding(x) > std::ldexp(largest, -40)) return;
   const double tolerance = 2e-6 * diagonal_of(box_of(surface));
   const auto segments = surface.add_property_map<Face, std::size_t>("f:other_segment", 0).first;
   const std::vector<Recognized_surface> found = PN::recognize_surfaces(
@@ -179,7 +330,7 @@ void try_tolerance_of_six_digits(Recognized_part& part, Surface& surface,
 
 bool is_round(Recognized_surface::Kind kind)
 {
-  return PN::internal::recognition::facts_of(kind).is_round();
+  return kind != Kind::plane && kind != Kind::unknown;
 }
 
 bool Recognized_part::knows_any() const
@@ -214,7 +365,7 @@ Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& pl
     part.surfaces = PN::recognize_surfaces(surface, segments, np);
     if (!plan.tolerance && plan.tries_tolerances) try_tolerance_of_six_digits(part, surface, plan);
     for (const Face f : surface.faces()) part.segments.push_back(segments[f]);
-    part.moved = cut_vertices(surface, part.segments, part.surfaces);
+    part.moved = Places_on_surfaces(surface, part.segments, part.surfaces).cut_vertices();
     for (const Moved_vertex& m : part.moved) surface.point(Vertex(unsigned(m.vertex))) = m.point;
     PN::surface_creases(surface, segments, part.surfaces, creases,
                         PN::parameters::join(PN::parameters::vertex_roundness_map(roundness)
@@ -233,6 +384,15 @@ Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& pl
 void move_cut_vertices(Mesh_data& mesh, const Recognized_part& part)
 {
   for (const Moved_vertex& m : part.moved) mesh.points[m.vertex] = to_triple(m.point);
+}
+
+void put_on_surfaces(Surface& refined, const std::vector<double>& parents,
+                     const Recognized_part& part)
+{
+  std::vector<std::size_t> segments;
+  for (const double parent : parents) segments.push_back(part.segments[std::size_t(parent)]);
+  for (const Moved_vertex& m : Places_on_surfaces(refined, segments, part.surfaces).left_vertices())
+    refined.point(Vertex(unsigned(m.vertex))) = m.point;
 }
 
 void put_surface_normals(Mesh_data& mesh, const Recognized_part& part, bool where_file_has_none)

@@ -11,7 +11,6 @@
 
 #include "surface/Crease_plan.h"
 #include "surface/Surface.h"
-#include "surface/cut_vertices.h"
 
 #include <CGAL/PN_recognition_3/surfaces/Recognized_surface.h>
 
@@ -19,6 +18,12 @@
 #include <vector>
 
 namespace pn_subdivide {
+
+struct Moved_vertex
+{
+  std::size_t vertex;
+  Point_3 point;
+};
 
 using Recognized_surface = CGAL::PN_subdivision_3::Recognized_surface;
 
@@ -58,6 +63,11 @@ Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& pl
 
 // Moves the vertices that were cut.
 void move_cut_vertices(Mesh_data& mesh, const Recognized_part& part);
+
+// Moves the vertices of a refined part that the scheme has left off their surfaces, as of cones. `parents`: the control faces of
+// the faces.
+void put_on_surfaces(Surface& refined, const std::vector<double>& parents,
+                     const Recognized_part& part);
 
 // Gives the mesh the normals of the part or, with `where_file_has_none`, only those that the file does not give.
 void put_surface_normals(Mesh_data& mesh, const Recognized_part& part, bool where_file_has_none);

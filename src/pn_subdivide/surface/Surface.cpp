@@ -9,9 +9,8 @@
 #include "surface/Surface.h"
 
 #include "io/Error.h"
-#include "io/corner_normals.h"
+#include "io/mesh_normals.h"
 
-#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
@@ -25,7 +24,6 @@
 namespace pn_subdivide {
 namespace {
 
-using CGAL::PN_subdivision_3::internal::find_property_map;
 using Index = Mesh_data::Index;
 using Vertex = Surface::Vertex_index;
 using Halfedge = Surface::Halfedge_index;

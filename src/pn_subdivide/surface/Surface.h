@@ -18,6 +18,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -71,6 +73,18 @@ Triple to_triple(const Point_or_vector& p)
 // which add_face() walks for each face. Throws Error if an edge has more than two faces, or two that
 // run along it in one direction, or if the mesh is too large.
 Surface make_surface(const Mesh_data& mesh);
+
+// The property map of this name and type, if there is one; CGAL 6 has an optional where older versions have a pair.
+template <class Element, class Value>
+auto find_property_map(const Surface& surface, const std::string& name)
+{
+  using Found = std::optional<Surface::Property_map<Element, Value>>;
+  auto found = surface.property_map<Element, Value>(name);
+  if constexpr (std::is_same_v<decltype(found), Found>)
+    return found;
+  else
+    return found.second ? Found(found.first) : Found();
+}
 
 // Those of a mesh that has some.
 std::optional<Normal_map> normals_of(const Surface& surface);

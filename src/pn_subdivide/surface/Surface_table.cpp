@@ -65,11 +65,6 @@ Kind_words words_of(Kind kind)
   return {5, "unknown segment", "unknown segments"};
 }
 
-std::string number_of(std::size_t n, const std::string& one, const std::string& many)
-{
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
 std::string digits(double x)
 {
   char text[40];
@@ -247,12 +242,12 @@ std::string Surface_table::text() const
         faces += s.number_of_faces;
       }
     if (segments == 0) continue;
-    text += before + number_of(segments, words.one, words.many) + " of " +
-            number_of(faces, "face", "faces");
+    text +=
+      before + plural(segments, words.one, words.many) + " of " + plural(faces, "face", "faces");
     before = ", ";
   }
   const auto creases = std::size_t(std::count(part_.creases.begin(), part_.creases.end(), true));
-  text += "; " + number_of(creases, "crease edge", "crease edges");
+  text += "; " + plural(creases, "crease edge", "crease edges");
   if (part_.tangent_creases > 0)
     text += ", " + std::to_string(part_.tangent_creases) + " where surfaces are tangent";
   const std::string prisms = left_prisms(part_.surfaces);
@@ -318,7 +313,7 @@ void Surface_table::warn(const std::string& input, Report& report) const
                 "moved or scaled");
   if (crossed_planes_ > 0)
     report.warn(
-      input + ": " + number_of(crossed_planes_, "plane", "planes") +
+      input + ": " + plural(crossed_planes_, "plane", "planes") +
       (crossed_planes_ == 1 ? " intersects itself: its" : " intersect themselves: their") +
       " rims cross or touch each other, as they do not in the control mesh");
   report.set_high_faces(folded_faces_);
@@ -329,8 +324,28 @@ void Surface_table::warn(const std::string& input, Report& report) const
     faces += (i == 0 ? " " : ", ") + std::to_string(folded_faces_[i]);
   if (folded_faces_.size() > most) faces += ", ...";
   report.warn(input + ": the result is folded over on " +
-              number_of(folded_faces_.size(), "face", "faces") +
-              " of recognized surfaces:" + faces);
+              plural(folded_faces_.size(), "face", "faces") + " of recognized surfaces:" + faces);
+}
+
+void Surface_table::report_chord(double chord, const std::string& output, Report& report) const
+{
+  constexpr double much = 1.25; // what is put onto the surfaces gains or loses a little
+  if (!part_.knows_any()) return;
+  const auto beyond_residual = [&](std::size_t i) {
+    return after_[i].of_faces - part_.surfaces[i].residual;
+  };
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < after_.size(); ++i)
+    if (beyond_residual(i) > beyond_residual(worst)) worst = i;
+  const std::string distance = digits(after_[worst].of_faces);
+  std::size_t unknown = 0;
+  for (const Recognized_surface& s : part_.surfaces)
+    if (s.kind == Kind::unknown) unknown += s.number_of_faces;
+  report.note("chord: largest distance from the recognized surfaces " + distance +
+              (unknown == 0 ? "" : "; " + plural(unknown, "face", "faces") + " of none"));
+  if (beyond_residual(worst) > much * chord)
+    report.warn(output + ": up to " + distance + " from a recognized " +
+                words_of(part_.surfaces[worst].kind).one + ", more than --chord " + digits(chord));
 }
 
 } // namespace pn_subdivide

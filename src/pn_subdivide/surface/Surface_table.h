@@ -51,6 +51,8 @@ public:
   std::string text() const;
   std::vector<Report::Row> rows() const;
   void warn(const std::string& input, Report& report) const;
+  // How far triangles within a tolerance of the limit surface are from the surfaces themselves, which need not be the same.
+  void report_chord(double chord, const std::string& output, Report& report) const;
 
 private:
   double along(const Face_place& place, std::size_t segment) const;

@@ -11,7 +11,7 @@
 
 #include "io/Report.h"
 #include "io/mesh_io.h"
-#include "surface/surface_command.h"
+#include "options.h"
 
 namespace pn_subdivide {
 

@@ -9,9 +9,8 @@
 #include "surface/control_normals.h"
 
 #include "io/Error.h"
-#include "io/corner_normals.h"
-#include "io/normals_of_file.h"
-#include "io/parse_numbers.h"
+#include "io/Text_reader.h"
+#include "io/mesh_normals.h"
 #include "io/shading_normals.h"
 #include "surface/Surface.h"
 #include "surface/Wedges.h"

@@ -9,11 +9,10 @@
 #include "surface/creases.h"
 
 #include "io/Error.h"
-#include "io/corner_normals.h"
+#include "io/mesh_normals.h"
 #include "surface/Recognized_part.h"
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 
 #include <algorithm>
 #include <limits>
@@ -344,7 +343,6 @@ Crease_tags tags_of(const Surface& surface, const Crease_maps& maps)
 
 std::optional<Crease_maps> creases_of(const Surface& copy, const std::optional<Crease_maps>& maps)
 {
-  using CGAL::PN_subdivision_3::internal::find_property_map;
   if (!maps) return std::nullopt;
   return Crease_maps{find_property_map<Edge, double>(copy, edges_name).value(),
                      find_property_map<Vertex, double>(copy, vertices_name).value(),

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "surface/interpolate_surface.h"
+#include "surface/refine_surface.h"
 
 #include "io/Error.h"
 #include "surface/Scheme.h"
@@ -15,10 +15,6 @@
 
 #if __has_include(<Eigen/Core>)
 #  include <CGAL/PN_fitting_3/interpolate_limit_points.h>
-#endif
-
-#ifdef CGAL_LINKED_WITH_TBB
-#  include <tbb/global_control.h>
 #endif
 
 namespace pn_subdivide {
@@ -81,10 +77,7 @@ Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& 
                                          const Interpolation& interpolation,
                                          const std::optional<Crease_maps>& creases)
 {
-#  ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  interpolation.threads);
-#  endif
+  const Threads most_threads(interpolation.threads);
   const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
   if (scheme.interpolates()) return {}; // the net is the data
   if (creases) return interpolate_with_creases(surface, scheme, interpolation.mode, *creases);

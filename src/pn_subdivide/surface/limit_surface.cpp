@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "surface/limit_surface.h"
+#include "surface/refine_surface.h"
 
 #include "io/Error.h"
 #include "surface/Scheme.h"
@@ -20,10 +20,6 @@
 #include <functional>
 #include <utility>
 #include <vector>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#  include <tbb/global_control.h>
-#endif
 
 namespace pn_subdivide {
 namespace {
@@ -185,11 +181,9 @@ void require_limit_of_vertices(const std::string& scheme, const Limit_choice& ch
 }
 
 Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Limit_choice& choice,
-                         unsigned levels, [[maybe_unused]] unsigned threads)
+                         unsigned levels, unsigned threads)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism, threads);
-#endif
+  const Threads most_threads(threads);
   const auto options = make_options(choice, levels);
   const std::optional<Normal_map> control = normals_of(surface);
   std::optional<Normal_map> written = control;
@@ -200,20 +194,16 @@ Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Li
 }
 
 Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Limit_choice& choice,
-                         const Crease_maps& creases, unsigned levels,
-                         [[maybe_unused]] unsigned threads)
+                         const Crease_maps& creases, unsigned levels, unsigned threads)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism, threads);
-#endif
+  const Threads most_threads(threads);
   const auto options = make_options(choice, levels).border(creases.border);
   const Limit_report report = move_to_limits_of(surface, scheme, creases, choice.normals, options);
   return {report, report.tolerance / choice.tolerance.value_or(default_limit_tolerance)};
 }
 
 bool move_to_surface(Surface& surface, const Scheme_choice& scheme,
-                     const std::optional<Crease_maps>& creases, unsigned levels,
-                     [[maybe_unused]] unsigned threads)
+                     const std::optional<Crease_maps>& creases, unsigned levels, unsigned threads)
 {
   if (!are_limits_known(surface, scheme, creases)) return false;
   Limit_choice choice;
@@ -223,9 +213,7 @@ bool move_to_surface(Surface& surface, const Scheme_choice& scheme,
     remove_normals_on_creases(surface, *corner_normals_of(surface), *creases);
     return true;
   }
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism, threads);
-#endif
+  const Threads most_threads(threads);
   const std::optional<Normal_map> control = normals_of(surface);
   Normal_map normals = control ? *control : add_normals(surface);
   const Limit_map limits([&](Surface::Vertex_index v, const Limit_point& limit) {

@@ -10,14 +10,95 @@
 #define PN_SUBDIVIDE_OUTPUT_MESH_H
 
 #include "io/Mesh_data.h"
-#include "surface/Output_normals.h"
+#include "io/mesh_io.h"
+#include "io/mesh_normals.h"
 #include "surface/Surface.h"
 #include "surface/creases.h"
 
+#include <cstddef>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace pn_subdivide {
+
+// The unit sums of the area vectors of the faces at vertices, or at wedges of vertices. They depend on the order
+// in which faces are added, in their last bits.
+class Area_normals
+{
+public:
+  // scale: a power of 2, so that no product overflows or vanishes
+  Area_normals(std::size_t number, double scale)
+    : sums_(number, Triple{0, 0, 0})
+    , scale_(scale)
+  {}
+
+  // The points of n corners, and the vertices or wedges at them: point(i), place(i).
+  template <class Point, class Place>
+  void add_face(std::size_t n, const Point& point, const Place& place)
+  {
+    const Triple area = twice_the_area(n, point);
+    for (std::size_t i = 0; i < n; ++i) {
+      Triple& sum = sums_[place(i)];
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += area[k];
+    }
+  }
+
+  // zero where there is no area
+  std::vector<Triple> take()
+  {
+    for (Triple& n : sums_) n = normalized(n);
+    return std::move(sums_);
+  }
+
+private:
+  template <class Point>
+  Triple twice_the_area(std::size_t n, const Point& point) const
+  {
+    const auto from_to = [&](std::size_t i, std::size_t j) {
+      Triple d = difference(point(j), point(i));
+      for (double& x : d) x *= scale_;
+      return d;
+    };
+    if (n == 4) return cross_product(from_to(0, 2), from_to(1, 3));
+    Triple before = from_to(0, 2), area = cross_product(from_to(0, 1), before);
+    for (std::size_t i = 3; i < n; ++i) {
+      const Triple now = from_to(0, i), part = cross_product(before, now);
+      for (std::size_t k = 0; k < 3; ++k) area[k] += part[k];
+      before = now;
+    }
+    return area;
+  }
+
+  std::vector<Triple> sums_;
+  double scale_;
+};
+
+struct Surface_options;
+
+// Which normals are written, as --output-normals and the old --surface-normals say it.
+struct Output_normals
+{
+  enum class Choice { automatic, surface, control, both, none };
+
+  Choice choice = Choice::automatic;
+  Normal_kind kind = Normal_kind::control; // of those that are written as the mesh's normals
+  bool copies = false;                     // those of the control mesh are written as they are
+  double scale = 1;                        // a power of 2, about one over the size of the mesh
+
+  bool any() const { return choice != Choice::none; }
+  bool with_control() const { return choice == Choice::both; }
+
+  // Throws Usage_error if the options contradict each other.
+  static Output_normals make(const Surface_options& options, const Mesh_file& output);
+
+  // Are those of the faces to be computed?
+  bool are_of_faces() const { return kind == Normal_kind::of_mesh && !copies; }
+
+  // to the control mesh with its normals
+  void suit(const Mesh_data& mesh);
+};
 
 // Control normals that are written beside others, because these have taken their place in the surface.
 struct Kept_normals

@@ -9,8 +9,8 @@
 #include "surface/output_tags.h"
 
 #include "io/Error.h"
-#include "io/selection.h"
-#include "surface/surface_command.h"
+#include "io/mesh_io.h"
+#include "options.h"
 #include "surface/surface_schemes.h"
 
 #include <algorithm>
@@ -32,28 +32,15 @@ bool ends_with(const std::string& text, const std::string& end)
   return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-std::string number_of(std::size_t n, const std::string& things)
-{
-  return std::to_string(n) + " " + things + (n == 1 ? "" : "s");
-}
-
 } // namespace
 
-void require_tags_place(const Surface_options& options, const std::vector<std::string>& other_files)
+void require_tags_place(const Surface_options& options, const std::vector<std::string>& others)
 {
   if (!options.write_tags) return;
   const std::string& name = *options.write_tags;
-  const std::string option = "--write-tags " + name;
   if (!ends_with(name, ".selection.txt"))
-    throw Usage_error(option + ": the name of the file must end in .selection.txt");
-  const std::string& scheme = options.scheme.scheme;
-  if (!scheme.empty() && !keeps_edges(scheme))
-    throw Usage_error(option + " and --scheme " + scheme +
-                      " exclude each other: that scheme keeps no edges");
-  for (const std::string& other : other_files)
-    if (!other.empty() && other != "-" && same_file(name, other))
-      throw Usage_error(option + ": the tags need a file of their own");
-  require_writable_place(name);
+    throw Usage_error("--write-tags " + name + ": the name of the file must end in .selection.txt");
+  require_own_file("--write-tags", name, others);
 }
 
 bool are_tags_written(const Surface_options& options, const Output_normals& normals)
@@ -83,16 +70,11 @@ void suit_tags(Mesh_data& mesh, const Mesh_file& output, const Surface_options& 
                          {"'sharpness' of vertices"});
 }
 
-Tags_file::Tags_file(const Surface_options& options, const Crease_tags& tags, Report& report)
+Side_file tags_file(const Surface_options& options, const Crease_tags& tags, Report& report)
 {
-  if (!options.write_tags) return;
-  name_ = *options.write_tags;
-  try {
-    file_.emplace(name_);
-    write_selection(*file_, tags);
-  } catch (const std::exception& e) {
-    throw Error(name_ + ": " + message_of(e));
-  }
+  if (!options.write_tags) return {};
+  const std::string& name = *options.write_tags;
+  Side_file file(name, [&](Output_file& out) { write_selection(out, tags); });
   const auto is_finite = [](double s) { return s > 0 && std::isfinite(s); };
   const auto edges = std::size_t(
     std::count_if(tags.edges.begin(), tags.edges.end(),
@@ -100,19 +82,10 @@ Tags_file::Tags_file(const Surface_options& options, const Crease_tags& tags, Re
   const auto vertices =
     std::size_t(std::count_if(tags.vertices.begin(), tags.vertices.end(), is_finite));
   if (edges + vertices > 0)
-    report.warn(name_ + ": a selection does not say that " + number_of(edges, "edge") +
-                (vertices > 0 ? " and " + number_of(vertices, "corner") : std::string()) +
+    report.warn(name + ": a selection does not say that " + plural(edges, "edge", "edges") +
+                (vertices > 0 ? " and " + plural(vertices, "corner", "corners") : std::string()) +
                 (edges + vertices == 1 ? " is" : " are") + " sharp for some rounds only");
-}
-
-void Tags_file::commit()
-{
-  if (!file_) return;
-  try {
-    file_->commit();
-  } catch (const Error& e) {
-    throw Error(name_ + ": " + e.what());
-  }
+  return file;
 }
 
 namespace {
@@ -137,41 +110,15 @@ void add_column(Columns& columns, const char* name, const Recognized_part& part)
 
 } // namespace
 
-void require_labels_place(const Surface_options& options, const std::vector<std::string>& others)
+Side_file labels_file(const Surface_options& options, const Recognized_part* part)
 {
-  const std::optional<std::string>& name = options.creases.surface_labels;
-  if (!name) return;
-  if (name->empty() || *name == "-")
-    throw Usage_error("--surface-labels '" + *name + "': it takes the name of a file");
-  for (const std::string& other : others)
-    if (!other.empty() && other != "-" && same_file(*name, other))
-      throw Usage_error("--surface-labels " + *name + ": the labels need a file of their own");
-  require_writable_place(*name);
-}
-
-Labels_file::Labels_file(const Surface_options& options, const Recognized_part* part)
-{
-  if (!options.creases.surface_labels || part == nullptr) return;
-  name_ = *options.creases.surface_labels;
-  try {
-    file_.emplace(name_);
+  if (!options.creases.surface_labels || part == nullptr) return {};
+  return Side_file(*options.creases.surface_labels, [part](Output_file& out) {
     for (const std::size_t segment : part->segments) {
-      file_->number(static_cast<std::uint64_t>(segment));
-      file_->text("\n");
+      out.number(static_cast<std::uint64_t>(segment));
+      out.text("\n");
     }
-  } catch (const std::exception& e) {
-    throw Error(name_ + ": " + message_of(e));
-  }
-}
-
-void Labels_file::commit()
-{
-  if (!file_) return;
-  try {
-    file_->commit();
-  } catch (const Error& e) {
-    throw Error(name_ + ": " + e.what());
-  }
+  });
 }
 
 void add_segments(Mesh_data& mesh, const Recognized_part& part, const std::string& name,

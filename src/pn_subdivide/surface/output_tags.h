@@ -9,14 +9,16 @@
 #ifndef PN_SUBDIVIDE_OUTPUT_TAGS_H
 #define PN_SUBDIVIDE_OUTPUT_TAGS_H
 
+#include "io/Error.h"
 #include "io/Output_file.h"
 #include "io/Report.h"
 #include "io/mesh_io.h"
-#include "surface/Output_normals.h"
+#include "options.h"
 #include "surface/Recognized_part.h"
-#include "surface/surface_command.h"
+#include "surface/output_mesh.h"
 
-#include <optional>
+#include <exception>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,10 +26,8 @@ namespace pn_subdivide {
 
 // What is sharp in the result, as it is written beside control normals and by --write-tags.
 
-// Throws Usage_error if --write-tags does not go with the other options, which name `other_files`, and Error if its
-// file cannot be written.
-void require_tags_place(const Surface_options& options,
-                        const std::vector<std::string>& other_files);
+// Throws Usage_error or Error if the file of --write-tags cannot be one, or is one of `others`.
+void require_tags_place(const Surface_options& options, const std::vector<std::string>& others);
 
 // Are the tags of the result written anywhere?
 bool are_tags_written(const Surface_options& options, const Output_normals& normals);
@@ -36,38 +36,47 @@ bool are_tags_written(const Surface_options& options, const Output_normals& norm
 void suit_tags(Mesh_data& mesh, const Mesh_file& output, const Surface_options& options,
                const Output_normals& normals, Report& report);
 
-// A file with a selection, which appears by commit().
-class Tags_file
+// A file beside OUTPUT, which appears by commit(), or none.
+class Side_file
 {
 public:
-  // Nothing without --write-tags.
-  Tags_file(const Surface_options& options, const Crease_tags& tags, Report& report);
-  void commit();
+  Side_file() = default;
+  // write(Output_file&)
+  template <class Function>
+  Side_file(const std::string& name, const Function& write)
+    : name_(name)
+  {
+    naming([&] {
+      file_ = std::make_unique<Output_file>(name);
+      write(*file_);
+    });
+  }
+  void commit()
+  {
+    if (file_ != nullptr) naming([&] { file_->commit(); });
+  }
 
 private:
+  template <class Function>
+  void naming(const Function& f)
+  {
+    try {
+      f();
+    } catch (const std::exception& e) {
+      throw Error(name_ + ": " + message_of(e));
+    }
+  }
+
   std::string name_;
-  std::optional<Output_file> file_;
+  std::unique_ptr<Output_file> file_;
 };
 
-struct Surface_options;
+// The selection of --write-tags.
+Side_file tags_file(const Surface_options& options, const Crease_tags& tags, Report& report);
+// The file of --surface-labels: the segment of each control face, one a line.
+Side_file labels_file(const Surface_options& options, const Recognized_part* part);
 
-// The numbers of segments: of control faces in a file, and as a property of the faces of the result.
-
-// Throws Usage_error or Error if the file of --surface-labels cannot be one: it is none of `others`.
-void require_labels_place(const Surface_options& options, const std::vector<std::string>& others);
-
-// A file with the segment of each face, one a line, which appears by commit().
-class Labels_file
-{
-public:
-  // Nothing without --surface-labels.
-  Labels_file(const Surface_options& options, const Recognized_part* part);
-  void commit();
-
-private:
-  std::string name_;
-  std::optional<Output_file> file_;
-};
+// The numbers of segments as a property of the faces of the result.
 
 // Adds the property, which the children of the faces get, too. One of the user's with this name gives way.
 void add_segments(Mesh_data& mesh, const Recognized_part& part, const std::string& name,

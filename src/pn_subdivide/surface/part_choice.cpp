@@ -24,35 +24,6 @@
 namespace pn_subdivide {
 namespace {
 
-void exclude(bool is_given, const std::string& option, const std::string& why)
-{
-  if (is_given) throw Usage_error("--part and " + option + " exclude each other: " + why);
-}
-
-void require_options_for_part(const Surface_options& options)
-{
-  const std::string sharp = options.creases.sharp.value_or("surfaces");
-  exclude(sharp != "surfaces", "--sharp " + sharp,
-          "its edges are those between recognized surfaces");
-  exclude(options.creases.sharpness.has_value(), "--sharpness",
-          "edges between surfaces are sharp forever");
-  exclude(options.linear, "--linear", "without normals nothing becomes round");
-  exclude(options.interpolate.has_value(), "--interpolate",
-          "surfaces with sharp edges cannot be made to pass through points");
-  exclude(is_in_pieces(options, output_mesh_file(options.output, options.format)),
-          "refinement in pieces (--memory, --pieces, .pvtp, mpirun)",
-          "planes are made of their whole rims");
-  const std::string why =
-    "its triangles are no control mesh for further rounds; take --sharp surfaces";
-  exclude(options.write_tags.has_value(), "--write-tags", why);
-  for (const char* const choice : {"control", "both"})
-    exclude(options.output_normals == choice, std::string("--output-normals ") + choice, why);
-  require_surface_schemes(options.scheme);
-  const std::string scheme = scheme_without_creases(options.scheme);
-  exclude(!scheme.empty(), "--scheme " + scheme,
-          "it has no rules for creases; " + creasing_scheme_names() + " have");
-}
-
 // The faces around a vertex; corners in their order.
 class Star
 {
@@ -145,15 +116,16 @@ Look look_at(const Mesh_data& mesh, std::size_t step)
 Surface_options with_part(const Surface_options& given)
 {
   if (!given.part) return given;
-  require_options_for_part(given);
+  require_surface_schemes(given.scheme);
+  const std::string scheme = scheme_without_creases(given.scheme);
+  if (!scheme.empty())
+    throw Usage_error("--part and --scheme " + scheme +
+                      " exclude each other: it has no rules for creases; " +
+                      creasing_scheme_names() + " have");
   Surface_options options = given;
   options.creases.sharp = "surfaces";
   options.planes = options.planes.value_or("rims");
-  if (options.chord || options.has_levels) return options;
-  options.chord = "0.02%";
-  const std::string why = "it is of uniformly refined meshes; take --levels N, too";
-  exclude(options.curvature.has_value(), "--curvature", why);
-  exclude(options.limit.tolerance.has_value(), "--limit-tolerance", why);
+  if (!options.chord && !options.has_levels) options.chord = "0.02%";
   return options;
 }
 

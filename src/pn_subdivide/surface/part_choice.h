@@ -9,7 +9,7 @@
 #ifndef PN_SUBDIVIDE_PART_CHOICE_H
 #define PN_SUBDIVIDE_PART_CHOICE_H
 
-#include "surface/surface_command.h"
+#include "options.h"
 
 #include <string>
 

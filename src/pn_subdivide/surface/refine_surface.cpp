@@ -23,10 +23,6 @@
 #include <utility>
 #include <vector>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#  include <tbb/global_control.h>
-#endif
-
 namespace pn_subdivide {
 namespace {
 
@@ -148,9 +144,7 @@ void refine_with_creases(Surface& surface, const Scheme_choice& choice,
 
 void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinement& refinement)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, refinement.threads);
-#endif
+  const Threads most_threads(refinement.threads);
   if (refinement.creases) return refine_with_creases(surface, choice, refinement);
   const std::optional<Normal_map> normals = normals_of(surface);
   const bool is_grid = is_grid_scheme(choice.scheme);

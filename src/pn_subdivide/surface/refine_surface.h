@@ -9,22 +9,42 @@
 #ifndef PN_SUBDIVIDE_REFINE_SURFACE_H
 #define PN_SUBDIVIDE_REFINE_SURFACE_H
 
+#include "io/Limit_choice.h"
 #include "surface/Surface.h"
+#include "surface/control_mesh.h"
 #include "surface/creases.h"
-#include "surface/surface_schemes.h"
 
+#include <CGAL/PN_limit_surface_3/tessellation/Tessellation_result.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/global_control.h>
+#endif
 
 namespace pn_subdivide {
 
-// About how many seconds the rounds take on one thread; 0 for meshes without large valences and large
-// faces, whose rounds are reported one by one. Some schemes combine, for each edge at a vertex, all of its
-// neighbors: the time then grows with the square of the valence.
-double expected_seconds(Surface& surface, const Scheme_choice& choice, unsigned levels);
+// So many threads of the library while it lives.
+class Threads
+{
+public:
+#ifdef CGAL_LINKED_WITH_TBB
+  explicit Threads(unsigned number)
+    : most_(tbb::global_control::max_allowed_parallelism, number)
+  {}
+
+private:
+  tbb::global_control most_;
+#else
+  explicit Threads(unsigned)
+  {}
+#endif
+};
 
 // About how many seconds the rounds take on one thread; 0 for meshes without large valences and large
 // faces, whose rounds are reported one by one. Some schemes combine, for each edge at a vertex, all of its
@@ -50,6 +70,71 @@ void require_threads(unsigned threads);
 // it. Passes on the library's
 // exceptions.
 void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinement& refinement);
+
+// --chord and --chord-bound: throws Usage_error if they are wrong.
+std::optional<Box_length> parse_chord(const Surface_options& options);
+
+// What the library tells of one.
+struct Tessellation
+{
+  double bound = 0;
+  bool reached = true;
+  CGAL::PN_subdivision_3::Tessellation_result::Obstacle obstacle =
+    CGAL::PN_subdivision_3::Tessellation_result::Obstacle::none;
+  std::size_t triangles = 0;
+  unsigned depth = 0;
+  std::size_t worst_face = 0;
+  std::array<double, 3> worst_place{};
+  bool is_proven = false;
+};
+
+// The surface becomes triangles between points of its limit surface, of which these are no farther than `chord`, as is estimated or
+// proved. With
+// normals of vertices, with creases of corners; without creases and control data. Passes on the library's exceptions.
+Tessellation tessellate_surface(Surface& surface, const Scheme_choice& scheme,
+                                const std::optional<Crease_maps>& creases, double chord,
+                                bool is_proven, unsigned threads,
+                                CGAL::PN_subdivision_3::Attribute_table& attributes);
+
+// Says what was reached, and warns if that is not what was asked for.
+void report_tessellation(const Tessellation& tessellation, double chord, const std::string& output,
+                         Report& report);
+
+// Throws Usage_error if the scheme has no limit points at vertices.
+void require_limit_of_vertices(const std::string& scheme, const Limit_choice& choice);
+
+// Puts the vertices of a mesh of the given level on the limit surface, gives them the surface's normals,
+// or both. Points without normals count as those of the linear scheme. Passes on the library's
+// exceptions.
+Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Limit_choice& choice,
+                         unsigned levels, unsigned threads);
+// The same of a mesh that has creases or crease borders, with their tangents if it is refined; normals are
+// those of corners afterwards.
+Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Limit_choice& choice,
+                         const Crease_maps& creases, unsigned levels, unsigned threads);
+
+// Puts the vertices on the limit surface, with its normals: zero where it is not known to have one, on creases for
+// instance. False if limits are not known: of schemes without limits at vertices, and of edges that are sharp for some
+// more rounds.
+bool move_to_surface(Surface& surface, const Scheme_choice& scheme,
+                     const std::optional<Crease_maps>& creases, unsigned levels, unsigned threads);
+
+struct Interpolation
+{
+  Interpolation_mode mode = Interpolation_mode::slide;
+  bool improves_normals = false; // they were estimated
+  unsigned threads = 1;
+};
+
+// Throws Usage_error if surfaces of the scheme cannot be made to pass through points.
+void require_interpolation(const Scheme_choice& choice);
+bool can_interpolate(const Scheme_choice& choice);
+
+// Makes a mesh the control net of a surface through its vertices; without normals by the linear scheme. With creases
+// it gets the normals of their wedges, and the tangents. Passes on the library's exceptions.
+Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& choice,
+                                         const Interpolation& interpolation,
+                                         const std::optional<Crease_maps>& creases);
 
 } // namespace pn_subdivide
 

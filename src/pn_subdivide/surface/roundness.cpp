@@ -9,7 +9,7 @@
 #include "surface/roundness.h"
 
 #include "io/Error.h"
-#include "io/parse_numbers.h"
+#include "io/Text_reader.h"
 #include "surface/control_normals.h"
 
 #include <algorithm>

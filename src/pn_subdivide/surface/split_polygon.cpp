@@ -10,10 +10,13 @@
 
 #include "surface/Ear_clipping.h"
 #include "surface/Polygon_in_plane.h"
+#include "surface/Surface.h"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace pn_subdivide {
 namespace {
@@ -146,6 +149,132 @@ std::vector<Corner_triangle> split_polygon(const std::vector<Point_3>& points,
               return std::make_tuple(a[2] - a[0], a[0]) < std::make_tuple(b[2] - b[0], b[0]);
             });
   return triangles;
+}
+
+namespace {
+
+using Halfedge = Surface::Halfedge_index;
+
+// New half-edges are behind the old ones. Those that end at a corner of an old face lie between the
+// two old ones there.
+std::vector<Halfedge> old_corners(const Surface& surface, Surface::size_type old_halfedges)
+{
+  std::vector<Halfedge> result(surface.number_of_halfedges());
+  for (Surface::size_type i = 0; i < old_halfedges; ++i) {
+    const Halfedge h(i);
+    result[i] = h;
+    if (surface.is_border(h)) continue;
+    for (Halfedge g = surface.opposite(surface.next(h)); g >= Halfedge(old_halfedges);
+         g = surface.opposite(surface.next(g)))
+      result[g] = h;
+  }
+  return result;
+}
+
+// As long as the shorter of the two walks round the vertices.
+bool are_joined(const Surface& surface, Halfedge to_a, Halfedge to_b)
+{
+  const Surface::Vertex_index a = surface.target(to_a), b = surface.target(to_b);
+  Halfedge i = to_a, j = to_b;
+  do {
+    if (surface.source(i) == b || surface.source(j) == a) return true;
+    i = surface.opposite(surface.next(i));
+    j = surface.opposite(surface.next(j));
+  } while (i != to_a && j != to_b);
+  return false;
+}
+
+// Cuts the corner after `before` off its face. What is left keeps the face and `before`; the half-edge of the
+// diagonal takes the place of the one to the corner behind.
+Halfedge cut_corner_off(Surface& surface, Halfedge before)
+{
+  const Halfedge corner = surface.next(before), behind = surface.next(corner);
+  const Surface::Face_index rest = surface.face(before), triangle = surface.add_face();
+  const Halfedge diagonal = surface.add_edge(surface.target(before), surface.target(behind));
+  const Halfedge inside = surface.opposite(diagonal);
+  surface.set_next(diagonal, surface.next(behind));
+  surface.set_next(before, diagonal);
+  surface.set_next(behind, inside);
+  surface.set_next(inside, corner);
+  for (const Halfedge h : {inside, corner, behind}) surface.set_face(h, triangle);
+  surface.set_face(diagonal, rest);
+  surface.set_halfedge(triangle, inside);
+  surface.set_halfedge(rest, diagonal);
+  return diagonal;
+}
+
+class Split_faces
+{
+public:
+  explicit Split_faces(Surface& surface)
+    : surface_(surface)
+    , is_edge_([this](std::uint32_t i, std::uint32_t j) {
+      return are_joined(surface_, corners_[i], corners_[j]);
+    })
+  {}
+
+  void operator()(Surface::Face_index f)
+  {
+    corners_.clear();
+    points_.clear();
+    for (const Halfedge h : halfedges_around_face(surface_.halfedge(f), surface_)) {
+      corners_.push_back(h);
+      points_.push_back(surface_.point(surface_.target(h)));
+    }
+    if (corners_.size() == 4) {
+      cut_corner_off(surface_, corners_[split_quad()]);
+      return;
+    }
+    std::vector<Corner_triangle> triangles = split_polygon(points_, is_edge_);
+    triangles.pop_back(); // is what is left
+    for (const Corner_triangle& t : triangles)
+      corners_[t[2]] = cut_corner_off(surface_, corners_[t[0]]);
+  }
+
+private:
+  // The greater product of the triangles' area vectors: no fold, no slivers. The corner after the one that is
+  // returned is cut off.
+  std::size_t split_quad() const
+  {
+    std::vector<Vector_3> p;
+    for (const Point_3& point : points_) p.push_back(point - CGAL::ORIGIN);
+    scale_to_one(p);
+    const auto product = [&](std::size_t i) { // of the diagonal from i to i + 2
+      const Vector_3 &a = p[i], &b = p[i + 1], &c = p[i + 2], &d = p[(i + 3) % 4];
+      return CGAL::cross_product(b - a, b - c) * CGAL::cross_product(d - c, d - a);
+    };
+    std::size_t i = product(0) > product(1) ? 0 : 1;
+    if (is_edge_(std::uint32_t(i), std::uint32_t(i + 2)) &&
+        !is_edge_(std::uint32_t(1 - i), std::uint32_t(3 - i)))
+      i = 1 - i;
+    return i;
+  }
+
+  Surface& surface_;
+  std::vector<Halfedge> corners_;
+  std::vector<Point_3> points_;
+  Is_edge is_edge_;
+};
+
+} // namespace
+
+Triangulation triangulate(Surface& surface)
+{
+  Triangulation result;
+  for (const Surface::Face_index f : surface.faces())
+    if (surface.degree(f) > 3) ++result.split_faces;
+  if (result.split_faces == 0) return result;
+
+  const Surface::size_type old_halfedges = surface.number_of_halfedges();
+  const Surface::size_type old_faces = surface.number_of_faces();
+  Split_faces split(surface);
+  for (Surface::size_type f = 0; f < old_faces; ++f)
+    if (surface.degree(Surface::Face_index(f)) > 3) split(Surface::Face_index(f));
+  result.old_corner = old_corners(surface, old_halfedges);
+  if (const std::optional<Corner_normal_map> normals = corner_normals_of(surface))
+    for (const Halfedge h : surface.halfedges())
+      normals->put_whole(h, normals->whole(result.old_corner[h]));
+  return result;
 }
 
 } // namespace pn_subdivide

@@ -6,35 +6,29 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "surface/surface_command.h"
+#include "command_line.h"
 
 #include "io/Error.h"
-#include "io/Held_attributes.h"
 #include "io/Report.h"
 #include "io/formats.h"
 #include "io/mesh_io.h"
-#include "io/normals_of_file.h"
-#include "io/orient_outwards.h"
+#include "io/mesh_normals.h"
+#include "io/soup_repair.h"
 #include "pieces/Ranks.h"
 #include "pieces/pieces_command.h"
 #include "surface/Linear_check.h"
-#include "surface/Output_normals.h"
-#include "surface/Planes_from_rims.h"
 #include "surface/Planes_of_part.h"
 #include "surface/Recognized_part.h"
 #include "surface/Surface_table.h"
 #include "surface/attributes.h"
-#include "surface/common_curves.h"
+#include "surface/border_curves.h"
 #include "surface/control_mesh.h"
 #include "surface/control_normals.h"
-#include "surface/interpolate_surface.h"
 #include "surface/output_mesh.h"
 #include "surface/output_tags.h"
-#include "surface/part_borders.h"
 #include "surface/part_choice.h"
 #include "surface/refine_surface.h"
 #include "surface/roundness.h"
-#include "surface/tessellate_surface.h"
 #include "surface/verification.h"
 #include "surface/vertex_curvature.h"
 
@@ -66,17 +60,6 @@ struct Plan
   unsigned threads;
 };
 
-void require_consistent_check(const Surface_options& options)
-{
-  if (!options.check) return;
-  if (options.linear)
-    throw Usage_error("--check and --linear exclude each other: --check compares with the linear "
-                      "result");
-  if (options.levels == 0)
-    throw Usage_error("--check and --levels 0 exclude each other: nothing is refined that could be "
-                      "compared");
-}
-
 void require_consistent(const Surface_options& options)
 {
   require_surface_schemes(options.scheme);
@@ -86,51 +69,12 @@ void require_consistent(const Surface_options& options)
     throw Usage_error(
       "--format is for standard input and output ('-'): the format of a file follows "
       "from its name");
-  if (options.normals == "none" && options.scheme.normal_scheme)
-    throw Usage_error("--normal-scheme and --normals none exclude each other: there are no normals "
-                      "for it to average");
-  if (options.roundness && (options.linear || options.normals == "none"))
-    throw Usage_error(std::string("--roundness and ") +
-                      (options.linear ? "--linear" : "--normals none") +
-                      " exclude each other: without normals nothing is round");
-  require_consistent_check(options);
-  if (!options.linear || (!options.normals && !options.scheme.normal_scheme)) return;
-  throw Usage_error(std::string(options.normals ? "--normals" : "--normal-scheme") +
-                    " and --linear exclude each other: in linear schemes normals take no part");
-}
-
-void require_options_for_grids(const Surface_options& options, const Plan& plan)
-{
-  if (!is_grid_scheme(options.scheme.scheme)) return;
-  const std::pair<bool, const char*> refused[] = {
-    {options.limit.points, "--limit"},
-    {plan.limit.normals, plan.limit.normals_option},
-    {plan.interpolation.has_value(), "--interpolate"},
-    {plan.chord.has_value(), "--chord"},
-    {options.check, "--check"},
-    {is_in_pieces(options, plan.output), "--pieces, --memory"}};
-  for (const auto& [is_given, option] : refused)
-    if (is_given)
-      throw Usage_error(std::string(option) + ": " + options.scheme.scheme +
-                        " has no rules for it; catmull-clark has");
 }
 
 Texture_rule texture_rule(const Surface_options& options)
 {
-  for (const auto& [option, is_given] : {std::pair("--nearest", options.nearest.has_value()),
-                                         std::pair("--directions", options.directions.has_value())})
-    if (is_given && options.drop_attributes)
-      throw Usage_error(std::string(option) +
-                        " and --drop-attributes exclude each other: no numbers of vertices are "
-                        "read");
   if (!options.texture_rule) return options.chord ? Texture_rule::all : Texture_rule::corners_plus1;
   const Texture_rule rule = parse_texture_rule(*options.texture_rule);
-  if (options.drop_attributes)
-    throw Usage_error("--texture-rule and --drop-attributes exclude each other: no texture "
-                      "coordinates are read");
-  if (options.chord && rule != Texture_rule::all)
-    throw Usage_error("--chord and --texture-rule " + *options.texture_rule +
-                      " exclude each other: take all, which is linear inside the control faces");
   if (!options.scheme.scheme.empty())
     require_texture_rule(rule, *options.texture_rule, options.scheme.scheme);
   return rule;
@@ -158,12 +102,6 @@ void require_consistent_seams(const Surface_options& options, const Plan& plan)
   if (plan.output.format != "ply" && plan.output.format != "vtp")
     throw Usage_error("--split-seams is for .ply files: " + plan.output.title("standard output") +
                       " (" + plan.output.format + ") is none");
-  const bool is_control = options.output_normals == "control" || options.output_normals == "both";
-  if (is_control || options.write_tags)
-    throw Usage_error(
-      "--split-seams and " +
-      (is_control ? "--output-normals " + *options.output_normals : "--write-tags") +
-      " exclude each other: with vertices that are doubled it is no mesh for further rounds");
 }
 
 Plan make_plan(const Surface_options& options)
@@ -182,14 +120,11 @@ Plan make_plan(const Surface_options& options)
             texture_rule(options),
             1};
   require_consistent(options);
-  require_options_for_tessellation(options);
   plan.output_normals = Output_normals::make(options, plan.output);
   if (!plan.chord) plan.limit = limit_choice(options, plan.output_normals);
-  require_options_for_grids(options, plan);
   if (!options.scheme.scheme.empty()) require_limit_of_vertices(options.scheme.scheme, plan.limit);
   if (options.merge_distance) parse_box_length(*options.merge_distance, "--merge-distance");
   if (is_in_pieces(options, plan.output)) require_options_for_pieces(options, plan.output);
-  require_options_for_surfaces(options);
   require_options_for_planes(options);
   plan.creases = Crease_plan::make(options.creases);
   plan.creases.require_schemes(options.creases, options.scheme);
@@ -204,11 +139,14 @@ Plan make_plan(const Surface_options& options)
     plan.verification->require_surface();
   }
   require_writable_place(options.output);
-  require_report_place(options.report, {options.input, options.output, plan.creases.file});
+  if (options.report.file)
+    require_own_file("--report", *options.report.file,
+                     {options.input, options.output, plan.creases.file});
   const std::string report = options.report.file.value_or("");
   require_tags_place(options, {options.input, options.output, plan.creases.file, report});
-  require_labels_place(options,
-                       {options.input, options.output, report, options.write_tags.value_or("")});
+  if (options.creases.surface_labels)
+    require_own_file("--surface-labels", *options.creases.surface_labels,
+                     {options.input, options.output, report, options.write_tags.value_or("")});
   return plan;
 }
 
@@ -543,91 +481,6 @@ void tessellate(Surface& surface, const Plan& plan, Surface_options& options,
   report_tessellation(result, chord, plan.output.title("standard output"), report);
 }
 
-// What the mesh becomes: refined, with curvatures, and with faces that the output can hold.
-void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
-             const Scheme_choice& scheme, const Creases& creases, bool has_file_normals,
-             const std::optional<Recognized_part>& part, const Recognized_part* recognized,
-             std::optional<Surface_table>& table, std::optional<Linear_check>& check,
-             Report& report)
-{
-  const bool must_split = !holds_polygons(plan.output);
-  const bool is_creased = creases.any() || creases.border != Border::surface;
-  const bool has_tags = is_creased && are_tags_written(options, plan.output_normals);
-  const double chord = plan.chord ? plan.chord->of(mesh) : 0;
-  const bool has_rims =
-    part && (plan.chord || takes_planes_from_rims(options, plan.output_normals));
-  if (options.levels == 0 && !plan.limit.is_used() && !plan.interpolation && !plan.curvature &&
-      !must_split && !has_tags && !has_rims) {
-    mesh.tags = Crease_tags();
-    put_control_normals(mesh, plan.output_normals);
-    return suit_roundness(mesh);
-  }
-  Surface surface = make_surface(mesh);
-  Attributes attributes = std::move(mesh.attributes);
-  mesh = Mesh_data();
-  if (table) table->number_faces(attributes);
-  std::optional<Planes_of_part> planes;
-  if (part) planes.emplace(surface, *part);
-  if (!plan.chord) announce_long_work(surface, options, scheme, report);
-  if (options.check)
-    check.emplace(surface, creases,
-                  choices(plan, options, scheme, creases, has_file_normals, recognized));
-  Refinement rounds = refinement(options, plan.threads, report);
-  Wedge_list wedges;
-  rounds.wedges = &wedges;
-  if (is_creased)
-    rounds.creases = add_creases(surface, creases,
-                                 plan.limit.is_used() || has_tags ||
-                                   plan.interpolation.has_value() || plan.curvature.has_value());
-  if (plan.interpolation)
-    interpolate(surface, plan, scheme, has_file_normals, rounds.creases, report);
-  if (check) check->set_net(surface, rounds.creases);
-  if (options.levels > 0) {
-    Carried_attributes carried(surface, std::move(attributes), plan.texture_rule);
-    carried.suit(surface, scheme.scheme, plan.input.title("standard input"), report);
-    rounds.attributes = &carried.table();
-    if (plan.chord)
-      tessellate(surface, plan, options, scheme, rounds, chord, report);
-    else
-      refine_surface(surface, scheme, rounds);
-    attributes = carried.take(surface);
-  }
-  std::optional<Curvature_values> curvature;
-  if (plan.curvature)
-    curvature = curvature_of(surface, wedges, plan, options, scheme, rounds.creases, report);
-  Kept_normals control;
-  if (plan.limit.is_used()) {
-    if (!wedges.empty()) put_corner_normals(surface, std::exchange(wedges, {}));
-    if (plan.output_normals.with_control())
-      control = control_normals_at_limits(surface, plan, options, scheme, rounds.creases);
-    move_to_limits(surface, plan, options, scheme, rounds.creases, report);
-  }
-  if (planes && !has_rims && (options.levels > 0 || plan.limit.points))
-    planes->place_inside(surface, *segments_of(attributes), scheme, options.levels, plan.threads);
-  if (table) table->measure(surface, attributes);
-  if (planes)
-    table->set_crossed_planes(planes->number_of_crossed(surface, *segments_of(attributes)));
-  Linear_check::Rounds compared{options.levels, plan.threads, plan.limit, std::nullopt};
-  if (plan.chord) compared.chord = chord;
-  if (check && !has_rims) check->compare(surface, scheme, compared);
-  Crease_tags tags;
-  if (has_tags) tags = tags_of(surface, *rounds.creases);
-  if (must_split) split_for_output(surface, plan.output, attributes, report);
-  std::optional<Planes_from_rims> rims;
-  if (has_rims) rims.emplace(surface, *segments_of(attributes), *part);
-  mesh = output_mesh(surface, rounds.creases, wedges, plan.output_normals, std::move(control));
-  suit_roundness(mesh);
-  mesh.attributes = std::move(attributes);
-  mesh.tags = std::move(tags);
-  if (curvature) add_curvature(mesh, plan, std::move(*curvature), report);
-  if (rims) {
-    table->forget_folds([&](std::size_t segment) { return rims->replaces(segment); });
-    rims->put_into(mesh);
-    if (check) check->compare(make_surface(mesh), scheme, compared);
-    rims->report(plan.output.title("standard output"), report);
-  }
-}
-
 // Limits are those of what is smooth or sharp forever.
 void require_limit_of_creases(const Creases& creases, const Plan& plan, unsigned levels)
 {
@@ -785,109 +638,310 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_opti
   report.require_no_warnings();
 }
 
+// The steps of the command, and what they hand on.
+class Surface_run
+{
+public:
+  explicit Surface_run(const Surface_options& given)
+    : options_(with_part(given))
+    , report_(options_.report, ranks().rank() != 0)
+    , plan_(make_plan(options_))
+    , input_(plan_.input.title("standard input"))
+    , output_(plan_.output.title("standard output"))
+    , in_pieces_(is_in_pieces(options_, plan_.output))
+  {}
+
+  void operator()()
+  {
+    naming_input([this] {
+      read();
+      find_creases_and_part();
+      require_limits_of_creases();
+      set_control_normals();
+      if (in_pieces_)
+        pieces_ =
+          make_pieces_job(std::move(mesh_), creases_, options_, scheme_, plan_.input, plan_.output,
+                          plan_.output_normals, plan_.limit, plan_.texture_rule, report_);
+      else
+        refine_and_measure();
+    });
+    if (in_pieces_)
+      return write_in_pieces(pieces_, plan_, options_, scheme_, normals_, creases_, turning_,
+                             report_);
+    print_measures();
+    suit_output();
+    write();
+    say_what_was_done();
+  }
+
+private:
+  template <class Function>
+  void naming_input(const Function& f)
+  {
+    try {
+      f();
+    } catch (const Usage_error&) {
+      throw;
+    } catch (const Output_error&) {
+      throw;
+    } catch (const std::bad_alloc&) {
+      throw Error(input_ + ": not enough memory for " + std::to_string(options_.levels) +
+                  " rounds");
+    } catch (const std::exception& e) {
+      const std::string what = message_of(e);
+      throw Error(what.rfind(input_ + ": ", 0) == 0 ? what : input_ + ": " + what);
+    }
+  }
+
+  void read()
+  {
+    mesh_ = read_control_mesh(plan_.input, options_, report_);
+    set_rules(mesh_.attributes, options_.nearest, options_.directions);
+    scheme_ = chosen_scheme(mesh_, options_.scheme);
+    if (options_.levels > 0 || plan_.limit.is_used() || plan_.interpolation || in_pieces_)
+      require_faces_for_scheme(mesh_, scheme_);
+    require_limit_of_vertices(scheme_.scheme, plan_.limit);
+    if (plan_.interpolation) require_interpolation(scheme_);
+  }
+
+  void find_creases_and_part()
+  {
+    part_ = recognized_part(mesh_, plan_, report_);
+    creases_ = find_creases(mesh_, plan_.creases, scheme_without_creases(scheme_),
+                            part_ ? &*part_ : nullptr, input_, report_);
+    if (options_.part && !options_.creases.border) put_part_borders(creases_, mesh_, *part_);
+    const bool is_copy = plan_.output_normals.copies && mesh_.normal_kind != Normal_kind::control;
+    if (is_copy) mesh_.are_said_to_be_control = true; // they stay what the file says that they are
+    settle_file_normals(mesh_, plan_.normals, creases_, scheme_without_creases(scheme_).empty(),
+                        input_, report_);
+    if (!part_) seen_ = look_for_part(mesh_, plan_, options_, scheme_, creases_);
+    if (!seen_.is_taken) return;
+    part_ = std::exchange(seen_.part, std::nullopt);
+    take_part(mesh_, *part_, plan_, options_.creases.border.has_value(), creases_, report_);
+  }
+
+  void require_limits_of_creases()
+  {
+    require_limit_of_creases(creases_, plan_, options_.levels);
+    require_interpolation_of_creases(creases_, plan_);
+  }
+
+  void set_control_normals()
+  {
+    const bool keeps_curves =
+      scheme_without_creases(scheme_).empty() && plan_.interpolation != Interpolation_mode::slide;
+    if (keeps_curves) put_common_curves(creases_, mesh_);
+    if (in_pieces_) require_mesh_for_pieces(mesh_, creases_, plan_.output_normals, plan_.output);
+    has_file_normals_ = mesh_.has_normals();
+    normals_ = takes_surface_normals(plan_, part_)
+                 ? set_surface_normals(mesh_, plan_, *part_, creases_, report_)
+                 : set_normals(mesh_, plan_, creases_, report_);
+    if (keeps_curves) share_roundness(mesh_);
+    has_normals_ = mesh_.has_normals();
+    plan_.output_normals.suit(mesh_);
+    if (!part_) turning_ = turning_edges(mesh_, seen_);
+  }
+
+  void refine_and_measure()
+  {
+    if (part_) table_.emplace(*part_, make_surface(mesh_));
+    process();
+    if (table_ && plan_.chord) table_->report_chord(chord_, output_, report_);
+    if (table_) report_surfaces(*table_, !seen_.is_taken, input_, report_);
+    if (check_) report_.set_check(check_->values());
+    if (plan_.verification) plan_.verification->measure(mesh_.points);
+  }
+
+  // What the mesh becomes: refined, with curvatures, and with faces that the output can hold.
+  void process()
+  {
+    const bool must_split = !holds_polygons(plan_.output);
+    const bool is_creased = creases_.any() || creases_.border != Border::surface;
+    const bool has_tags = is_creased && are_tags_written(options_, plan_.output_normals);
+    const bool has_rims =
+      part_ && (plan_.chord || takes_planes_from_rims(options_, plan_.output_normals));
+    if (options_.levels == 0 && !plan_.limit.is_used() && !plan_.interpolation &&
+        !plan_.curvature && !must_split && !has_tags && !has_rims) {
+      mesh_.tags = Crease_tags();
+      put_control_normals(mesh_, plan_.output_normals);
+      return suit_roundness(mesh_);
+    }
+    if (plan_.chord) chord_ = plan_.chord->of(mesh_);
+    Surface surface = make_surface(mesh_);
+    Attributes attributes = std::move(mesh_.attributes);
+    mesh_ = Mesh_data();
+    if (table_) table_->number_faces(attributes);
+    std::optional<Planes_of_part> planes;
+    if (part_) planes.emplace(surface, *part_);
+    Wedge_list wedges;
+    Refinement rounds = refinement(options_, plan_.threads, report_);
+    rounds.wedges = &wedges;
+    prepare(surface, rounds, is_creased, has_tags);
+    if (options_.levels > 0) attributes = refine(surface, rounds, std::move(attributes));
+    std::optional<Curvature_values> curvature;
+    if (plan_.curvature)
+      curvature = curvature_of(surface, wedges, plan_, options_, scheme_, rounds.creases, report_);
+    Kept_normals control = put_limits(surface, rounds, wedges);
+    if (part_ && is_to_be_on_surfaces()) put_on_surfaces(surface, *segments_of(attributes), *part_);
+    if (planes) settle_planes(*planes, surface, attributes, has_rims);
+    Linear_check::Rounds compared{options_.levels, plan_.threads, plan_.limit, std::nullopt};
+    if (plan_.chord) compared.chord = chord_;
+    if (check_ && !has_rims) check_->compare(surface, scheme_, compared);
+    Crease_tags tags;
+    if (has_tags) tags = tags_of(surface, *rounds.creases);
+    if (must_split) split_for_output(surface, plan_.output, attributes, report_);
+    std::optional<Planes_from_rims> rims;
+    if (has_rims) rims.emplace(surface, *segments_of(attributes), *part_);
+    mesh_ = output_mesh(surface, rounds.creases, wedges, plan_.output_normals, std::move(control));
+    suit_roundness(mesh_);
+    mesh_.attributes = std::move(attributes);
+    mesh_.tags = std::move(tags);
+    if (curvature) add_curvature(mesh_, plan_, std::move(*curvature), report_);
+    if (rims) put_rims(*rims, compared);
+  }
+
+  // before the first round
+  void prepare(Surface& surface, Refinement& rounds, bool is_creased, bool has_tags)
+  {
+    if (!plan_.chord) announce_long_work(surface, options_, scheme_, report_);
+    if (options_.check) {
+      const Recognized_part* const recognized = part_        ? &*part_
+                                                : seen_.part ? &*seen_.part
+                                                             : nullptr;
+      check_.emplace(surface, creases_,
+                     choices(plan_, options_, scheme_, creases_, has_file_normals_, recognized));
+    }
+    if (is_creased)
+      rounds.creases =
+        add_creases(surface, creases_,
+                    plan_.limit.is_used() || has_tags || plan_.interpolation.has_value() ||
+                      plan_.curvature.has_value());
+    if (plan_.interpolation)
+      interpolate(surface, plan_, scheme_, has_file_normals_, rounds.creases, report_);
+    if (check_) check_->set_net(surface, rounds.creases);
+  }
+
+  Attributes refine(Surface& surface, Refinement& rounds, Attributes attributes)
+  {
+    Carried_attributes carried(surface, std::move(attributes), plan_.texture_rule);
+    carried.suit(surface, scheme_.scheme, input_, report_);
+    rounds.attributes = &carried.table();
+    if (plan_.chord)
+      tessellate(surface, plan_, options_, scheme_, rounds, chord_, report_);
+    else
+      refine_surface(surface, scheme_, rounds);
+    return carried.take(surface);
+  }
+
+  // Returns the control normals that are written beside others.
+  Kept_normals put_limits(Surface& surface, const Refinement& rounds, Wedge_list& wedges)
+  {
+    Kept_normals control;
+    if (!plan_.limit.is_used()) return control;
+    if (!wedges.empty()) put_corner_normals(surface, std::exchange(wedges, {}));
+    if (plan_.output_normals.with_control())
+      control = control_normals_at_limits(surface, plan_, options_, scheme_, rounds.creases);
+    move_to_limits(surface, plan_, options_, scheme_, rounds.creases, report_);
+    return control;
+  }
+
+  // Subdivision need not stay on cones, nor beside what is unknown. Of other normals, of control data and of limit points
+  // nobody has said that they are on surfaces.
+  bool is_to_be_on_surfaces() const
+  {
+    return options_.levels > 0 && !plan_.limit.points && !options_.roundness &&
+           plan_.normals.source == Normals_option::Source::automatic &&
+           !are_tags_written(options_, plan_.output_normals);
+  }
+
+  void settle_planes(const Planes_of_part& planes, Surface& surface, Attributes& attributes,
+                     bool has_rims)
+  {
+    if (!has_rims && (options_.levels > 0 || plan_.limit.points))
+      planes.place_inside(surface, *segments_of(attributes), scheme_, options_.levels,
+                          plan_.threads);
+    table_->measure(surface, attributes);
+    table_->set_crossed_planes(planes.number_of_crossed(surface, *segments_of(attributes)));
+  }
+
+  void put_rims(const Planes_from_rims& rims, const Linear_check::Rounds& compared)
+  {
+    table_->forget_folds([&](std::size_t segment) { return rims.replaces(segment); });
+    rims.put_into(mesh_);
+    if (check_) check_->compare(make_surface(mesh_), scheme_, compared);
+    rims.report(output_, report_);
+  }
+
+  void print_measures()
+  {
+    std::FILE* const out = options_.output == "-" ? stderr : stdout;
+    if (plan_.verification) plan_.verification->print(out);
+    if (check_) check_->print(out);
+  }
+
+  // What the format does not hold is told and left out.
+  void suit_output()
+  {
+    if (mesh_.number_of_faces() >= faces_worth_a_report)
+      report_.progress("writing " + output_ + ": " + size_of(mesh_));
+    if (part_) suit_segments(mesh_, plan_.output);
+    warn_of_lost_normals(mesh_.has_corner_normals(), !seen_.is_taken, plan_, report_);
+    split_seams(mesh_, plan_, options_, report_);
+    warn_of_lost_attributes(not_held(plan_.output, mesh_, encoding()), plan_, report_);
+    const std::string loss = lost_precision(plan_.output, mesh_, encoding());
+    if (!loss.empty()) report_.warn(output_ + ": " + loss);
+    take_types_of_format(plan_.output, mesh_.attributes);
+    move_file_references(mesh_.attributes, plan_.input, plan_.output);
+  }
+
+  void write()
+  {
+    Side_file tags = tags_file(options_, mesh_.tags, report_),
+              labels = labels_file(options_, part_ ? &*part_ : nullptr);
+    suit_tags(mesh_, plan_.output, options_, plan_.output_normals, report_);
+    write_mesh(plan_.output, mesh_, encoding());
+    tags.commit();
+    labels.commit();
+  }
+
+  void say_what_was_done()
+  {
+    report_.note(closing_line(mesh_, plan_, options_, scheme_, normals_, has_normals_, creases_,
+                              turning_, report_));
+    report_.print_warnings();
+    report_.write_file({options_.input, options_.output, mesh_.points.size(),
+                        mesh_.number_of_faces(), options_.levels});
+    if (plan_.verification) plan_.verification->require_tolerance();
+    report_.print_notes();
+    report_.require_no_warnings();
+  }
+
+  Encoding encoding() const { return options_.ascii ? Encoding::text : Encoding::binary; }
+
+  Surface_options options_;
+  Report report_;
+  Plan plan_;
+  const std::string input_, output_; // for messages
+  const bool in_pieces_;
+  Mesh_data mesh_;
+  Scheme_choice scheme_;
+  Creases creases_;
+  std::optional<Recognized_part> part_;
+  Seen_part seen_;
+  std::string normals_, turning_;                       // for the closing line
+  bool has_file_normals_ = false, has_normals_ = false; // to refine with
+  double chord_ = 0;                                    // that of --chord as a length
+  std::optional<Linear_check> check_;
+  std::optional<Surface_table> table_;
+  Pieces_job pieces_;
+};
+
 } // namespace
 
-void run_surface_command(const Surface_options& given_options)
+void run_surface_command(const Surface_options& options)
 {
-  Surface_options options = with_part(given_options);
-  Report report(options.report, ranks().rank() != 0);
-  Plan plan = make_plan(options);
-  const std::string input = plan.input.title("standard input");
-  Mesh_data mesh;
-  Scheme_choice scheme;
-  std::string normals, turning;
-  std::optional<Linear_check> check;
-  std::optional<Recognized_part> part;
-  Seen_part seen;
-  std::optional<Surface_table> table;
-  bool has_normals = false; // to refine with
-  Creases creases;
-  Pieces_job pieces;
-  const bool in_pieces = is_in_pieces(options, plan.output);
-  try {
-    mesh = read_control_mesh(plan.input, options, report);
-    set_rules(mesh.attributes, options.nearest, options.directions);
-    scheme = chosen_scheme(mesh, options.scheme);
-    if (options.levels > 0 || plan.limit.is_used() || plan.interpolation || in_pieces)
-      require_faces_for_scheme(mesh, scheme);
-    require_limit_of_vertices(scheme.scheme, plan.limit);
-    if (plan.interpolation) require_interpolation(scheme);
-    part = recognized_part(mesh, plan, report);
-    creases = find_creases(mesh, plan.creases, scheme_without_creases(scheme),
-                           part ? &*part : nullptr, input, report);
-    if (options.part && !options.creases.border) put_part_borders(creases, mesh, *part);
-    const bool can_be_sharp = scheme_without_creases(scheme).empty();
-    const bool is_copy = plan.output_normals.copies && mesh.normal_kind != Normal_kind::control;
-    if (is_copy) mesh.are_said_to_be_control = true; // they stay what the file says that they are
-    settle_file_normals(mesh, plan.normals, creases, can_be_sharp, input, report);
-    if (!part) seen = look_for_part(mesh, plan, options, scheme, creases);
-    if (seen.is_taken) part = std::exchange(seen.part, std::nullopt);
-    if (seen.is_taken)
-      take_part(mesh, *part, plan, options.creases.border.has_value(), creases, report);
-    require_limit_of_creases(creases, plan, options.levels);
-    require_interpolation_of_creases(creases, plan);
-    const bool keeps_curves = can_be_sharp && plan.interpolation != Interpolation_mode::slide;
-    if (keeps_curves) put_common_curves(creases, mesh);
-    if (in_pieces) require_mesh_for_pieces(mesh, creases, plan.output_normals, plan.output);
-    const bool has_file_normals = mesh.has_normals();
-    normals = takes_surface_normals(plan, part)
-                ? set_surface_normals(mesh, plan, *part, creases, report)
-                : set_normals(mesh, plan, creases, report);
-    if (keeps_curves) share_roundness(mesh);
-    has_normals = mesh.has_normals();
-    plan.output_normals.suit(mesh);
-    if (!part) turning = turning_edges(mesh, seen);
-    if (in_pieces)
-      pieces = make_pieces_job(std::move(mesh), creases, options, scheme, plan.input, plan.output,
-                               plan.output_normals, plan.limit, plan.texture_rule, report);
-    else {
-      if (part) table.emplace(*part, make_surface(mesh));
-      const Recognized_part* const recognized = part ? &*part : seen.part ? &*seen.part : nullptr;
-      process(mesh, plan, options, scheme, creases, has_file_normals, part, recognized, table,
-              check, report);
-      if (table) report_surfaces(*table, !seen.is_taken, input, report);
-      if (check) report.set_check(check->values());
-      if (plan.verification) plan.verification->measure(mesh.points);
-    }
-  } catch (const Usage_error&) {
-    throw;
-  } catch (const Output_error&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw Error(input + ": not enough memory for " + std::to_string(options.levels) + " rounds");
-  } catch (const std::exception& e) {
-    const std::string what = message_of(e);
-    throw Error(what.rfind(input + ": ", 0) == 0 ? what : input + ": " + what);
-  }
-  if (in_pieces)
-    return write_in_pieces(pieces, plan, options, scheme, normals, creases, turning, report);
-  if (plan.verification) plan.verification->print(options.output == "-" ? stderr : stdout);
-  if (check) check->print(options.output == "-" ? stderr : stdout);
-  if (mesh.number_of_faces() >= faces_worth_a_report)
-    report.progress("writing " + plan.output.title("standard output") + ": " + size_of(mesh));
-  if (part) suit_segments(mesh, plan.output);
-  warn_of_lost_normals(mesh.has_corner_normals(), !seen.is_taken, plan, report);
-  split_seams(mesh, plan, options, report);
-  const Encoding encoding = options.ascii ? Encoding::text : Encoding::binary;
-  warn_of_lost_attributes(not_held(plan.output, mesh, encoding), plan, report);
-  const std::string loss = lost_precision(plan.output, mesh, encoding);
-  if (!loss.empty()) report.warn(plan.output.title("standard output") + ": " + loss);
-  take_types_of_format(plan.output, mesh.attributes);
-  move_file_references(mesh.attributes, plan.input, plan.output);
-  Tags_file tags(options, mesh.tags, report);
-  Labels_file labels(options, part ? &*part : nullptr);
-  suit_tags(mesh, plan.output, options, plan.output_normals, report);
-  write_mesh(plan.output, mesh, encoding);
-  tags.commit();
-  labels.commit();
-  report.note(
-    closing_line(mesh, plan, options, scheme, normals, has_normals, creases, turning, report));
-  report.print_warnings();
-  report.write_file(
-    {options.input, options.output, mesh.points.size(), mesh.number_of_faces(), options.levels});
-  if (plan.verification) plan.verification->require_tolerance();
-  report.print_notes();
-  report.require_no_warnings();
+  Surface_run run(options);
+  run();
 }
 
 } // namespace pn_subdivide

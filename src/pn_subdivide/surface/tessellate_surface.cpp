@@ -6,23 +6,19 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "surface/tessellate_surface.h"
+#include "surface/refine_surface.h"
 
 #include "io/Error.h"
+#include "options.h"
 #include "surface/Scheme.h"
 #include "surface/Surface.h"
 #include "surface/creases.h"
-#include "surface/surface_command.h"
 
 #include <CGAL/PN_limit_surface_3/tessellate.h>
 #include <CGAL/PN_subdivision_3.h>
 
 #include <cstdio>
 #include <utility>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#  include <tbb/global_control.h>
-#endif
 
 namespace pn_subdivide {
 namespace {
@@ -94,13 +90,6 @@ const char* text_of(Result::Obstacle obstacle)
   return "";
 }
 
-void refuse(bool is_given, const std::string& option, const std::string& why)
-{
-  if (is_given)
-    throw Usage_error("--chord and " + option + " exclude each other: " + why +
-                      "; --levels N refines uniformly");
-}
-
 void require_chord_bound(const Surface_options& options)
 {
   if (!options.chord_bound) return;
@@ -119,37 +108,14 @@ std::optional<Box_length> parse_chord(const Surface_options& options)
   if (!options.chord) return std::nullopt;
   const Box_length chord = parse_box_length(*options.chord, "--chord");
   if (!(chord.value > 0)) throw Usage_error("--chord " + *options.chord + ": it must be positive");
-  const std::string& scheme = options.scheme.scheme;
-  if (scheme == "sqrt3" || scheme == "doo-sabin")
-    throw Usage_error("--chord and --scheme " + scheme +
-                      " exclude each other: a round of that scheme halves no edge");
-  if (options.has_levels)
-    throw Usage_error("--chord and --levels " + std::to_string(options.levels) +
-                      " exclude each other: leave out one of them");
   return chord;
-}
-
-void require_options_for_tessellation(const Surface_options& options)
-{
-  if (!options.chord) return;
-  const std::string why = "the triangles are no control mesh for further rounds";
-  for (const char* const choice : {"control", "both"})
-    refuse(options.output_normals == choice, std::string("--output-normals ") + choice, why);
-  refuse(options.write_tags.has_value(), "--write-tags", why);
-  refuse(options.limit.tolerance.has_value(), "--limit-tolerance",
-         "its points are limits to 1/1024 of the chord's tolerance and better");
-  refuse(options.curvature.has_value(), "--curvature",
-         "it is measured on uniformly refined meshes");
 }
 
 Tessellation tessellate_surface(Surface& surface, const Scheme_choice& scheme,
                                 const std::optional<Crease_maps>& creases, double chord,
-                                bool is_proven, [[maybe_unused]] unsigned threads,
-                                Attribute_table& attributes)
+                                bool is_proven, unsigned threads, Attribute_table& attributes)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-#endif
+  const Threads most_threads(threads);
   Surface result;
   const Chord within{chord, is_proven};
   const Result r =
@@ -170,8 +136,8 @@ void report_tessellation(const Tessellation& tessellation, double chord, const s
                            {"triangles", tessellation.triangles}});
   char text[300];
   const char* const what = tessellation.is_proven ? "proven bound" : "estimated error";
-  std::snprintf(text, sizeof text, "chord: %.6g asked for, %s %.3g", chord, what,
-                tessellation.bound);
+  std::snprintf(text, sizeof text, "chord: %.6g asked for, %s %.3g against the limit surface",
+                chord, what, tessellation.bound);
   report.note(text);
   if (tessellation.reached) return;
   const auto& p = tessellation.worst_place;

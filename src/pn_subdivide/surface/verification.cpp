@@ -9,7 +9,7 @@
 #include "surface/verification.h"
 
 #include "io/Error.h"
-#include "io/parse_numbers.h"
+#include "io/Text_reader.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,9 +9,9 @@
 #ifndef PN_SUBDIVIDE_VERIFICATION_H
 #define PN_SUBDIVIDE_VERIFICATION_H
 
+#include "curve/Curve_data.h"
 #include "io/Limit_choice.h"
 #include "io/Mesh_data.h"
-#include "io/curve_io.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/PN_certificates_3/reproduction.h>

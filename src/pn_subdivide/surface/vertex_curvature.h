@@ -9,6 +9,7 @@
 #ifndef PN_SUBDIVIDE_VERTEX_CURVATURE_H
 #define PN_SUBDIVIDE_VERTEX_CURVATURE_H
 
+#include "io/Mesh_data.h"
 #include "io/mesh_io.h"
 #include "surface/Surface.h"
 #include "surface/creases.h"
@@ -19,6 +20,11 @@
 #include <string>
 
 namespace pn_subdivide {
+
+// The color of a value between -1 and 1, beyond which it stays: blue, white at 0, red. Lightness and
+// hue change evenly (linear in CIELAB); the ends are equally dark, and those of Moreland, "Diverging
+// Color Maps for Scientific Visualization" (2009). scripts/render.py draws with the same colors.
+Color diverging_color(double value);
 
 enum class Curvature_kind { gaussian, mean };
 

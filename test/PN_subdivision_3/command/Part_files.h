@@ -140,22 +140,30 @@ inline Part drilled_plate(int rows = 1)
   return part;
 }
 
-// Cylinders of 24 sides about the z axis, of radius 2 up to z = 1 and of radius 1 above, with flat ends.
-inline Part shaft()
+// Bands of 24 sides about the z axis, with flat ends. The profile has radii and heights, upwards.
+inline Part turned(const std::vector<std::array<double, 2>>& profile)
 {
   Part part;
   std::vector<Triple> bottom, top;
   for (int i = 0; i < 24; ++i) {
     const double a = 15. * i, b = a + 15;
-    bottom.push_back(on_circle(2, 345 - a, 0));
-    top.push_back(on_circle(1, a, 3));
-    part.add({on_circle(2, a, 0), on_circle(2, b, 0), on_circle(2, b, 1), on_circle(2, a, 1)});
-    part.add({on_circle(2, a, 1), on_circle(2, b, 1), on_circle(1, b, 1), on_circle(1, a, 1)});
-    part.add({on_circle(1, a, 1), on_circle(1, b, 1), on_circle(1, b, 3), on_circle(1, a, 3)});
+    bottom.push_back(on_circle(profile.front()[0], 345 - a, profile.front()[1]));
+    top.push_back(on_circle(profile.back()[0], a, profile.back()[1]));
+    for (std::size_t k = 0; k + 1 < profile.size(); ++k) {
+      const auto [r, z] = profile[k];
+      const auto [s, y] = profile[k + 1];
+      part.add({on_circle(r, a, z), on_circle(r, b, z), on_circle(s, b, y), on_circle(s, a, y)});
+    }
   }
   part.add(bottom);
   part.add(top);
   return part;
+}
+
+// Cylinders of radius 2 up to z = 1 and of radius 1 above.
+inline Part shaft()
+{
+  return turned({{2, 0}, {2, 1}, {1, 1}, {1, 3}});
 }
 
 } // namespace pn_subdivide

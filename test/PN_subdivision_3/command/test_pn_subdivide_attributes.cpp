@@ -14,8 +14,8 @@
 #include "Temporary_folder.h"
 
 #include "io/Error.h"
-#include "io/Held_attributes.h"
 #include "io/formats.h"
+#include "io/merge_points.h"
 #include "io/mesh_io.h"
 #include "io/soup_repair.h"
 

@@ -11,7 +11,7 @@
 #include "Command_test.h"
 
 #include "io/mesh_io.h"
-#include "surface/diverging_colors.h"
+#include "surface/vertex_curvature.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 // all pairs finds them.
 
 #include "io/Error.h"
-#include "io/near_points.h"
+#include "io/merge_points.h"
 
 #include <gtest/gtest.h>
 

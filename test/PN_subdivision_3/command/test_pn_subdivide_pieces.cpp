@@ -194,7 +194,7 @@ TEST_F(Pieces, WhatDoesNotGoWithThem)
   expect_refusal("--chord 0.1", 2, "--levels N", "out.pvtp");
   for (const std::string scheme : {"sqrt3", "doo-sabin"})
     expect_one_line(run(in_out(scheme, "out.ply") + "--pieces 2"), 2,
-                    "--scheme " + scheme + " is not known");
+                    "--scheme " + scheme + " and refinement in pieces");
   expect_refusal("--pieces 2 --sharp angle:5 --output-normals control", 1, "--sharp none");
   expect_refusal("--pieces 2 --border curve --output-normals both", 1, "--border surface");
 }

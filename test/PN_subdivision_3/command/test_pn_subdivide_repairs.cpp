@@ -11,7 +11,6 @@
 #include "Command_test.h"
 
 #include "io/mesh_io.h"
-#include "io/orient_outwards.h"
 #include "io/soup_repair.h"
 
 #include <gtest/gtest.h>

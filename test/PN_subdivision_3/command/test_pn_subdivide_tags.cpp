@@ -557,7 +557,7 @@ TEST_F(Pn_subdivide_tags, WhatDoesNotGoWithWriteTags)
   expect_refusal("--write-tags t.txt", ".selection.txt");
   expect_refusal("--write-tags -", ".selection.txt");
   expect_refusal(sharp("all") + "--write-tags '" + folder.file("all.selection.txt") + "'",
-                 "a file of their own");
+                 "a file of its own");
   expect_one_line(surface("quads.obj", "o.ply", "--write-tags /no/such/t.selection.txt"), 1,
                   "/no/such");
   EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");

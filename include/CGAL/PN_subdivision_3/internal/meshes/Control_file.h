@@ -13,13 +13,13 @@
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/helpers.h>
 #include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
@@ -27,7 +27,6 @@
 #include <istream>
 #include <iterator>
 #include <map>
-#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -44,18 +43,14 @@ namespace CGAL::PN_subdivision_3::internal {
 struct Control_file
 {
   using Kernel = Simple_cartesian<double>;
-  struct Sharp_edge
-  {
-    std::array<std::size_t, 2> ends;
-    double sharpness;
-  };
 
   std::string name;
   std::vector<Kernel::Point_3> points;
   std::vector<std::vector<std::size_t>> faces;
   std::vector<Kernel::Vector_3> normals;
   std::vector<double> roundness, sharpness;
-  std::vector<Sharp_edge> edges;
+  std::map<std::pair<std::size_t, std::size_t>, double>
+    edges; // sharp ones, by their ends, the lesser one first
 };
 
 // What a PLY file has, by the first four letters of an element and by property; of a list its length, then its values.
@@ -147,61 +142,16 @@ inline void read_ply(std::istream& in, Control_file& file)
   const auto &ends = edge["vertex1"], &other_ends = edge["vertex2"], &sharpness = edge["sharpness"];
   if (ends.size() != sharpness.size() || other_ends.size() != sharpness.size())
     refuse_file(file.name, "its sharp edges lack vertex1 or vertex2");
-  for (std::size_t e = 0; e < ends.size(); ++e)
+  for (std::size_t e = 0; e < ends.size(); ++e) {
+    const std::pair<std::size_t, std::size_t> both =
+      std::minmax(index(ends[e]), index(other_ends[e]));
     if (sharpness[e] != 0)
-      file.edges.push_back({{index(ends[e]), index(other_ends[e])}, sharpness[e]});
+      file.edges[both] = checked_sharpness(sharpness[e], [&] {
+        return file.name + ": the edge from vertex " + std::to_string(both.first) + " to vertex " +
+               std::to_string(both.second);
+      });
+  }
 }
-
-// What is written of a mesh as PLY, in the order of bytes of this processor.
-struct Ply_of_level
-{
-  using Index = Level_connectivity::Index;
-
-  Level_connectivity level;
-  std::vector<std::pair<std::string, std::function<double(Index)>>> columns; // of the vertices
-  bool has_edges = false;
-  std::vector<std::pair<Index, double>> sharp_edges;
-
-  void write(std::ostream& out) const
-  {
-    write_header(out);
-    for (Index v = 0; v < level.number_of_vertices(); ++v)
-      for (const auto& column : columns) write(out, column.second(v));
-    for (Index f = 0; f < level.number_of_faces(); ++f) {
-      Index h = level.halfedge_of_face(f);
-      const Index degree = level.degree(h);
-      write(out, degree);
-      for (Index i = 0; i < degree; ++i, h = level.next(h)) write(out, level.target(h));
-    }
-    for (const auto& [e, sharpness] : sharp_edges) {
-      write(out, level.target(2 * e + 1));
-      write(out, level.target(2 * e));
-      write(out, sharpness);
-    }
-  }
-
-private:
-  void write_header(std::ostream& out) const
-  {
-    const std::uint16_t one = 1;
-    const bool is_little = reinterpret_cast<const char&>(one) == 1;
-    out << "ply\nformat binary_" << (is_little ? "little" : "big")
-        << "_endian 1.0\ncomment control normals\n"
-        << "element vertex " << level.number_of_vertices() << '\n';
-    for (const auto& column : columns) out << "property double " << column.first << '\n';
-    out << "element face " << level.number_of_faces()
-        << "\nproperty list uint uint vertex_indices\n";
-    if (has_edges)
-      out << "element edge " << sharp_edges.size()
-          << "\nproperty uint vertex1\nproperty uint vertex2\nproperty double sharpness\n";
-    out << "end_header\n";
-  }
-  template <class Number>
-  static void write(std::ostream& out, const Number& x)
-  {
-    out.write(reinterpret_cast<const char*>(&x), sizeof x);
-  }
-};
 
 // reads what CGAL's readers take, by the ending of the name
 inline Control_file read_control_file(const std::string& name)
@@ -261,6 +211,25 @@ Level_connectivity level_of_file(const Control_file& file)
   Level_connectivity level;
   with_mesh_access(std::as_const(mesh), [&](const auto& access) { level = checked_level(access); });
   return level;
+}
+
+inline std::vector<double> sharpness_of_edges(const Control_file& file,
+                                              const Level_connectivity& level)
+{
+  auto edges = file.edges; // that have not been found
+  std::vector<double> all(level.number_of_edges(), 0);
+  for (Level_connectivity::Index e = 0; e < all.size() && !edges.empty(); ++e) {
+    const auto found = edges.find(
+      std::minmax(std::size_t(level.target(2 * e)), std::size_t(level.target(2 * e + 1))));
+    if (found == edges.end()) continue;
+    all[e] = found->second;
+    edges.erase(found);
+  }
+  if (!edges.empty())
+    refuse_file(file.name, "no face has the sharp edge from vertex " +
+                             std::to_string(edges.begin()->first.first) + " to vertex " +
+                             std::to_string(edges.begin()->first.second));
+  return all;
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -6,14 +6,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "surface/common_curves.h"
-
+#include "surface/border_curves.h"
 #include "surface/Surface.h"
+
+#include <CGAL/PN_recognition_3/recognize_arcs.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <map>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -162,6 +165,148 @@ void share_roundness(Mesh_data& mesh)
       if (curves.find(v) != nullptr) mesh.corner_roundness[corner] = mesh.roundness[v];
       ++corner;
     }
+}
+
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+
+using Halfedge = Surface::Halfedge_index;
+using Loop = std::vector<Halfedge>; // half-edges of the border in a row
+
+Vector_3 unit(const Vector_3& v)
+{
+  const double length = std::sqrt(v.squared_length());
+  return length > 0 ? v / length : CGAL::NULL_VECTOR;
+}
+
+class Part_borders
+{
+public:
+  Part_borders(const Surface& surface, const Recognized_part& part, Creases& creases)
+    : surface_(surface)
+    , part_(part)
+    , creases_(creases)
+  {}
+
+  void operator()()
+  {
+    std::vector<bool> is_done(surface_.number_of_halfedges(), false);
+    for (const Halfedge first : surface_.halfedges()) {
+      if (!surface_.is_border(first) || is_done[first]) continue;
+      Loop loop;
+      for (Halfedge h = first; !is_done[h]; h = surface_.next(h)) {
+        is_done[h] = true;
+        loop.push_back(h);
+      }
+      split(loop);
+    }
+  }
+
+private:
+  Vector_3 direction(Halfedge h) const
+  {
+    return unit(surface_.point(surface_.target(h)) - surface_.point(surface_.source(h)));
+  }
+  std::size_t segment(Halfedge h) const
+  {
+    return part_.segments[surface_.face(surface_.opposite(h))];
+  }
+  bool is_of_plane(Halfedge h) const
+  {
+    return part_.surfaces[segment(h)].kind == Recognized_surface::Kind::plane;
+  }
+  void put_corner(Surface::Vertex_index v)
+  {
+    creases_.vertices[v] = std::numeric_limits<double>::infinity();
+  }
+
+  // Does the border end where this half-edge begins, for another surface or at a corner?
+  bool is_end(Halfedge before, Halfedge h) const
+  {
+    constexpr double cosine_of_61_degrees = 0.4848;
+    if (is_of_plane(before) || is_of_plane(h)) return segment(before) != segment(h);
+    return direction(before) * direction(h) < cosine_of_61_degrees;
+  }
+
+  void split(Loop loop)
+  {
+    const std::size_t n = loop.size();
+    std::vector<std::size_t> ends;
+    for (std::size_t i = 0; i < n; ++i)
+      if (is_end(loop[(i + n - 1) % n], loop[i])) ends.push_back(i);
+    if (ends.empty()) return put_piece(loop, true);
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      put_corner(surface_.source(loop[ends[k]]));
+      Loop piece;
+      const std::size_t end = k + 1 < ends.size() ? ends[k + 1] : ends[0] + n;
+      for (std::size_t i = ends[k]; i < end; ++i) piece.push_back(loop[i % n]);
+      put_piece(piece, false);
+    }
+  }
+
+  void put_piece(const Loop& piece, bool closed)
+  {
+    if (!is_of_plane(piece.front())) return;
+    std::vector<Point_3> points;
+    for (const Halfedge h : piece) points.push_back(surface_.point(surface_.source(h)));
+    if (!closed) points.push_back(surface_.point(surface_.target(piece.back())));
+    try {
+      const auto arcs =
+        PN::recognize_arcs(points, closed ? PN::Curve_end::closed : PN::Curve_end::none);
+      for (const PN::Recognized_arc& arc : arcs) put_arc(arc, piece, closed && arcs.size() == 1);
+    } catch (const std::invalid_argument&) {
+      // in no plane within the rounding of so few points
+      for (const Halfedge h : piece) put_corner(surface_.source(h));
+    }
+  }
+
+  void put_arc(const PN::Recognized_arc& arc, const Loop& piece, bool is_all)
+  {
+    const auto at = [&](std::size_t i) { return piece[i % piece.size()]; };
+    if (!is_all) put_corner(surface_.source(at(arc.first)));
+    for (std::size_t i = arc.first; i < arc.last; ++i) put_tangents(arc, at(i));
+  }
+
+  // along the edge from its ends
+  void put_tangents(const PN::Recognized_arc& arc, Halfedge h)
+  {
+    if (arc.kind == PN::Recognized_arc::Kind::unknown) return;
+    const Vector_3 along = direction(h);
+    const bool is_line = arc.kind == PN::Recognized_arc::Kind::line;
+    const auto tangent = [&](Surface::Vertex_index v) {
+      const Vector_3 r = unit(surface_.point(v) - to_point(arc.center));
+      return is_line ? along : tangent_of_circle(along, r, h);
+    };
+    creases_.tangents[h] = tangent(surface_.source(h));
+    creases_.tangents[surface_.opposite(h)] = -tangent(surface_.target(h));
+  }
+  // in its plane, across the radius, the way of the edge
+  Vector_3 tangent_of_circle(const Vector_3& along, const Vector_3& radius, Halfedge h) const
+  {
+    const auto& plane = part_.surfaces[segment(h)];
+    const Vector_3 t = unit(CGAL::cross_product(to_vector(plane.direction), radius));
+    return t * along < 0 ? -t : t;
+  }
+
+  const Surface& surface_;
+  const Recognized_part& part_;
+  Creases& creases_;
+};
+
+} // namespace
+
+void put_part_borders(Creases& creases, const Mesh_data& mesh, const Recognized_part& part)
+{
+  const Surface surface = make_surface(mesh);
+  const auto halfedges = surface.halfedges();
+  if (std::none_of(halfedges.begin(), halfedges.end(),
+                   [&](Halfedge h) { return surface.is_border(h); }))
+    return;
+  creases.border = Border::curve;
+  creases.tangents.assign(surface.number_of_halfedges(), CGAL::NULL_VECTOR);
+  Part_borders(surface, part, creases)();
+  creases.count();
 }
 
 } // namespace pn_subdivide

@@ -6,17 +6,44 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef PN_SUBDIVIDE_CURVE_CORNERS_H
-#define PN_SUBDIVIDE_CURVE_CORNERS_H
+#ifndef PN_SUBDIVIDE_CURVE_DATA_H
+#define PN_SUBDIVIDE_CURVE_DATA_H
 
-#include "io/curve_io.h"
+#include "io/Output_file.h"
 
 #include <CGAL/PN_subdivision_curve.h>
+#include <CGAL/Simple_cartesian.h>
 
+#include <cstddef>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace pn_subdivide {
+
+using Curve_kernel = CGAL::Simple_cartesian<double>;
+using Curve_2 = std::vector<std::pair<Curve_kernel::Point_2, Curve_kernel::Vector_2>>;
+using Curve_3 = std::vector<std::pair<Curve_kernel::Point_3, Curve_kernel::Vector_3>>;
+
+// A polygon or curve as the files hold it. Normals are zero where there are none.
+struct Curve_data
+{
+  std::variant<Curve_2, Curve_3> points;
+  bool has_normals = false; // in the file
+
+  std::size_t size() const
+  {
+    return std::visit([](const auto& p) { return p.size(); }, points);
+  }
+};
+
+// Reads lines `x y`, `x y nx ny`, `x y z` or `x y z nx ny nz`, all of the same form. Blank lines
+// and what follows a # are skipped. Throws Error, which names the file and the line.
+Curve_data read_curve(const std::string& file);
+
+// Writes the same form with 17 significant digits, without normals if the curve has none.
+void write_curve(Output_file& out, const Curve_data& curve);
 
 // Reads the numbers of the vertices that are corners, from 0 on, in any number of lines. Throws Error
 // if there are none or one is not below `size`.
@@ -46,4 +73,4 @@ Curve_data joined_curve(const std::vector<Curve_data>& parts, CGAL::PN_subdivisi
 
 } // namespace pn_subdivide
 
-#endif // PN_SUBDIVIDE_CURVE_CORNERS_H
+#endif // PN_SUBDIVIDE_CURVE_DATA_H

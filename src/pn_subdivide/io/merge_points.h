@@ -6,14 +6,31 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef PN_SUBDIVIDE_NEAR_POINTS_H
-#define PN_SUBDIVIDE_NEAR_POINTS_H
+#ifndef PN_SUBDIVIDE_MERGE_POINTS_H
+#define PN_SUBDIVIDE_MERGE_POINTS_H
 
 #include "io/Mesh_data.h"
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace pn_subdivide {
+
+struct Point_merge
+{
+  std::size_t merged_vertices = 0;               // that are gone: equal ones
+  std::size_t joined_vertices = 0;               // others within the distance
+  std::vector<std::string> differing_attributes; // of which only the value of the first is left
+};
+
+// Merges vertices with equal points into the first of them. Where their normals or texture coordinates
+// differ, these become those of corners; of other attributes those of the first vertex are kept. Coordinates
+// must be finite.
+Point_merge merge_equal_points(Mesh_data& mesh);
+
+// The same, and then for points within a distance as first_near() tells.
+Point_merge merge_near_points(Mesh_data& mesh, double distance);
 
 // For each vertex the first of those that it is joined with: vertices without faces or at edges that do not
 // have two faces, within the distance of each other or of some between them, the nearest first, but never
@@ -25,4 +42,4 @@ double rounding_of_floats(const std::vector<Triple>& points);
 
 } // namespace pn_subdivide
 
-#endif // PN_SUBDIVIDE_NEAR_POINTS_H
+#endif // PN_SUBDIVIDE_MERGE_POINTS_H
