@@ -8,53 +8,11 @@
 
 #include "Control.h"
 
-#include <CGAL/PN_subdivision_3/detect_creases.h>
-#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
-#include <CGAL/PN_subdivision_3/version.h>
-
-#include <pybind11/stl.h>
-
-#include <exception>
+#include <optional>
+#include <set>
 #include <stdexcept>
-#include <utility>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#  include <tbb/task_arena.h>
-#endif
 
 namespace pn_python {
-
-Control::Control(const Reals& points, const Integers& targets, const Integers& nexts,
-                 const Integers& faces, const Integers& of_points, const Integers& of_faces)
-{
-  const auto n = std::uint32_t(of_points.size()), e = std::uint32_t(targets.size() / 2),
-             m = std::uint32_t(of_faces.size());
-  const auto at = [](const Integers& numbers, std::uint32_t i) {
-    return std::uint32_t(numbers.data()[i]); // of -1 the greatest one, which stands for none
-  };
-  mesh.resize(n, e, m);
-  for (std::uint32_t v = 0; v < n; ++v) {
-    mesh.point(Vertex(v)) = point_at(points.data(), v);
-    mesh.set_halfedge(Vertex(v), Halfedge(at(of_points, v)));
-  }
-  for (std::uint32_t h = 0; h < 2 * e; ++h) {
-    mesh.set_target(Halfedge(h), Vertex(at(targets, h)));
-    mesh.set_next(Halfedge(h), Halfedge(at(nexts, h)));
-    mesh.set_face(Halfedge(h), Mesh::Face_index(at(faces, h)));
-  }
-  for (std::uint32_t f = 0; f < m; ++f)
-    mesh.set_halfedge(Mesh::Face_index(f), Halfedge(at(of_faces, f)));
-  table.has_face_parents = true;
-  take_result(std::move(mesh));
-}
-
-void Control::take_result(Mesh&& result)
-{
-  if (&result != &mesh) mesh = std::move(result);
-  edge_sharpness = mesh.add_property_map<Mesh::Edge_index, double>("e:sharpness", 0).first;
-  vertex_sharpness = mesh.add_property_map<Vertex, double>("v:sharpness", 0).first;
-}
 
 std::vector<Halfedge> corners_of(const Mesh& mesh)
 {
@@ -64,61 +22,7 @@ std::vector<Halfedge> corners_of(const Mesh& mesh)
   return result;
 }
 
-void Control::set_scheme(const std::string& name, const std::map<std::string, double>& parameters,
-                         bool linear)
-{
-  scheme = PN::any_scheme<double>(name, {parameters.begin(), parameters.end()});
-  is_linear = linear;
-}
-
-void Control::set_sharpness(int border_number, const Reals& of_edges, const Reals& of_points,
-                            double degrees)
-{
-  border = static_cast<PN::Border>(border_number);
-  is_of_corners = border != PN::Border::surface;
-  if (degrees >= 0) PN::detect_creases(mesh, degrees, edge_sharpness);
-  for (const auto e : mesh.edges()) {
-    if (of_edges.data()[e] != 0) edge_sharpness[e] = of_edges.data()[e];
-    is_of_corners = is_of_corners || edge_sharpness[e] != 0;
-  }
-  for (const auto v : mesh.vertices()) {
-    vertex_sharpness[v] = of_points.data()[v];
-    is_of_corners = is_of_corners || vertex_sharpness[v] != 0;
-  }
-}
-
-void Control::set_normals(const std::optional<Reals>& normals, bool are_of_corners,
-                          const std::optional<Reals>& roundness, bool is_round_at_corners,
-                          int estimate_number)
-{
-  is_of_corners = is_of_corners || are_of_corners || is_round_at_corners;
-  is_estimated = !normals && !roundness;
-  estimate = static_cast<PN::Control_normal_estimate>(estimate_number);
-  if (is_linear) return;
-  const py::gil_scoped_release unlocked;
-  const auto np = PN::parameters::control_normal_estimate(estimate);
-  if (is_of_corners && !are_of_corners)
-    of_corners = PN::estimate_control_normals(mesh, np.border(border)
-                                                      .edge_is_constrained_map(edge_sharpness)
-                                                      .vertex_is_constrained_map(vertex_sharpness));
-  else if (!normals)
-    of_vertices = PN::estimate_control_normals(mesh, np);
-  // normals of vertices are those of all corners but where creases make several
-  // wedges of a vertex
-  std::vector<int> wedges(mesh.number_of_vertices(), 0);
-  for (const auto e : mesh.edges())
-    for (unsigned i = 0; i < 2; ++i)
-      wedges[mesh.vertex(e, i)] += !mesh.is_border(e) && edge_sharpness[e] > 0;
-  for_each_normal(*this, [&](auto& map, const auto& key, std::size_t v, std::size_t corner) {
-    const int most = mesh.is_border(Vertex(std::uint32_t(v))) ? 0 : 1;
-    if (normals && (are_of_corners || wedges[v] <= most))
-      put(map, key, vector_at(normals->data(), are_of_corners ? corner : v));
-    if (roundness)
-      put(map.roundness_map(), key, roundness->data()[is_round_at_corners ? corner : v]);
-  });
-}
-
-py::tuple Control::faces() const
+py::tuple faces_of(const Mesh& mesh)
 {
   std::vector<std::int64_t> offsets(1, 0), vertices, halfedges;
   for (const Halfedge h : corners_of(mesh)) {
@@ -130,58 +34,134 @@ py::tuple Control::faces() const
   return py::make_tuple(to_array(offsets), to_array(vertices), to_array(halfedges));
 }
 
-py::tuple Control::normals() const
+namespace {
+
+void add_faces(Control& c, const Reals& points, const Integers& offsets, const Integers& indices)
 {
-  if (surface_normals) return py::make_tuple(to_rows(*surface_normals), py::none());
-  if (is_linear) return py::make_tuple(py::none(), py::none());
+  for (py::ssize_t v = 0; v < points.shape(0); ++v) c.mesh.add_vertex(rows_of<Point_3>(points)[v]);
+  std::vector<Vertex> face;
+  for (py::ssize_t f = 0; f + 1 < offsets.size(); ++f) {
+    face.clear();
+    for (py::ssize_t i = offsets.data()[f]; i < offsets.data()[f + 1]; ++i)
+      face.push_back(Vertex(indices.at(i)));
+    if (const std::set<Vertex> different(face.begin(), face.end());
+        different.size() < 3 || different.size() != face.size())
+      throw py::value_error("face " + std::to_string(f) +
+                            " has not three or more different vertices");
+    if (c.mesh.add_face(face) == Mesh::null_face())
+      throw py::value_error("face " + std::to_string(f) +
+                            " does not fit to those before it, which leave no room at one of its "
+                            "edges or vertices: more than two faces meet, or two of opposite "
+                            "orientation");
+    c.table.face_parents.push_back(std::uint32_t(f));
+  }
+}
+
+void set_sharpness(Control& c, int border, const std::optional<double>& degrees,
+                   const Integers& creases, const Reals& of_creases, const Integers& corners,
+                   const Reals& of_corners)
+{
+  c.border = PN::Border(border);
+  c.may_be_sharp = border != 0 || degrees || of_creases.size() != 0 || of_corners.size() != 0;
+  auto of_edges = c.edge_sharpness();
+  auto of_vertices = c.vertex_sharpness();
+  if (degrees) PN::detect_creases(c.mesh, *degrees, of_edges);
+  for (py::ssize_t i = 0; i < of_creases.size(); ++i) {
+    const Vertex v = Vertex(creases.at(2 * i)), w = Vertex(creases.at(2 * i + 1));
+    const Halfedge h = c.mesh.halfedge(v, w);
+    if (h == Mesh::null_halfedge())
+      throw py::value_error("no face has the crease from vertex " + std::to_string(v) +
+                            " to vertex " + std::to_string(w));
+    of_edges[c.mesh.edge(h)] = of_creases.at(i);
+  }
+  for (py::ssize_t i = 0; i < of_corners.size(); ++i)
+    of_vertices[Vertex(corners.at(i))] = of_corners.at(i);
+}
+
+// Calls f(map, key, vertex, number) for the vertices or corners that have normals, in their order.
+template <class Function>
+void for_each_normal(const Control& c, const Function& f)
+{
+  std::size_t number = 0;
+  if (const auto* of_vertices = std::get_if<Control::Of_vertices>(&c.normals))
+    for (const Vertex v : c.mesh.vertices()) f(*of_vertices, v, v, number++);
+  else
+    for (const Halfedge h : corners_of(c.mesh))
+      f(std::get<Control::Of_corners>(c.normals), h, c.mesh.target(h), number++);
+}
+
+// One of each vertex or corner; without normals they are estimated.
+void set_normals(Control& c, const std::optional<Reals>& normals,
+                 const std::optional<Reals>& roundness, int estimate)
+{
+  if (c.is_linear) return;
+  const std::size_t n = c.mesh.number_of_vertices();
+  const auto are_of_corners = [n](const std::optional<Reals>& rows) {
+    return rows && std::size_t(rows->shape(0)) != n;
+  };
+  const auto of_edges = c.edge_sharpness();
+  c.estimate = PN::Control_normal_estimate(estimate);
+  c.is_estimated = !normals && !roundness;
+  const py::gil_scoped_release unlocked;
+  const auto np = PN::parameters::control_normal_estimate(c.estimate);
+  if (are_of_corners(normals))
+    c.normals = Control::Of_corners();
+  else if (c.may_be_sharp || are_of_corners(roundness))
+    c.normals = PN::estimate_control_normals(c.mesh, PN::parameters::join(np, c.sharp()));
+  else if (!normals)
+    c.normals = PN::estimate_control_normals(c.mesh, np);
+  // those of vertices are of all corners but where creases make several wedges
+  std::vector<int> creases(n, 0);
+  for (const auto e : c.mesh.edges())
+    for (const unsigned i : {0u, 1u})
+      creases[c.mesh.vertex(e, i)] += !c.mesh.is_border(e) && of_edges[e] > 0;
+  for_each_normal(c, [&](const auto& map, const auto& key, Vertex v, std::size_t number) {
+    if (normals &&
+        (are_of_corners(normals) || creases[v] == 0 || (creases[v] == 1 && !c.mesh.is_border(v))))
+      put(map, key, rows_of<Vector_3>(*normals)[are_of_corners(normals) ? number : v]);
+    if (roundness)
+      put(map.roundness_map(), key, roundness->data()[are_of_corners(roundness) ? number : v]);
+  });
+}
+
+// and the roundness, which those of limits have not
+py::tuple normals_of(const Control& c, bool are_of_limit)
+{
+  if (c.is_linear && !are_of_limit) return py::make_tuple(py::none(), py::none());
   std::vector<Vector_3> normals;
   std::vector<double> roundness;
-  for_each_normal(*this, [&](const auto& map, const auto& key, std::size_t, std::size_t) {
+  for_each_normal(c, [&](const auto& map, const auto& key, Vertex, std::size_t) {
     normals.push_back(get(map, key));
     roundness.push_back(get(map.roundness_map(), key));
   });
-  return py::make_tuple(to_rows(normals), to_array(roundness));
+  const py::object of_control = are_of_limit ? py::object(py::none()) : to_array(roundness);
+  return py::make_tuple(to_rows(normals.data(), normals.size()), of_control);
 }
 
-py::tuple Control::edges() const
+// the ends of all edges and their sharpness, and that of the vertices
+py::tuple edges_of(Control& c)
 {
+  const auto of_edges = c.edge_sharpness();
+  const auto of_vertices = c.vertex_sharpness();
   std::vector<std::int64_t> ends;
-  for (const auto e : mesh.edges())
-    for (unsigned i = 0; i < 2; ++i) ends.push_back(std::int64_t(mesh.vertex(e, i)));
-  return py::make_tuple(
-    to_array(ends), to_array(std::vector<double>(edge_sharpness.begin(), edge_sharpness.end())),
-    to_array(std::vector<double>(vertex_sharpness.begin(), vertex_sharpness.end())));
+  for (const auto e : c.mesh.edges())
+    for (const unsigned i : {0u, 1u}) ends.push_back(std::int64_t(c.mesh.vertex(e, i)));
+  return py::make_tuple(to_array(ends),
+                        to_array(std::vector<double>(of_edges.begin(), of_edges.end())),
+                        to_array(std::vector<double>(of_vertices.begin(), of_vertices.end())));
 }
 
-void run([[maybe_unused]] int threads, const std::function<void()>& function)
+std::size_t add_attribute(Control& c, const Reals& rows, bool is_of_corners, bool is_label)
 {
-  const py::gil_scoped_release unlocked;
-#ifdef CGAL_LINKED_WITH_TBB
-  tbb::task_arena(threads).execute(function);
-#else
-  function();
-#endif
-}
-
-void Progress::round_done(unsigned round, std::size_t faces) const
-{
-  const py::gil_scoped_acquire locked;
-  if (!function.is_none()) function(round, faces);
-  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-}
-
-namespace {
-
-void add_attribute(Control& c, const Reals& rows, bool is_of_corners, bool is_label)
-{
-  PN::Attribute_array array;
+  auto& arrays = is_of_corners ? c.table.corners : c.table.vertices;
+  auto& array = arrays.emplace_back();
   array.dimension = std::size_t(rows.shape(1));
   array.values.assign(rows.data(), rows.data() + rows.size());
   if (is_label) array.rule_of_vertices = PN::Attribute_rule::nearest;
-  (is_of_corners ? c.table.corners : c.table.vertices).push_back(std::move(array));
+  return arrays.size() - 1;
 }
 
-py::array_t<double> attribute(const Control& c, std::size_t number, bool is_of_corners)
+py::array attribute(const Control& c, std::size_t number, bool is_of_corners)
 {
   return to_array((is_of_corners ? c.table.corners : c.table.vertices).at(number).values);
 }
@@ -190,39 +170,27 @@ py::array_t<double> attribute(const Control& c, std::size_t number, bool is_of_c
 
 PYBIND11_MODULE(_core, module)
 {
-  py::register_local_exception_translator([](std::exception_ptr exception) { // all else is one
-    try {
-      std::rethrow_exception(exception);
-    } catch (const std::overflow_error& e) {
-      PyErr_SetString(PyExc_ValueError, e.what());
-    }
-  });
+  py::register_local_exception<std::overflow_error>(module, "Out_of_range", PyExc_ValueError);
   module.attr("version") = CGAL_PN_SUBDIVISION_3_VERSION;
-#ifdef CGAL_LINKED_WITH_TBB
-  module.attr("has_threads") = true;
-#else
-  module.attr("has_threads") = false;
-#endif
+  module.attr("has_threads") = std::is_convertible_v<Tag, CGAL::Parallel_tag>;
   py::class_<Control>(module, "Control")
-    .def(py::init<const Reals&, const Integers&, const Integers&, const Integers&, const Integers&,
-                  const Integers&>())
-    .def("set_scheme", &Control::set_scheme)
-    .def("set_sharpness", &Control::set_sharpness)
-    .def("set_normals", &Control::set_normals)
+    .def(py::init<const std::string&, const std::map<std::string, double>&, bool, int>(),
+         py::arg("scheme"), py::arg("parameters"), py::arg("linear"), py::arg("threads"))
+    .def_readonly("threads", &Control::threads)
+    .def("add_faces", add_faces)
+    .def("set_sharpness", set_sharpness)
+    .def("set_normals", set_normals)
     .def("add_attribute", add_attribute)
     .def("attribute", attribute)
-    .def("points", [](const Control& c) { return to_rows(c.mesh.points()); })
-    .def("faces", &Control::faces)
-    .def("normals", &Control::normals)
-    .def("edges", &Control::edges)
-    .def("face_parents", [](const Control& c) { return to_array(c.table.face_parents); })
-    .def_readwrite("threads", &Control::threads);
-  add_subdivide(module);
-  add_tessellate(module);
-  add_recognize(module);
-  add_refiner(module);
-  add_limit_surface(module);
-  add_curve(module);
+    .def(
+      "points",
+      [](const Control& c) { return to_rows(c.mesh.points().data(), c.mesh.number_of_vertices()); })
+    .def("faces", [](const Control& c) { return faces_of(c.mesh); })
+    .def("normals", normals_of)
+    .def("edges", edges_of)
+    .def("face_parents", [](const Control& c) { return to_array(c.table.face_parents); });
+  add_meshes(module);
+  add_surfaces(module);
 }
 
 } // namespace pn_python
