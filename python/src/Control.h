@@ -19,7 +19,6 @@
 #include <pybind11/stl.h>
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <string>
 #include <variant>
@@ -126,10 +125,8 @@ struct Control
   PN::Attribute_table table;
 };
 
-std::vector<Halfedge> corners_of(const Mesh& mesh);
 py::tuple faces_of(const Mesh& mesh); // offsets, vertices, half-edges
 
-void add_meshes(py::module_& module);
 void add_surfaces(py::module_& module);
 
 } // namespace pn_python
