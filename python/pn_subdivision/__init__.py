@@ -31,102 +31,20 @@ Options of all functions that take a control mesh:
   threads     how many there may be, by default 1; the result is the same, bit for bit
 """
 
-import dataclasses
+import functools
 
 import numpy as np
 
 from . import _core
-from ._input import Input, choice, integers, real_rows
+from ._mesh import Mesh, choice, control_mesh, integers, integers_and_reals, reals
 
 __version__ = _core.version
-_SURFACE_POINT = np.dtype([*((name, float, 3) for name in ("point", "normal", "du", "dv", "duu", "duv", "dvv")),
-                           *((name, float) for name in ("derivatives", "error", "normal_error"))])
 KINDS = ("unknown", "plane", "cylinder", "cone", "sphere", "torus")
-
-
-@dataclasses.dataclass(eq=False)
-class Mesh:
-    """A polygon mesh with what is known of it; with creases normals and roundness are of corners. What is None is not known."""
-
-    points: np.ndarray  # (n, 3)
-    offsets: np.ndarray  # (m + 1,): the corners of face i are those from offsets[i] to offsets[i + 1]
-    indices: np.ndarray  # (c,): the vertex of each corner
-    normals: np.ndarray = None  # (n, 3) or (c, 3)
-    roundness: np.ndarray = None  # (n,) or (c,)
-    creases: np.ndarray = None  # (k, 2)
-    crease_sharpness: np.ndarray = None  # (k,) rounds
-    corners: np.ndarray = None  # (l,)
-    corner_sharpness: np.ndarray = None  # (l,)
-    uv: np.ndarray = None  # (n, 2) or (c, 2)
-    attributes: dict = dataclasses.field(default_factory=dict)
-    face_parents: np.ndarray = None  # (m,): the control face that each face comes from
-    report: np.void = None  # what was reached, of limits and tessellations
-
-    @property
-    def faces(self):
-        """An array (m, d) if all faces have d corners, else a list of arrays."""
-        degrees = np.diff(self.offsets)
-        if len(degrees) and (degrees == degrees[0]).all():
-            return self.indices.reshape(-1, degrees[0])
-        return np.split(self.indices, self.offsets[1:-1]) if len(degrees) else np.empty((0, 3), np.int64)
-
-    def triangles(self):
-        """(t, 3): the faces as fans of triangles."""
-        degrees = np.diff(self.offsets) - 2
-        first = np.repeat(self.offsets[:-1], degrees)
-        second = first + 1 + np.arange(len(first)) - np.repeat(np.cumsum(degrees) - degrees, degrees)
-        return self.indices[np.stack([first, second, second + 1], axis=1)]
-
-    def vertex_normals(self):
-        """(n, 3): the normals, or of those of corners the unit sums."""
-        if self.normals is None or len(self.normals) == len(self.points):
-            return self.normals
-        sums = np.zeros_like(self.points)
-        np.add.at(sums, self.indices, self.normals)
-        length = np.linalg.norm(sums, axis=1, keepdims=True)
-        return sums / np.where(length > 0, length, 1)
-
-    def to_trimesh(self):
-        """A trimesh.Trimesh of triangles()."""
-        import trimesh
-        return trimesh.Trimesh(self.points, self.triangles(), vertex_normals=self.vertex_normals(), process=False)
-
-    def to_pyvista(self):
-        """A pyvista.PolyData."""
-        import pyvista
-        return pyvista.PolyData(self.points, np.insert(self.indices, self.offsets[:-1], np.diff(self.offsets)))
-
-    def to_meshio(self):
-        """A meshio.Mesh."""
-        degrees = np.diff(self.offsets)
-        cells = [({3: "triangle", 4: "quad"}.get(d, "polygon"),
-                  self.indices[self.offsets[:-1][degrees == d][:, None] + np.arange(d)]) for d in np.unique(degrees)]
-        import meshio
-        return meshio.Mesh(self.points, cells)
-
-    def _options(self):
-        given = {"normals": self.normals, "roundness": self.roundness, "uv": self.uv, "attributes": self.attributes,
-                 "creases": None if self.creases is None else (self.creases, self.crease_sharpness),
-                 "corners": None if self.corners is None else (self.corners, self.corner_sharpness)}
-        return {name: value for name, value in given.items() if value is not None}
-
-
-def _read(points, faces, options):
-    if isinstance(points, Mesh) and faces is None:
-        return Input(points.points, (points.offsets, points.indices), **{**points._options(), **options})
-    return Input(points, faces, **options)
-
-
-def _result(given, report=None):
-    control = given.control
-    offsets, indices, halfedges = control.faces()
-    normals, roundness = control.normals()
-    ends, of_edges, of_vertices = control.edges()
-    creases, corners, parents = np.flatnonzero(of_edges), np.flatnonzero(of_vertices), control.face_parents()
-    attributes = given.read_attributes(halfedges)
-    return Mesh(control.points(), offsets, indices, normals, roundness, ends.reshape(-1, 2)[creases], of_edges[creases],
-                corners, of_vertices[corners], attributes.pop("uv", None), attributes,
-                parents if len(parents) else np.arange(len(offsets) - 1), report)
+# as the structures of C++, aligned
+_POINT = np.dtype([*((name, float, 3) for name in ("point", "normal", "du", "dv", "duu", "duv", "dvv")), ("derivatives", np.uint32),
+                   ("error", float), ("normal_error", float), ("rounds", np.uint32)], align=True)
+_HIT = np.dtype([("face", np.int32), ("uv", float, 2), ("point", float, 3), ("normal", float, 3), ("distance", float), ("error", float)],
+                align=True)
 
 
 def subdivide(points, faces=None, *, levels=1, progress=None, **options):
@@ -134,19 +52,20 @@ def subdivide(points, faces=None, *, levels=1, progress=None, **options):
 
     progress(round, faces) is called after each round; an exception that it raises, or Ctrl-C, ends the call.
     """
-    given = _read(points, faces, options)
-    _core.subdivide(given.control, levels, progress)
-    return _result(given)
+    control = control_mesh(points, faces, options)
+    _core.subdivide(control, *integers("levels", levels, 64), progress)
+    return control.result()
 
 
 def limit(points, faces=None, *, levels=1, tolerance=1e-9, normal_tolerance=1e-3, progress=None, **options):
     """As subdivide(), with all vertices on the limit surface, and its normals: a mesh to be seen, not to be refined again.
 
-    The tolerance is a part of the largest side of the box of the points. `report` has the largest estimated errors ("error", "normal_error"), how
-    many vertices missed the tolerances ("number_of_misses"), and at how many the control normal stands in ("number_of_stand_ins").
+    The tolerance is a part of the largest side of the box of the points. `report` has the largest estimated errors ("error",
+    "normal_error"), how many vertices missed the tolerances ("number_of_misses"), and at how many the control normal stands in
+    ("number_of_stand_ins").
     """
-    given = _read(points, faces, options)
-    return _result(given, _core.limit(given.control, levels, tolerance, normal_tolerance, progress)[0])
+    control = control_mesh(points, faces, options)
+    return control.result(_core.limit(control, *integers("levels", levels, 64), tolerance, normal_tolerance, progress)[0])
 
 
 def tessellate(points, faces=None, *, chord, **options):
@@ -154,13 +73,13 @@ def tessellate(points, faces=None, *, chord, **options):
 
     `report` has the estimated distance ("bound"), whether it is within `chord` ("reached"), and where it is ("worst_face", "worst_place").
     """
-    given = _read(points, faces, options)
-    return _result(given, _core.tessellate(given.control, chord)[0])
+    control = control_mesh(points, faces, options)
+    return control.result(_core.tessellate(control, chord)[0])
 
 
 def estimate_normals(points, faces=None, **options):
     """Control normals and their roundness, as they are where none are given: (n, 3) and (n,); with creases of corners."""
-    return _read(points, faces, options).control.normals()
+    return control_mesh(points, faces, options).normals(False)
 
 
 def recognize(points, faces=None, *, min_facets=8, tolerance=0.0, sharp_angle=30.0):
@@ -170,52 +89,38 @@ def recognize(points, faces=None, *, min_facets=8, tolerance=0.0, sharp_angle=30
 
     A prism of fewer sides than `min_facets` stays one; 0 is the tolerance of the digits that coordinates have.
     """
-    given = _read(points, faces, {})
-    surfaces, of_face = _core.recognize(given.control, min_facets, tolerance, sharp_angle)
-    return _result(given), surfaces, of_face
+    control = control_mesh(points, faces, {})
+    surfaces, of_face = _core.recognize(control, min_facets, tolerance, sharp_angle)
+    return control.result(), surfaces, of_face
 
 
 class Refiner:
-    """A refined surface that follows its control points and normals: as subdivide() of them, bit for bit, but faster."""
+    """A refined surface that follows its control points and normals: as subdivide() of them, bit for bit, but faster.
+
+    `points` and `normals` (n, 3) are views, which update() changes; with creases normals are the means of those of the corners.
+    """
 
     def __init__(self, points, faces=None, *, levels=1, **options):
-        given = _read(points, faces, options)
-        self._number = given.size[0]
-        self._refiner = _core.Refiner(given.control, levels)
+        control = control_mesh(points, faces, options)
+        self._size, self._threads = control.size[0], control.threads
+        self._refiner = _core.refiner(control, *integers("levels", levels, 64))
+        self.points, self.normals = self._refiner.points(), self._refiner.normals()
 
     def set_points(self, vertices, points):
         """Of some control vertices (k,): the points (k, 3), from the next update() on."""
-        self._refiner.set_points(*self._rows(vertices, points))
+        self._refiner.set_points(*integers_and_reals("vertices", vertices, self._size, "points", points, 3))
 
     def set_normals(self, vertices, normals):
         """The same of the normals; those that are not set are estimated again unless there were some."""
-        self._refiner.set_normals(*self._rows(vertices, normals))
+        self._refiner.set_normals(*integers_and_reals("vertices", vertices, self._size, "normals", normals, 3))
 
     def update(self):
         """Computes what has changed, and returns the numbers of these refined vertices."""
-        return self._refiner.update()
-
-    @property
-    def points(self):
-        """(n, 3): a view, which the next update() changes."""
-        return self._refiner.points()
-
-    @property
-    def normals(self):
-        """The same of the normals; with creases the means of those of the corners."""
-        return self._refiner.normals()
+        return self._refiner.update(self._threads)
 
     def mesh(self):
         """A copy."""
-        normals = self.normals.copy()
-        return Mesh(self.points.copy(), *self._refiner.faces(), normals if len(normals) else None)
-
-    def _rows(self, vertices, values):
-        vertices = integers("vertices", vertices, self._number)
-        values = real_rows("values", np.reshape(values, (-1, 3)), 3)
-        if len(vertices) != len(values):
-            raise ValueError(f"{len(vertices)} vertices do not go with {len(values)} rows")
-        return vertices, values
+        return Mesh(self.points.copy(), *self._refiner.faces()[:2], self.normals.copy() if len(self.normals) else None)
 
 
 class Limit_surface:
@@ -226,26 +131,27 @@ class Limit_surface:
     """
 
     def __init__(self, points, faces=None, *, tolerance=1e-7, normal_tolerance=1e-3, **options):
-        given = _read(points, faces, options)
-        self._number = len(given.control.faces()[0]) - 1
-        self._surface = _core.Limit_surface(given.control, tolerance, normal_tolerance)
+        control = control_mesh(points, faces, options)
+        self._number_of_faces = len(control.face_parents())
+        self._surface = _core.limit_surface(control, tolerance, normal_tolerance)
 
     def evaluate(self, faces, uv):
         """Of faces (k,) with parameters (k, 2) an array with the fields "point", "normal", "du", "dv", "duu", "duv", "dvv",
-        "derivatives" (up to which order there are some), "error" and "normal_error" (estimates)."""
-        faces, uv = integers("faces", faces, self._number), real_rows("uv", uv, 2)
-        if len(faces) != len(uv):
-            raise ValueError(f"{len(faces)} faces do not go with {len(uv)} pairs of parameters")
-        return self._surface.evaluate(faces, uv).view(_SURFACE_POINT)
+        "derivatives" (up to which order there are some), "error" and "normal_error" (estimates), and "rounds"."""
+        return self._surface.evaluate(*integers_and_reals("faces", faces, self._number_of_faces, "parameters", uv, 2)).view(_POINT)[:, 0]
 
     def closest_point(self, points):
         """Of points (k, 3) an array with the fields "face", "uv", "point", "normal", "distance" and "error"."""
-        return self._surface.closest(real_rows("points", points, 3))
+        return self._queries.closest_points(reals("points", points, 3)).view(_HIT)[:, 0]
 
     def ray(self, sources, directions):
         """The same of the first intersections with rays (k, 3) and (k, 3); without one the face is -1, and all else not a number."""
-        sources, directions = np.broadcast_arrays(real_rows("sources", sources, 3), real_rows("directions", directions, 3))
-        return self._surface.intersect(sources, directions)
+        sources, directions = np.broadcast_arrays(reals("sources", sources, 3), reals("directions", directions, 3))
+        return self._queries.first_intersections(sources, directions).view(_HIT)[:, 0]
+
+    @functools.cached_property
+    def _queries(self):
+        return _core.Limit_surface_queries(self._surface)
 
 
 def curve(points, normals=None, *, mask="bspline:3", closed=False, end="reflect", levels=1, linear=False, roundness=1.0):
@@ -254,12 +160,13 @@ def curve(points, normals=None, *, mask="bspline:3", closed=False, end="reflect"
     Masks are "bspline:DEGREE" and "N-point" (interpolating, N even). end="none": only points with all of their stencil.
     """
     columns = 2 if np.ndim(points) == 2 and np.shape(points)[1] == 2 else 3
-    points = real_rows("points", points, columns)
-    normals = None if normals is None else real_rows("normals", normals, columns)
-    if normals is not None and len(normals) != len(points):
-        raise ValueError(f"{len(points)} points do not go with {len(normals)} normals")
-    spline, number = mask.startswith("bspline:"), mask.removeprefix("bspline:").removesuffix("-point")
-    if not number.isdigit() or not (spline or mask.endswith("-point")):
+    points = reals("points", points, columns)
+    rows = np.zeros_like(points) if normals is None else reals("normals", normals, columns)
+    if len(rows) != len(points):
+        raise ValueError(f"{len(points)} points do not go with {len(rows)} normals")
+    spline, number = str(mask).startswith("bspline:"), str(mask).removeprefix("bspline:").removesuffix("-point")
+    if not number.isdigit() or not (spline or str(mask).endswith("-point")):
         raise ValueError(f"mask '{mask}': it must be bspline:DEGREE or N-point")
     ending = 0 if closed else 1 + choice("end", end, ("reflect", "none"))
-    return _core.refine_curve(points, normals, spline, int(number), ending, levels, linear, roundness)
+    rows = _core.curve(np.hstack([points, rows]), normals is not None, spline, int(number), ending, *integers("levels", levels, 64), linear, roundness)
+    return rows[:, :columns].copy(), rows[:, columns:].copy()

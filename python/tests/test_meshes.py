@@ -116,6 +116,6 @@ def test_type_hints_name_what_there_is():
             checked += 1
     options = next(node for node in ast.parse((package / "__init__.pyi").read_text()).body
                    if isinstance(node, ast.ClassDef) and node.name == "_Options")
-    known = inspect.signature(pn._input.Input).parameters
-    assert [item.target.id for item in options.body] == [name for name in known if name not in ("points", "faces")]
-    assert checked > 30 and all(f"\n  {name} " in pn.__doc__ for name in known if name not in ("points", "faces"))
+    known = list(inspect.signature(pn._mesh.Control.__init__).parameters)[3:]
+    assert [item.target.id for item in options.body] == known
+    assert checked > 30 and all(f"\n  {name} " in pn.__doc__ for name in known)

@@ -228,11 +228,11 @@ TWO_FANS = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]], [[0, 1, 2
     (CUBE, QUADS + 1, {}, "vertices of faces: 8 is not from 0 to 7"),
     (CUBE, -QUADS, {}, "vertices of faces: -2 is not from 0 to 7"),
     (CUBE, QUADS + 0.5, {}, "vertices of faces must be integers"),
-    (CUBE, [[0, 1, 2], [3, 4]], {}, "face 1 has 2 vertices"),
-    (CUBE, [[0, 1, 2], [3, 4, 5, 4, 6]], {}, "face 1 has vertex 4 twice"),
+    (CUBE, [[0, 1, 2], [3, 4]], {}, "face 1 has not three or more different vertices"),
+    (CUBE, [[0, 1, 2], [3, 4, 5, 4, 6]], {}, "face 1 has not three or more different vertices"),
     (CUBE, ([0, 3, 2, 6], [0, 1, 2, 3, 4, 5]), {}, "offsets of the faces must ascend"),
-    (CUBE, [[0, 1, 2], [0, 1, 3]], {}, "edge from vertex 0 to vertex 1 do not fit"),
-    (CUBE, [[0, 1, 2], [1, 0, 3], [1, 0, 4]], {}, "edge from vertex [01] to vertex [01] do not fit"),
+    (CUBE, [[0, 1, 2], [0, 1, 3]], {}, "face 1 does not fit to those before it"),
+    (CUBE, [[0, 1, 2], [1, 0, 3], [1, 0, 4]], {}, "face 2 does not fit to those before it"),
     (*TWO_FANS, {}, "vertex 0 joins several fans of faces"),
     (POINT, QUADS, {}, "of vertex 5 is not finite"),
     (CUBE, QUADS, {"scheme": "cubic"}, "there is no scheme 'cubic'; there are: catmull-clark"),
@@ -242,7 +242,7 @@ TWO_FANS = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]], [[0, 1, 2
     (CUBE, QUADS, {"normals": "best"}, "normals 'best': it must be one of coherent"),
     (CUBE, QUADS, {"normals": CUBE[:3]}, "normals must have a row for each of the 8 vertices or of the 24 corners"),
     (CUBE, QUADS, {"normals": POINT}, "of vertex 5 is not finite"),
-    (CUBE, QUADS, {"roundness": 2}, "roundness must be from 0 to 1"),
+    (CUBE, QUADS, {"roundness": 2}, "roundness of vertex 0 is 2.0+: it must be from 0 to 1"),
     (CUBE, QUADS, {"creases": [[0, 7]]}, "no face has the crease from vertex 0 to vertex 7"),
     (CUBE, QUADS, {"creases": [0, 1, 2]}, r"creases must have the shape \(k, 2\)"),
     (CUBE, QUADS, {"creases": (CUBE_EDGES[:2], [1, -1])}, "sharpness"),
@@ -253,7 +253,28 @@ TWO_FANS = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]], [[0, 1, 2
     (CUBE, QUADS, {"threads": 0}, "threads 0: at least 1"),
     (1.1e308 * CUBE, QUADS, {"normals": CUBE}, "new vertex 8 is out of the range"),
     (CUBE, None, {}, "points need faces"),
+    (CUBE, 5, {}, r"faces must have the shape \(m, 3\) or \(m, 4\), or be a list"),
+    (CUBE.tolist()[:-1] + [[0, 1]], QUADS, {}, "points must be numbers"),
+    (np.full((8, 3), "a"), QUADS, {}, "points must be numbers"),
+    (CUBE, QUADS, {"levels": -1}, "levels: -1 is not from 0"),
+    (CUBE, QUADS, {"levels": 1.5}, "levels must be integers"),
+    (CUBE, QUADS, {"levels": 40}, "round 14 would need [0-9]* vertices"),
+    (CUBE, QUADS, {"roundness": "round"}, "roundness must be numbers"),
+    (CUBE, QUADS, {"roundness": np.full(7, 0.5)}, "roundness must have a row for each of the 8 vertices"),
+    (CUBE, QUADS, {"roundness": [np.nan] * 8}, "roundness of vertex 0 is nan"),
+    (CUBE, QUADS, {"creases": -10.0}, "angle"),
+    (CUBE, QUADS, {"creases": (CUBE_EDGES[:2], ["a", "b"])}, "the sharpness of creases must be numbers"),
+    (CUBE, QUADS, {"creases": [[0, 99]]}, "creases: 99 is not from 0 to 7"),
+    (CUBE, QUADS, {"attributes": {"weight": 1.0}}, "attribute 'weight' must have a row"),
 ])
 def test_errors_name_what_is_wrong(points, faces, options, message):
     with pytest.raises(ValueError, match=message):
         pn.subdivide(points, faces, **options)
+
+
+@pytest.mark.parametrize("function, options, message", [
+    (pn.subdivide, {"level": 3}, "level"), (pn.subdivide, {"scheme": 5}, "scheme: str"), (pn.tessellate, {"chord": "fine"}, "chord: float"),
+    (pn.limit, {"tolerance": "small"}, "tolerance: float"), (pn.recognize, {"min_facets": 8.5}, "min_facets: int")])
+def test_wrong_types_are_named(function, options, message):
+    with pytest.raises(TypeError, match=message):
+        function(CUBE, QUADS, **options)

@@ -1,0 +1,181 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "Control.h"
+
+#include <CGAL/PN_limit_surface_3/Limit_surface.h>
+#include <CGAL/PN_limit_surface_3/Limit_surface_queries.h>
+#include <CGAL/PN_subdivision_3/Surface_refiner.h>
+#include <CGAL/PN_subdivision_curve.h>
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace pn_python {
+namespace {
+
+template <class S>
+using Refiner = PN::Surface_refiner<Mesh, S, Kernel, Tag>;
+using Surface = PN::Limit_surface<Mesh, Kernel>;
+using Queries = PN::Limit_surface_queries<Mesh, Kernel>;
+
+py::object refiner(Control& c, unsigned levels)
+{
+  py::object result;
+  const auto make = [&](const auto& scheme, const auto& np) {
+    using R = Refiner<std::decay_t<decltype(scheme)>>;
+    auto made = std::make_unique<R>(c.mesh, scheme, np.number_of_iterations(levels));
+    const py::gil_scoped_acquire locked;
+    result = py::cast(std::move(made));
+  };
+  if (c.is_estimated) // again, when points move
+    run(c.threads, [&] {
+      make(c.scheme,
+           PN::parameters::join(PN::parameters::control_normal_estimate(c.estimate), c.sharp()));
+    });
+  else
+    c.run([&](const auto& scheme, const auto& np, const auto&) { make(scheme, np); });
+  return result;
+}
+
+template <class S>
+void add_refiner(py::module_& module, const char* name)
+{
+  using R = Refiner<S>;
+  const auto view = [](const py::object& owner, const auto& rows) {
+    py::array_t<double> result = to_rows(rows.data(), rows.size(), owner);
+    result.attr("setflags")(py::arg("write") = false);
+    return result;
+  };
+  const auto set_normals = [](R& r, const Integers& vertices, const Reals& normals) {
+    if constexpr (std::is_same_v<S, PN::Any_scheme<double>>)
+      for (py::ssize_t i = 0; i < vertices.size(); ++i)
+        r.set_normal(Vertex(vertices.at(i)), rows_of<Vector_3>(normals)[i]);
+    else
+      throw std::invalid_argument("PN_subdivision_3: a linear scheme has no control normals");
+  };
+  py::class_<R>(module, name)
+    .def("set_points",
+         [](R& r, const Integers& vertices, const Reals& points) {
+           for (py::ssize_t i = 0; i < vertices.size(); ++i)
+             r.set_point(Vertex(vertices.at(i)), rows_of<Point_3>(points)[i]);
+         })
+    .def("set_normals", set_normals)
+    .def("update",
+         [](R& r, int threads) {
+           const std::vector<std::uint32_t>* changed = nullptr;
+           run(threads, [&] { changed = &r.update(); });
+           return to_array(*changed);
+         })
+    .def("points", [view](const py::object& r) { return view(r, r.cast<R&>().points()); })
+    .def("normals", [view](const py::object& r) { return view(r, r.cast<R&>().normals()); })
+    .def("faces", [](const R& r) {
+      Mesh mesh;
+      r.build_mesh(mesh);
+      return faces_of(mesh);
+    });
+}
+
+std::unique_ptr<Surface> limit_surface(Control& c, double tolerance, double normal_tolerance)
+{
+  std::unique_ptr<Surface> result;
+  const auto tolerances = PN::parameters::tolerance(tolerance).normal_tolerance(normal_tolerance);
+  c.run([&](const auto& scheme, const auto& np, const auto&) {
+    result = std::make_unique<Surface>(c.mesh, scheme, PN::parameters::join(tolerances, np));
+  });
+  return result;
+}
+
+// Python knows the structures of the results.
+py::array evaluate(const Surface& surface, const Integers& faces, const Reals& uv)
+{
+  std::vector<Surface::Location> places;
+  for (py::ssize_t i = 0; i < faces.size(); ++i)
+    places.push_back({Mesh::Face_index(faces.at(i)), uv.at(i, 0), uv.at(i, 1)});
+  std::vector<Surface::Surface_point> points;
+  run(1, [&] { points = surface.evaluate(places); });
+  return to_rows(points.data(), points.size());
+}
+
+template <class Function>
+py::array hits(std::size_t number, const Function& find)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const Queries::Hit none{
+    {Mesh::null_face(), nan, nan}, Point_3(nan, nan, nan), Vector_3(nan, nan, nan), nan, nan};
+  std::vector<Queries::Hit> found;
+  run(1, [&] {
+    for (std::size_t i = 0; i < number; ++i)
+      found.push_back(std::optional<Queries::Hit>(find(i)).value_or(none));
+  });
+  return to_rows(found.data(), found.size());
+}
+
+py::array closest_points(const Queries& queries, const Reals& points)
+{
+  return hits(std::size_t(points.shape(0)),
+              [&](std::size_t i) { return queries.closest_point(rows_of<Point_3>(points)[i]); });
+}
+
+py::array first_intersections(const Queries& queries, const Reals& sources, const Reals& directions)
+{
+  return hits(std::size_t(sources.shape(0)), [&](std::size_t i) {
+    return queries.first_intersection(rows_of<Point_3>(sources)[i],
+                                      rows_of<Vector_3>(directions)[i]);
+  });
+}
+
+template <class Point, class Vector>
+py::array refine_curve(const Reals& rows, bool has_normals, const PN::Univariate_mask<double>& mask,
+                       PN::Curve_end end, unsigned levels, bool linear, double roundness)
+{
+  using Item = std::pair<Point, Vector>;
+  std::vector<Item> curve(rows_of<Item>(rows), rows_of<Item>(rows) + rows.shape(0));
+  run(1, [&] {
+    if (!has_normals && !linear) curve = PN::estimate_control_normals(curve, end);
+    const auto np = PN::parameters::roundness(roundness).number_of_iterations(levels);
+    curve = linear ? PN::subdivide_curve(curve, PN::linear(mask), end, np)
+                   : PN::subdivide_curve(curve, mask, end, np);
+  });
+  return to_rows(curve.data(), curve.size());
+}
+
+py::array curve(const Reals& rows, bool has_normals, bool is_spline, int number, int end,
+                unsigned levels, bool linear, double roundness)
+{
+  const auto of = [](const auto& mask) {
+    return PN::Univariate_mask<double>(mask.first_index(), mask.template coefficients<double>());
+  };
+  const auto mask =
+    is_spline ? of(PN::B_spline_mask(number)) : of(PN::Dubuc_Deslauriers_mask(number));
+  const auto refine = rows.shape(1) == 4 ? refine_curve<Kernel::Point_2, Kernel::Vector_2>
+                                         : refine_curve<Point_3, Vector_3>;
+  return refine(rows, has_normals, mask, PN::Curve_end(end), levels, linear, roundness);
+}
+
+} // namespace
+
+void add_surfaces(py::module_& module)
+{
+  add_refiner<PN::Any_scheme<double>>(module, "Refiner");
+  add_refiner<PN::Linear_scheme<PN::Any_scheme<double>>>(module, "Linear_refiner");
+  py::class_<Surface>(module, "Limit_surface").def("evaluate", evaluate);
+  py::class_<Queries>(module, "Limit_surface_queries")
+    .def(py::init<const Surface&>(), py::keep_alive<1, 2>(),
+         py::call_guard<py::gil_scoped_release>())
+    .def("closest_points", closest_points)
+    .def("first_intersections", first_intersections);
+  module.def("refiner", refiner);
+  module.def("limit_surface", limit_surface);
+  module.def("curve", curve);
+}
+
+} // namespace pn_python
