@@ -21,9 +21,11 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +45,7 @@ struct Control
   std::string name;
   Points points;
   std::vector<std::vector<int>> faces;
+  std::vector<std::pair<int, int>> sharp = {}; // edges
 };
 
 // --- meshes ---
@@ -169,6 +172,44 @@ Control triangulated(Control c)
   return c;
 }
 
+// a ball in triangles with a sharp face and a fold
+Control creased_ball()
+{
+  const double points[] = {
+    0.914,  -0.339, 0.191,  0.004,  0.517,  -0.883, -0.390, -0.545, -0.874, -0.834, -0.584, -0.361,
+    -0.810, 0.436,  -0.555, -0.986, 0.372,  -0.025, -0.888, 0.305,  0.375,  -0.030, -0.902, 0.176,
+    -0.696, 0.510,  -0.553, -0.622, 0.000,  0.742,  -0.039, 0.106,  -0.980, -0.434, -0.517, -0.893,
+    0.815,  -0.630, -0.156, -0.758, 0.042,  -0.670, -0.536, 0.818,  0.149,  -0.073, 0.030,  -0.921,
+    -0.416, 0.072,  -0.783, -0.001, -1.014, 0.046,  -0.627, 0.726,  0.306,  -0.246, -0.822, -0.382};
+  const int corners[] = {0, 1,  18, 0,  7,  12, 0,  9,  7,  0,  12, 1,  0,  18, 9,  1,  8,  14,
+                         1, 10, 16, 1,  12, 10, 1,  14, 18, 1,  16, 8,  2,  3,  11, 2,  11, 15,
+                         2, 12, 19, 2,  15, 12, 2,  19, 3,  3,  5,  13, 3,  6,  5,  3,  7,  9,
+                         3, 9,  6,  3,  13, 11, 3,  19, 7,  4,  5,  8,  4,  8,  16, 4,  13, 5,
+                         4, 16, 13, 5,  6,  14, 5,  14, 8,  6,  9,  18, 6,  18, 14, 7,  17, 12,
+                         7, 19, 17, 10, 12, 15, 10, 15, 16, 11, 13, 16, 11, 16, 15, 12, 17, 19};
+  Control c{"creased ball", {}, {}, {{2, 11}, {2, 15}, {11, 13}, {11, 15}, {12, 15}}};
+  for (std::size_t i = 0; i < std::size(points); i += 3)
+    c.points.push_back({points[i], points[i + 1], points[i + 2]});
+  for (std::size_t i = 0; i < std::size(corners); i += 3)
+    c.faces.push_back({corners[i], corners[i + 1], corners[i + 2]});
+  return c;
+}
+
+// a box in quads, without symmetries
+Control creased_box()
+{
+  Control c{
+    "creased box",
+    {{3, 2, 0}, {0, 2, 0}, {0, 0, 0}, {3, 0, 0}, {3, 2, 1}, {3, 0, 1}, {0, 2, 1}, {0, 0, 1}},
+    {{0, 3, 2, 1}, {4, 6, 7, 5}, {0, 1, 6, 4}, {1, 2, 7, 6}, {2, 3, 5, 7}, {3, 0, 4, 5}},
+    {{0, 1}, {1, 2}, {1, 6}, {6, 7}}};
+  tilt(c);
+  for (std::size_t v = 0; v < c.points.size(); ++v)
+    for (std::size_t k = 0; k < 3; ++k)
+      c.points[v][k] += 0.2 * std::sin(7. * double(v) + 3. * double(k));
+  return c;
+}
+
 Mesh mesh_of(const Control& c)
 {
   Mesh mesh;
@@ -279,6 +320,7 @@ Control renumbered(const Control& c, std::mt19937& random)
   Control result = c;
   for (std::size_t v = 0; v < number.size(); ++v)
     result.points[std::size_t(number[v])] = c.points[v];
+  for (auto& [a, b] : result.sharp) a = number[std::size_t(a)], b = number[std::size_t(b)];
   for (std::vector<int>& f : result.faces) {
     for (int& v : f) v = number[std::size_t(v)];
     std::rotate(f.begin(), f.begin() + std::ptrdiff_t(random() % f.size()), f.end());
@@ -293,6 +335,39 @@ double distance(const Triple& p, const Triple& q)
 }
 
 constexpr double rounding = 1e-10;
+
+Mesh creased_tessellation(const Control& c)
+{
+  Mesh mesh = mesh_of(c), triangles;
+  const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
+  const auto vertex = [](int v) { return Mesh::Vertex_index(Mesh::size_type(v)); };
+  for (const auto& [a, b] : c.sharp) sharp[mesh.edge(mesh.halfedge(vertex(a), vertex(b)))] = true;
+  const auto result = PN::tessellate(mesh, PN::CatmullClark_scheme(), 0.03, triangles,
+                                     np::edge_is_constrained_map(sharp));
+  EXPECT_TRUE(result.reached);
+  return triangles;
+}
+
+// the triangles, each by the places of its corners in a list of points
+std::set<std::array<std::size_t, 3>> triangles_by_place(const Mesh& mesh, const Points& places)
+{
+  std::vector<std::size_t> nearest;
+  for (const Triple& p : points_of(mesh)) {
+    nearest.push_back(0);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (distance(p, places[i]) < distance(p, places[nearest.back()])) nearest.back() = i;
+    EXPECT_LE(distance(p, places[nearest.back()]), rounding);
+  }
+  std::set<std::array<std::size_t, 3>> result;
+  for (const auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    std::array<std::size_t, 3> corners{nearest[mesh.source(h)], nearest[mesh.target(h)],
+                                       nearest[mesh.target(mesh.next(h))]};
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    result.insert(corners);
+  }
+  return result;
+}
 
 } // namespace
 
@@ -334,4 +409,21 @@ TEST(Symmetries, numbers_mean_nothing)
       }
       EXPECT_LE(worst, rounding) << c.name << ", " << run.name;
     }
+}
+
+// nor those of a tessellation with creases, triangle by triangle
+TEST(Symmetries, creased_tessellations_are_the_same)
+{
+  std::mt19937 random(7);
+  for (const Control& c : {creased_ball(), creased_box()}) {
+    const Mesh expected = creased_tessellation(c);
+    const Points places = points_of(expected);
+    const auto triangles = triangles_by_place(expected, places);
+    EXPECT_EQ(triangles.size(), expected.number_of_faces()) << c.name;
+    for (int k = 0; k < 3; ++k) {
+      const Mesh mesh = creased_tessellation(renumbered(c, random));
+      EXPECT_EQ(mesh.number_of_vertices(), expected.number_of_vertices()) << c.name;
+      EXPECT_TRUE(triangles_by_place(mesh, places) == triangles) << c.name;
+    }
+  }
 }
