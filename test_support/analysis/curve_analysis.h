@@ -179,7 +179,7 @@ auto divided_differences(const Range& curve, Curve_end end, unsigned order, unsi
   using Points = internal::Curve_points<Range, NamedParameters>;
   using FT = typename Points::FT;
   auto d = Points::template get_all<FT>(curve, np);
-  const FT scale = Points::coordinate(std::ldexp(1.0, static_cast<int>(rounds)));
+  const FT scale(std::ldexp(1.0, static_cast<int>(rounds)));
   for (unsigned m = 0; m < order && !d.empty(); ++m) {
     const auto first = d.front();
     for (std::size_t i = 0; i < d.size(); ++i) {

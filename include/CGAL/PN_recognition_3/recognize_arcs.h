@@ -217,9 +217,9 @@ private:
   Vector vector(const Direction& n) const
   {
     if constexpr (Points::dimension == 2)
-      return Points::template make<Vector>(n);
+      return from_coordinates<Vector>(n);
     else
-      return Points::template make<Vector>(plane_.direction_in_space(n));
+      return from_coordinates<Vector>(plane_.direction_in_space(n));
   }
 
   template <class Item>
