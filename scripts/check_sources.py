@@ -45,6 +45,8 @@ NOT_OURS = {"Concepts", "node_modules"}
 WORDS_OF_README = 700
 # So is the user manual the first reading.
 BYTES_OF_MANUAL = 32000
+# And so are the first programs, without comments and blank lines.
+LINES_OF_FIRST_STEPS = 20
 # The version of CGAL from whose headers the list of dependencies is derived: each names its package.
 REFERENCE_CGAL = "5.5"
 
@@ -227,6 +229,10 @@ def check_lengths() -> list[str]:
     if MANUAL.stat().st_size > BYTES_OF_MANUAL:
         wrong.append(f"{MANUAL.relative_to(ROOT)} has {MANUAL.stat().st_size} bytes, more than {BYTES_OF_MANUAL}: "
                      "details go to the pages beside it")
+    for path in sorted((ROOT / "examples" / NAME / "first_steps").glob("*.cpp")):
+        lines = [line for line in path.read_text().splitlines() if line.strip() and not line.lstrip().startswith("//")]
+        if len(lines) > LINES_OF_FIRST_STEPS:
+            wrong.append(f"{path.relative_to(ROOT)} has {len(lines)} lines, more than {LINES_OF_FIRST_STEPS}")
     for whose, paths in (("the manual", sentences.pages()), ("the public headers", sentences.headers())):
         wrong += sentences.misses(whose, [s for path in paths for s in sentences.sentences(path)])
     return wrong

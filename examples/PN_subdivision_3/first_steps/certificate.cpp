@@ -10,22 +10,19 @@
 // clang-format off
 #include <CGAL/Gmpq.h>
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/rational_normals.h>
-#include <CGAL/PN_certificates_3/reproduction.h>
 #include <CGAL/PN_subdivision_3/sqrt_extension_normals.h>
+#include <CGAL/PN_certificates_3/reproduction.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 using Kernel = CGAL::Simple_cartesian<CGAL::Sqrt_extension<CGAL::Gmpq, CGAL::Gmpq, CGAL::Tag_true>>;
-using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 namespace PN = CGAL::PN_subdivision_3;
 int main() {
-  Mesh mesh;
-  CGAL::make_tetrahedron(Point(3, 2, 1), Point(-2, -3, 1), Point(-1, 3, -2), Point(1, -1, -4), mesh);
+  Mesh mesh; // four rational points of the sphere: the last number is the denominator of the others
+  CGAL::make_tetrahedron(Mesh::Point(2, 2, 1, 3), {-2, -1, 2, 3}, {1, -2, -2, 3}, {-2, 2, -1, 3}, mesh);
   auto normals = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
-  for (auto v : mesh.vertices())
-    mesh.point(v) = CGAL::ORIGIN + (normals[v] = PN::rational_unit_normal(mesh.point(v) - CGAL::ORIGIN, 20));
+  for (auto v : mesh.vertices()) normals[v] = mesh.point(v) - CGAL::ORIGIN;
   const auto np = CGAL::parameters::vertex_normal_map(normals);
   PN::Loop_subdivision(mesh, np);
   const auto d = PN::mesh_deviation(mesh, Kernel::Sphere_3(CGAL::ORIGIN, 1), np);

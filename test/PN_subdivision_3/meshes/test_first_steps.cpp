@@ -18,7 +18,6 @@
 #include <CGAL/PN_limit_surface_3/tessellate.h>
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
-#include <CGAL/PN_subdivision_3/rational_normals.h>
 #include <CGAL/PN_subdivision_3/sqrt_extension_normals.h>
 #include <CGAL/PN_subdivision_curve.h>
 #include <CGAL/Simple_cartesian.h>
