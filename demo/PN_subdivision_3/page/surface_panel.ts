@@ -133,6 +133,7 @@ export class SurfacePanel {
     input("rounds").addEventListener("input", () => editor.set({ rounds: Number(input("rounds").value) }));
     onChoice("layout", (value) => editor.set({ layout: value as Layout }));
     onChoice("shading", (value) => editor.set({ shading: value as Shading }));
+    input("flat").addEventListener("change", () => editor.set({ flat: input("flat").checked }));
     input("limit").addEventListener("change", () => editor.set({ limit: input("limit").checked }));
     for (const event of ["input", "change"] as const)
       input("split").addEventListener(event, () => editor.setSplit(Number(input("split").value), event === "change"));
@@ -268,6 +269,7 @@ export class SurfacePanel {
     element("rounds-value").textContent = String(settings.rounds);
     choose("layout", settings.layout);
     choose("shading", settings.shading);
+    input("flat").checked = settings.flat;
     input("limit").checked = settings.limit && editor.canShowLimit;
     input("limit").disabled = !editor.canShowLimit;
     input("show-control").checked = settings.showControl;
