@@ -32,22 +32,12 @@ public:
     const Wedges wedges(refined, [&](Surface::Edge_index e) {
       return !carried.edges.empty() && carried.edges[0].values[e] > 0;
     });
-    if (mesh.number_of_sharp_edges() > 0)
-      for (const auto e : refined.edges())
-        if (carried.edges[0].values[e] > 0)
-          for (unsigned i = 0; i < 2; ++i)
-            sides_.sharp_edges.push_back(Index(refined.vertex(e, i)));
+    put_sides(mesh, refined, carried);
     for (const auto v : wedges.vertex) cut_vertices_.push_back(Index(v));
-    const auto of_corners = pn_subdivide::corner_normals_of(refined);
     for (const auto f : refined.faces()) {
       for (const auto h : halfedges_around_face(refined.halfedge(f), refined)) {
         faces_.corners.push_back(Index(refined.target(h)));
         cut_faces_.corners.push_back(Index(wedges.of_corner[h]));
-        if (!is_linear && !sides_.sharp_edges.empty()) {
-          const Corner_value& value = of_corners->whole(h);
-          sides_.normals.push_back(value.normal);
-          if (mesh.has_roundness()) sides_.roundness.push_back(value.roundness);
-        }
         for (std::size_t k = 0; k < 2 && !carried.corners.empty(); ++k)
           uv_.push_back(carried.corners[0].values[2 * h + k]);
       }
@@ -63,7 +53,7 @@ public:
   const std::vector<Index>& update(const Control_mesh& mesh) override
   {
     CGAL::PN_subdivision_3::Attribute_table carried;
-    subdivide(mesh, carried);
+    put_sides(mesh, subdivide(mesh, carried), carried);
     return all_;
   }
 
@@ -80,20 +70,42 @@ public:
   const Sides& sides() const override { return sides_; }
 
 private:
-  static auto sharpness_of(const Surface& surface)
+  using Halfedge = Surface::Halfedge_index;
+
+  template <class Key, class Value>
+  static auto map_of(const Surface& surface, const char* name)
   {
-    namespace PN = CGAL::PN_subdivision_3;
-    return PN::internal::find_property_map<Surface::Edge_index, double>(surface, "e:sharpness")
-      .value();
+    return CGAL::PN_subdivision_3::internal::find_property_map<Key, Value>(surface, name).value();
+  }
+
+  void put_sides(const Control_mesh& mesh, const Surface& refined,
+                 const CGAL::PN_subdivision_3::Attribute_table& carried)
+  {
+    sides_ = Sides();
+    if (mesh.number_of_sharp_edges() == 0) return;
+    for (const auto e : refined.edges())
+      for (unsigned i = 0; i < 2 && carried.edges[0].values[e] > 0; ++i)
+        sides_.sharp_edges.push_back(Index(refined.source(refined.halfedge(e, i))));
+    if constexpr (!is_linear) {
+      const auto tangents = map_of<Halfedge, Vector_3>(refined, tangents_name);
+      for (const Halfedge h : refined.halfedges())
+        if (carried.edges[0].values[refined.edge(h)] > 0) sides_.tangents.push_back(tangents[h]);
+      const auto of_corners = *pn_subdivide::corner_normals_of(refined);
+      for (const auto f : refined.faces())
+        for (const Halfedge h : halfedges_around_face(refined.halfedge(f), refined)) {
+          const Corner_value& value = of_corners.whole(h);
+          sides_.normals.push_back(value.normal);
+          if (mesh.has_roundness()) sides_.roundness.push_back(value.roundness);
+        }
+    }
   }
 
   // `carried` gets the sharpness of the refined edges and the texture coordinates of the corners.
   Surface subdivide(const Control_mesh& mesh, CGAL::PN_subdivision_3::Attribute_table& carried)
   {
     namespace PN = CGAL::PN_subdivision_3;
-    using Halfedge = Surface::Halfedge_index;
     Surface surface = mesh.surface();
-    const auto sharpness = sharpness_of(surface);
+    const auto sharpness = map_of<Surface::Edge_index, double>(surface, "e:sharpness");
     if (mesh.number_of_sharp_edges() > 0) {
       carried.edges.emplace_back();
       for (const auto e : surface.edges()) carried.edges[0].values.push_back(sharpness[e]);
@@ -112,9 +124,12 @@ private:
       const auto normals = *pn_subdivide::corner_normals_of(surface);
       const auto roundness = pn_subdivide::add_roundness(surface);
       for (const auto v : surface.vertices()) roundness[v] = mesh.value_at(v).roundness;
+      const auto tangents =
+        surface.add_property_map<Halfedge, Vector_3>(tangents_name, CGAL::NULL_VECTOR).first;
       PN::subdivide(surface, scheme_,
-                    PN::parameters::join(PN::parameters::vertex_roundness_map(roundness),
-                                         np.vertex_normal_map(normals)));
+                    PN::parameters::join(
+                      PN::parameters::vertex_roundness_map(roundness).crease_tangent_map(tangents),
+                      np.vertex_normal_map(normals)));
       roundness_.assign(surface.number_of_vertices(), 1);
       normals_.assign(surface.number_of_vertices(), CGAL::NULL_VECTOR);
       for (const auto v : surface.vertices()) roundness_[v] = roundness[v];
@@ -124,6 +139,8 @@ private:
     points_.assign(surface.points().begin(), surface.points().end());
     return surface;
   }
+
+  static constexpr const char* tangents_name = "h:tangent";
 
   S scheme_;
   unsigned rounds_;

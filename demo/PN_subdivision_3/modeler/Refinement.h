@@ -34,6 +34,7 @@ struct Faces
 struct Sides
 {
   std::vector<Index> sharp_edges; // pairs of vertices; empty: there is nothing
+  std::vector<Vector_3> tangents; // at these, into the edges; empty if linear
   std::vector<Vector_3> normals;  // empty if linear
   std::vector<double> roundness;  // empty: 1
 };
@@ -65,7 +66,6 @@ public:
     static const std::vector<double> none;
     return none;
   }
-  // As the surface was made.
   virtual const Sides& sides() const
   {
     static const Sides none;

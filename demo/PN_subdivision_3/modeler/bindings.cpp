@@ -265,6 +265,7 @@ val sides_of(const Refined_surface& surface)
 {
   val result = val::object();
   result.set("sharpEdges", copy_of(surface.sides().sharp_edges));
+  result.set("tangents", triples(surface.sides().tangents));
   result.set("normals", triples(surface.sides().normals));
   result.set("roundness", copy_of(surface.sides().roundness));
   return result;

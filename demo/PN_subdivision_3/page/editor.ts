@@ -30,6 +30,8 @@ export interface Settings {
   /** Where the linear surface ends in the view, from 0 to 1. */
   split: number;
   shading: Shading;
+  /** Whether faces have their own normals, not those between them. */
+  flat: boolean;
   limit: boolean;
   showControl: boolean;
   showNormals: boolean;
@@ -57,7 +59,7 @@ export function checkedSettings(given: Partial<Record<keyof Settings, unknown>>)
   const shading = (["smooth", "zebra", "gaussian", "mean", "relative"] as const).find((name) => name === given.shading);
   if (shading) result.shading = shading;
   if (typeof given.split === "number" && given.split >= 0) result.split = Math.min(1, given.split);
-  for (const name of ["limit", "showControl", "showNormals"] as const)
+  for (const name of ["flat", "limit", "showControl", "showNormals"] as const)
     if (typeof given[name] === "boolean") result[name] = given[name];
   return result;
 }
@@ -102,6 +104,7 @@ export class Editor {
     layout: "both",
     split: 0.5,
     shading: "smooth",
+    flat: false,
     limit: false,
     showControl: true,
     showNormals: true,
@@ -578,7 +581,7 @@ export class Editor {
   }
 
   private draw({ drawings, colorEnd }: Drawings, isLast: boolean, milliseconds?: number): void {
-    const { shading, layout, split } = this.settings;
+    const { shading, flat, layout, split } = this.settings;
     for (const { isLinear, positions, normals, triangles, values } of drawings) {
       const pane = this.viewer.pane(isLinear);
       if (triangles) pane.setTriangles(triangles);
@@ -588,7 +591,7 @@ export class Editor {
     }
     if (colorEnd !== undefined) this.colorEnd = colorEnd;
     this.viewer.setLayout(layout, split);
-    this.viewer.setShading(shading, this.colorEnd);
+    this.viewer.setShading(shading, flat, this.colorEnd);
     const time = milliseconds === undefined ? "" : ` · ${milliseconds.toFixed(1)} ms`;
     this.status = `${format(this.positions.length / 3)} vertices${time}${isLast ? deviations(drawings) : ""}`;
     this.onChange?.(false);

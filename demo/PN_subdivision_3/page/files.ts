@@ -17,15 +17,16 @@ export interface Corners {
   roundness?: Float64Array;
 }
 
-export interface PlyMesh {
+export interface MeshOfFile {
   points: Float64Array;
   /** Of vertices; left out where there are none. */
   normals: Float64Array;
   /** Of vertices; left out where it is 1. */
   roundness?: Float64Array;
   faces: Faces;
-  /** For further rounds: the creases, as pairs of vertices, and what differs there. */
+  /** For further rounds: the creases, as pairs of vertices, their tangents there, and what differs on their sides. */
   sharpEdges?: Uint32Array;
+  tangents?: Float64Array;
   corners?: Corners;
 }
 
@@ -88,8 +89,9 @@ class Bytes {
 }
 
 /** A binary PLY file with all digits. */
-export function plyFile(mesh: PlyMesh, kind: "control normals" | "normals of the surface"): Uint8Array {
-  const { points, normals, roundness, faces, corners } = mesh;
+export function plyFile(mesh: MeshOfFile, kind: "control normals" | "normals of the surface"): Uint8Array {
+  const { points, normals, roundness, faces, sharpEdges, corners } = mesh;
+  const tangents = mesh.tangents ?? new Float64Array(3 * (sharpEdges?.length ?? 0));
   const hasNormals = normals.length > 0;
   const ofVertices = [points, ...(hasNormals ? [normals] : [])];
   const list = `property list ${faces.degrees.every((degree) => degree * (corners ? 3 : 1) < 256) ? "uchar" : "uint"}`;
@@ -101,17 +103,19 @@ export function plyFile(mesh: PlyMesh, kind: "control normals" | "normals of the
     "comment written by pn_subdivide",
     ...(hasNormals ? [`comment ${kind}`] : []),
     `element vertex ${points.length / 3}`,
-    ...["x", "y", "z", ...(hasNormals ? ["nx", "ny", "nz"] : []), ...(roundness ? ["roundness"] : [])].map((name) => `property double ${name}`),
+    ...["x", "y", "z", ...(hasNormals ? ["nx", "ny", "nz"] : []), ...(roundness ? ["roundness"] : []), ...(sharpEdges ? ["sharpness"] : [])].map((name) => `property double ${name}`),
     `element face ${faces.degrees.length}`,
     `${list} int vertex_indices`,
     ...(corners ? [`${list} double corner_control_normals`] : []),
     ...(corners?.roundness ? [`${list} double corner_roundness`] : []),
-    ...(mesh.sharpEdges ? [`element edge ${mesh.sharpEdges.length / 2}`, "property int vertex1", "property int vertex2", "property double sharpness"] : []),
+    ...(sharpEdges ? [`element edge ${sharpEdges.length / 2}`, "property int vertex1", "property int vertex2",
+      ...["sharpness", "t1x", "t1y", "t1z", "t2x", "t2y", "t2z"].map((name) => `property double ${name}`)] : []),
     "end_header\n",
   ].join("\n"));
   for (let v = 0; v < points.length / 3; ++v) {
     for (const values of ofVertices) for (let k = 0; k < 3; ++k) out.float64(values[3 * v + k]);
     if (roundness) out.float64(roundness[v]);
+    if (sharpEdges) out.float64(0); // no corner is sharp by itself
   }
   let first = 0;
   for (const degree of faces.degrees) {
@@ -125,9 +129,10 @@ export function plyFile(mesh: PlyMesh, kind: "control normals" | "normals of the
     }
     first = end;
   }
-  for (let i = 0; i < (mesh.sharpEdges?.length ?? 0); ++i) {
-    out.uint32(mesh.sharpEdges![i]);
-    if (i % 2 === 1) out.float64(Infinity);
+  for (let i = 0; i < tangents.length / 3; i += 2) {
+    for (const v of sharpEdges!.subarray(i, i + 2)) out.uint32(v);
+    out.float64(Infinity);
+    for (const x of tangents.subarray(3 * i, 3 * i + 6)) out.float64(x);
   }
   return out.content;
 }
@@ -148,17 +153,38 @@ export function seventeenDigits(x: number): string {
   return sign + text.replace(/\.?0*$/, "");
 }
 
-/** With normals of vertices, if there are any. */
-export function objFile(points: Float64Array, normals: Float64Array, faces: Faces): string {
+/** With normals, if there are any, of vertices or corners, and what is sharp; without roundness. */
+export function objFile({ points, normals, faces, sharpEdges = new Uint32Array(), corners }: MeshOfFile): string {
   const lines: string[] = [];
-  for (const [word, values] of [["v", points], ["vn", normals]] as const)
-    for (let i = 0; i < values.length; i += 3) lines.push(`${word} ${[...values.subarray(i, i + 3)].map(seventeenDigits).join(" ")}`);
-  let first = 0;
+  const { values, numbers } = corners ? differentNormals(corners, faces) : { values: normals, numbers: faces.corners };
+  for (const [word, triples] of [["v", points], ["vn", values]] as const)
+    for (let i = 0; i < triples.length; i += 3) lines.push(`${word} ${[...triples.subarray(i, i + 3)].map(seventeenDigits).join(" ")}`);
+  let c = 0;
   for (const degree of faces.degrees) {
-    const corners = [...faces.corners.subarray(first, (first += degree))];
-    lines.push(`f ${corners.map((v) => (normals.length > 0 ? `${v + 1}//${v + 1}` : String(v + 1))).join(" ")}`);
+    const words: string[] = [];
+    for (const end = c + degree; c < end; ++c) words.push(`${faces.corners[c] + 1}${values.length > 0 ? `//${numbers[c] + 1}` : ""}`);
+    lines.push(`f ${words.join(" ")}`);
   }
+  // 10 rounds are for ever
+  for (let i = 0; i < sharpEdges.length; i += 2) lines.push(`t crease 2/1/0 ${sharpEdges[i]} ${sharpEdges[i + 1]} 10`);
   return `${lines.join("\n")}\n`;
+}
+
+/** Those of corners, where equal ones of a vertex count once, and the number of each corner's. */
+function differentNormals({ normals }: Corners, { corners }: Faces): { values: Float64Array; numbers: Uint32Array } {
+  const values: number[] = [];
+  const ofVertices = new Map<number, number[]>();
+  const numbers = corners.map((v, c) => {
+    const own = ofVertices.get(v) ?? [];
+    ofVertices.set(v, own);
+    let number = own.find((n) => [0, 1, 2].every((k) => values[3 * n + k] === normals[3 * c + k]));
+    if (number === undefined) {
+      own.push((number = values.length / 3));
+      values.push(...normals.subarray(3 * c, 3 * c + 3));
+    }
+    return number;
+  });
+  return { values: Float64Array.from(values), numbers };
 }
 
 /** Triangles with normals of vertices, as they are drawn. */

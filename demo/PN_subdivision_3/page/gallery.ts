@@ -31,7 +31,7 @@ export interface Picture {
   asksToTurn?: boolean;
 }
 
-const plain: Partial<Settings> = { limit: false, showControl: false, showNormals: false };
+const plain: Partial<Settings> = { flat: false, limit: false, showControl: false, showNormals: false };
 
 /** By the names of their examples. */
 export const pictures: Record<string, Picture> = {

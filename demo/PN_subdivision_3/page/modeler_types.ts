@@ -64,6 +64,17 @@ export interface ControlMesh {
   delete(): void;
 }
 
+/** What there is where there are creases; all of no length: there are none. */
+export interface Sides {
+  /** Pairs of vertices. */
+  sharpEdges: Uint32Array;
+  /** At these vertices, into the edges; of no length if the surface is linear. */
+  tangents: Float64Array;
+  /** Of the corners of the faces. */
+  normals: Float64Array;
+  roundness: Float64Array;
+}
+
 export interface RefinedSurface {
   /** To be told of each control vertex that has changed, before update(). */
   follow(mesh: ControlMesh, vertex: number): void;
@@ -83,8 +94,7 @@ export interface RefinedSurface {
   faces(): Faces;
   /** Of the corners of the faces; of no length where the control mesh has none. */
   uv(): Float64Array;
-  /** Where there are creases: these, as pairs of vertices, and the normals and the roundness of the corners of the faces. */
-  sides(): { sharpEdges: Uint32Array; normals: Float64Array; roundness: Float64Array };
+  sides(): Sides;
   delete(): void;
 }
 

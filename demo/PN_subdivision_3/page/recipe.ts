@@ -39,12 +39,11 @@ export function commandFor(editor: Editor, format: string): string {
   const isLinear = settings.layout === "linear";
   const words = ["pn_subdivide", "surface", controlFile(editor), surfaceFile(editor, format === "glb" ? "ply" : format),
     "--scheme", settings.scheme, "--levels", String(settings.rounds), "--no-mend"];
-  const hasCreases = editor.mesh.numberOfSharpEdges() > 0;
-  if (hasCreases) words.push("--sharp", "file");
+  if (editor.mesh.numberOfSharpEdges() > 0) words.push("--sharp", "file");
   words.push(...(isLinear ? ["--linear"] : ["--normals", "file"]));
   if (!isLinear && roundness !== 1) words.push("--roundness", "file");
   if (editor.showsLimit) words.push("--limit", "--limit-tolerance", "1e-7", "--output-normals", "surface");
-  else if (!isLinear) words.push("--output-normals", hasCreases ? "none" : "control");
+  else if (!isLinear) words.push("--output-normals", format === "stl" ? "none" : "control");
   return words.map(quoted).join(" ");
 }
 

@@ -43,6 +43,7 @@ uniform vec3 surface;
 uniform vec3 inside;
 uniform bool isClosed;
 uniform bool isDark;
+uniform bool isFlat;
 varying vec3 vNormal;
 varying vec3 vPosition;
 varying float vValue;
@@ -65,6 +66,7 @@ vec3 diverging(float t) {
 void main() {
   vec3 n = normalize(vNormal);
   if (!gl_FrontFacing) n = -n;
+  if (isFlat) n = normalize(cross(dFdx(vPosition), dFdy(vPosition)));
   vec3 toEye = normalize(-vPosition);
   bool isOutside = gl_FrontFacing || isClosed;
   vec3 color = isOutside ? surface : inside;
@@ -106,12 +108,15 @@ export function makeMaterial(): THREE.ShaderMaterial {
       inside: { value: new THREE.Color() },
       isClosed: { value: false },
       isDark: { value: false },
+      isFlat: { value: false },
     },
   });
 }
 
-export function setShading(material: THREE.ShaderMaterial, shading: Shading, scale: number): void {
+/** `isFlat`: each triangle has its own normal. */
+export function setShading(material: THREE.ShaderMaterial, shading: Shading, isFlat: boolean, scale: number): void {
   material.uniforms.mode.value = shading === "smooth" ? 0 : shading === "zebra" ? 1 : 2;
+  material.uniforms.isFlat.value = isFlat;
   material.uniforms.scale.value = scale;
 }
 

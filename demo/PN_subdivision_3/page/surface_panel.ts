@@ -11,12 +11,13 @@
 import { button, buttonOf, choose, element, fill, input, onChoice, say, select, silence } from "./elements";
 import { format, large, messageOf, type Editor, type Settings, type Triple } from "./editor";
 import { examples } from "./examples";
-import { glbFile, objFile, plyFile, save, stlFile, valuesOfVertices } from "./files";
+import { glbFile, objFile, plyFile, save, stlFile, valuesOfVertices, type MeshOfFile } from "./files";
 import type { Handles } from "./handles";
 import type { Modeler } from "./modeler";
 import { commandFor, controlFile, programFor, surfaceFile } from "./recipe";
 import { withCreases } from "./selection";
 import type { Shading } from "./shading";
+import type { Content } from "./surfaces";
 import type { Layout, Viewer } from "./viewer";
 
 const titles: Record<string, string> = {
@@ -133,6 +134,7 @@ export class SurfacePanel {
     input("rounds").addEventListener("input", () => editor.set({ rounds: Number(input("rounds").value) }));
     onChoice("layout", (value) => editor.set({ layout: value as Layout }));
     onChoice("shading", (value) => editor.set({ shading: value as Shading }));
+    input("flat").addEventListener("change", () => editor.set({ flat: input("flat").checked }));
     input("limit").addEventListener("change", () => editor.set({ limit: input("limit").checked }));
     for (const event of ["input", "change"] as const)
       input("split").addEventListener(event, () => editor.setSplit(Number(input("split").value), event === "change"));
@@ -215,20 +217,17 @@ export class SurfacePanel {
     }
   }
 
-  /** Without normals where there are creases: vertices have several there. */
   private async saveSurface(format: string): Promise<void> {
     const { editor } = this;
     const name = surfaceFile(editor, format);
     const content = await editor.content();
     const { points, faces } = content;
-    const normals = editor.mesh.numberOfSharpEdges() > 0 ? new Float64Array() : content.normals;
     if (format === "stl") return save(stlFile(points, this.modeler.splitFaces(points, faces)) as BlobPart, "model/stl", name);
-    if (format === "obj") return save(objFile(points, normals, faces), "model/obj", name);
+    if (format === "obj") return save(objFile(meshOf(content, editor.showsLimit)), "model/obj", name);
     if (format === "ply") {
-      const hasRoundness = normals.length > 0 && !editor.showsLimit && content.roundness.length > 0;
-      const roundness = hasRoundness ? content.roundness : undefined;
-      const kind = editor.showsLimit ? "normals of the surface" : "control normals";
-      return save(plyFile({ points, normals, roundness, faces }, kind) as BlobPart, "model/ply", name);
+      // which has no place for several normals of a vertex beside the others
+      const mesh = { ...meshOf(content, editor.showsLimit), corners: undefined };
+      return save(plyFile(mesh, editor.showsLimit ? "normals of the surface" : "control normals") as BlobPart, "model/ply", name);
     }
     const { origin } = editor;
     const positions = content.positions.map((x, i) => x + origin[i % 3]);
@@ -268,6 +267,7 @@ export class SurfacePanel {
     element("rounds-value").textContent = String(settings.rounds);
     choose("layout", settings.layout);
     choose("shading", settings.shading);
+    input("flat").checked = settings.flat;
     input("limit").checked = settings.limit && editor.canShowLimit;
     input("limit").disabled = !editor.canShowLimit;
     input("show-control").checked = settings.showControl;
@@ -356,6 +356,22 @@ export class SurfacePanel {
     element("scale-middle").textContent = isRelative ? "average" : "0";
     element("scale-high").textContent = isRelative ? `+${100 * colorEnd} %` : colorEnd.toPrecision(2);
   }
+}
+
+/** As the command writes it, whose linear surfaces have neither normals nor creases. */
+function meshOf({ points, normals, roundness, sides, faces }: Content, isLimit: boolean): MeshOfFile {
+  const isCreased = sides.normals.length > 0;
+  const corners = { normals: sides.normals, roundness: sides.roundness.length > 0 ? sides.roundness : undefined };
+  const ofVertices = isCreased ? valuesOfVertices(points.length / 3, corners, faces) : { normals, roundness, differ: false };
+  const hasRoundness = normals.length > 0 && !isLimit && ofVertices.roundness?.some((w) => w !== 1);
+  return {
+    points,
+    faces,
+    normals: ofVertices.normals,
+    roundness: hasRoundness ? ofVertices.roundness : undefined,
+    corners: ofVertices.differ ? corners : undefined,
+    ...(isCreased ? { sharpEdges: sides.sharpEdges, tangents: sides.tangents } : {}),
+  };
 }
 
 function sayLeftOut(others: File[]): void {

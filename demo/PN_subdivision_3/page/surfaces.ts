@@ -9,7 +9,7 @@
 // The surfaces of a control mesh, and what is drawn of them: the same on the page and in its worker.
 
 import { endOfColors, endOfRelative, isCurvature, relativeToMean } from "./color_scale";
-import type { ControlMesh, Faces, Modeler, RefinedSurface } from "./modeler_types";
+import type { ControlMesh, Faces, Modeler, RefinedSurface, Sides } from "./modeler_types";
 import { bestSphere, deviation } from "./round_shapes";
 import type { Shading } from "./shading";
 
@@ -60,6 +60,7 @@ export interface Content {
   normals: Float64Array;
   /** Of no length where it is 1. */
   roundness: Float64Array;
+  sides: Sides;
   faces: Faces;
   /** As it is drawn, without the origin. */
   positions: Float32Array;
@@ -151,6 +152,7 @@ export class Surfaces {
       points: surface.points(),
       normals: surface.controlNormals(),
       roundness: surface.roundness(mesh),
+      sides: surface.sides(),
       faces: surface.faces(),
       triangles: surface.triangles(),
       positions: surface.positionsView().slice(),

@@ -293,8 +293,8 @@ export class Viewer {
     this.requestDraw();
   }
 
-  setShading(shading: Shading, scale: number): void {
-    for (const pane of [this.pn, this.linear]) setShading(pane.material, shading, scale);
+  setShading(shading: Shading, isFlat: boolean, scale: number): void {
+    for (const pane of [this.pn, this.linear]) setShading(pane.material, shading, isFlat, scale);
     this.requestDraw();
   }
 

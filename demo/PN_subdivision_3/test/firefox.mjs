@@ -72,7 +72,7 @@ async function connect(firefox) {
 }
 
 /** Calls test(page) with a page of 1280 times 800 pixels: evaluate(expression), which may be a promise, click(x, y),
- * screenshot(). */
+ * resize(width, height), go(address), screenshot(). */
 export async function withFirefox(address, test) {
   const profile = await mkdtemp(path.join(tmpdir(), "pn-firefox-"));
   // where there is no graphics hardware
@@ -97,6 +97,8 @@ export async function withFirefox(address, test) {
         if (type === "exception") throw new Error(exceptionDetails.text);
         return result.value === undefined ? undefined : JSON.parse(result.value);
       },
+      resize: (width, height) => connection.send("browsingContext.setViewport", { context, viewport: { width, height } }),
+      go: (to) => connection.send("browsingContext.navigate", { context, url: to, wait: "complete" }),
       click: (x, y) => connection.send("input.performActions", { context, actions: [{ type: "pointer", id: "mouse", actions: [
         { type: "pointerMove", x: Math.round(x), y: Math.round(y) }, { type: "pointerDown", button: 0 }, { type: "pointerUp", button: 0 }] }] }),
       screenshot: async () => Buffer.from((await connection.send("browsingContext.captureScreenshot", { context })).data, "base64"),

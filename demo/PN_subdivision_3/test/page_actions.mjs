@@ -16,15 +16,15 @@ export function readPly(bytes) {
   const header = bytes.subarray(0, end).toString("latin1");
   const vertices = Number(/element vertex (\d+)/.exec(header)[1]);
   const hasNormals = /double nx/.test(header);
-  const columns = header.split("element face")[0].match(/^property double \w+$/gm).length;
+  const names = header.split("element face")[0].match(/(?<=^property double )\w+$/gm);
   const normals = [];
   const roundness = [];
   const points = [];
   for (let v = 0; v < vertices; ++v) {
-    const at = (k) => bytes.readDoubleLE(end + 8 * (columns * v + k));
+    const at = (k) => bytes.readDoubleLE(end + 8 * (names.length * v + k));
     for (let k = 0; k < 3; ++k) points.push(at(k));
     if (hasNormals) for (let k = 3; k < 6; ++k) normals.push(at(k));
-    if (/double roundness/.test(header)) roundness.push(at(columns - 1));
+    if (names.includes("roundness")) roundness.push(at(names.indexOf("roundness")));
   }
   return { vertices, points, faces: Number(/element face (\d+)/.exec(header)[1]), hasNormals, normals, roundness };
 }

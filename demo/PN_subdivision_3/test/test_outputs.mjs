@@ -106,7 +106,7 @@ async function bothFiles(page, format) {
 test("files are those of the command that is shown, to the byte", async () => {
   const cases = [
     ["#ring", { rounds: 2 }], ["#head", { rounds: 1 }], ["#bumps", { scheme: "kobbelt", rounds: 2 }], ["#tetrahedron", { rounds: 3 }],
-    ["#cube", { scheme: "doo-sabin", rounds: 2 }], ["#cuboid", { rounds: 0 }], ["#bolt", { rounds: 1 }],
+    ["#cube", { scheme: "doo-sabin", rounds: 2 }], ["#cuboid", { rounds: 0 }], ["#bolt", { rounds: 0 }], ["#bolt", { rounds: 1 }], ["#housing", { rounds: 1 }],
     ["#ring", { rounds: 2, layout: "linear" }], ["#bolt", { rounds: 1, layout: "linear" }],
   ];
   for (const [hash, settings] of cases)
@@ -125,6 +125,30 @@ test("files are those of the command that is shown, to the byte", async () => {
     const [theirs, ours] = (await bothFiles(page, "ply")).map((bytes) => ({ header: String(bytes).split("end_header")[0], ...readPly(bytes) }));
     assert.equal(ours.header, theirs.header);
     for (const name of ["points", "normals"]) assert.ok(largestDifference(ours[name], theirs[name]) < 1e-12);
+  });
+});
+
+test("surfaces with creases are saved with the normals of both sides and what is sharp, as they are after an edit", async () => {
+  await withPage(file, { hash: "#bolt" }, async (page) => {
+    await page.evaluate(() => window.page.editor.set({ rounds: 1, layout: "pn" }));
+    const before = (await bothFiles(page, "obj"))[1];
+    await page.evaluate(() => {
+      const { editor } = window.page;
+      const { vertices } = editor.handles;
+      editor.setNormal(vertices.findIndex((v, w) => vertices.indexOf(v) < w), 0.3, 0.4, 1); // of two at a vertex
+      editor.change((mesh) => mesh.setRoundness(0.75));
+    });
+    const [theirs, ours] = await bothFiles(page, "obj");
+    assert.ok(ours.equals(theirs) && !ours.equals(before));
+    const lines = (word) => String(ours).split("\n").filter((line) => line.startsWith(`${word} `)).length;
+    assert.ok(lines("vn") > lines("v"));
+    const sharp = await page.evaluate(() => window.page.editor.mesh.numberOfSharpEdges());
+    assert.equal(lines("t"), 2 * sharp);
+    const [theirPly, ourPly] = await bothFiles(page, "ply");
+    assert.ok(ourPly.equals(theirPly));
+    const { hasNormals, roundness, vertices } = readPly(ourPly);
+    assert.ok(hasNormals && roundness.length === vertices && roundness.every((w) => w === 0.75));
+    assert.match(String(ourPly.subarray(0, 1000)), new RegExp(`element edge ${2 * sharp}\n`));
   });
 });
 

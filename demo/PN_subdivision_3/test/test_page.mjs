@@ -453,6 +453,7 @@ test("an address brings back what was on the screen", async () => {
     await page.focus("#canvas");
     for (const key of ["n", "n", "w", "w", "a", "l", "ArrowLeft", "ArrowUp"]) await page.keyboard.press(key);
     await page.check("input[name=shading][value=zebra]");
+    await page.check("#flat");
     await page.waitForTimeout(800);
     return { points: await points(page), hash: new URL(page.url()).hash,
       camera: await page.evaluate(() => window.page.editor.viewer.camera.position.toArray()) };
@@ -460,7 +461,7 @@ test("an address brings back what was on the screen", async () => {
   assert.ok(seen.hash.length < 2000, `${seen.hash.length} characters`);
   await withPage(file, { hash: seen.hash }, async (page) => {
     assert.equal(largestDifference(await points(page), seen.points), 0);
-    assert.ok(await page.isChecked("input[name=shading][value=zebra]"));
+    assert.ok((await page.isChecked("input[name=shading][value=zebra]")) && (await page.isChecked("#flat")));
     const camera = await page.evaluate(() => window.page.editor.viewer.camera.position.toArray());
     assert.ok(largestDifference(camera, seen.camera) < 1e-4);
   });

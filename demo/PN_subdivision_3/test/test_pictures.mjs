@@ -186,6 +186,44 @@ test("a slider moves between linear and point-normal over one view", async () =>
   });
 });
 
+test("faces are flat or smooth, and smooth ones have the normals of the limit where it is shown", async () => {
+  await withPage(file, { hash: "#cube" }, async (page) => {
+    /** The largest difference of neighboring pixels inside the surface, along the middle row. */
+    const jump = () => page.evaluate(async () => {
+      const picture = await createImageBitmap(await window.page.editor.viewer.png());
+      const context = new OffscreenCanvas(picture.width, picture.height).getContext("2d");
+      context.drawImage(picture, 0, 0);
+      const { data } = context.getImageData(0, picture.height / 2, picture.width, 1);
+      const green = Array.from({ length: picture.width }, (_, i) => data[4 * i + 1]);
+      const inside = [...green.keys()].filter((i) => green[i] !== green[0]);
+      const line = green.slice(inside[0] + 4, inside.at(-1) - 4);
+      return Math.max(...line.slice(1).map((x, i) => Math.abs(x - line[i])));
+    });
+    await page.evaluate(() => window.page.editor.set({ rounds: 0, layout: "pn", showControl: false, showNormals: false }));
+    assert.ok((await jump()) < 6);
+    await page.check("#flat");
+    assert.ok((await jump()) > 15);
+    await page.uncheck("#flat");
+    assert.ok((await jump()) < 6);
+    // at the limit a sphere's are those of the sphere, which those of the faces are not
+    await page.selectOption("#example", "tetrahedron");
+    await page.evaluate(() => window.page.editor.set({ rounds: 1 }));
+    const turned = () => page.evaluate(async () => {
+      const { positions, drawnNormals: n } = await window.page.editor.content();
+      const at = (k, of) => [...of.slice(k, k + 3)];
+      const center = [0, 1, 2].map((k) => positions.reduce((sum, x, i) => (i % 3 === k ? sum + x : sum), 0) / (positions.length / 3));
+      return Math.max(...Array.from({ length: n.length / 3 }, (_, i) => {
+        const radius = at(3 * i, positions).map((x, k) => x - center[k]);
+        const cosine = at(3 * i, n).reduce((sum, x, k) => sum + x * radius[k], 0) / Math.hypot(...radius);
+        return Math.acos(Math.min(1, cosine));
+      }));
+    });
+    await page.check("#limit");
+    const limit = await turned();
+    assert.ok(limit < 0.02, `${limit}`);
+  });
+});
+
 // --- roundness ---
 
 test("the surface has the roundness of the slider, as the command has it", async () => {

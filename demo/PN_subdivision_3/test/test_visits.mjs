@@ -263,19 +263,25 @@ test("words of the page have a sentence each", async () => {
   });
 });
 
-test("nothing is written over the picture of a low window", async () => {
+test("nothing is written over the surface on telephones, and over the picture of a low window", async () => {
+  await withPage(file, { ...telephone, hash: "#picture-bolt" }, async (page) => {
+    const [caption, canvas] = await page.evaluate(() => ["caption", "canvas"].map((id) => document.getElementById(id).getBoundingClientRect().toJSON()));
+    assert.ok(caption.height > 0 && caption.bottom <= canvas.top, JSON.stringify([caption, canvas]));
+    assert.ok(canvas.height > 0.4 * telephone.viewport.height);
+  });
   for (const viewport of lowWindows)
     for (const name of ["cube", "waves"])
       await withPage(file, { viewport, hash: `#picture-${name}` }, async (page) => {
-        await page.check("input[name=shading][value=gaussian]");
-        const boxes = await page.evaluate(() => Object.fromEntries(["canvas", "caption", "scale", "status"].map((id) => {
-          const { left, top, right, bottom } = document.getElementById(id).getBoundingClientRect();
-          return [id, { left, top, right, bottom, area: (right - left) * (bottom - top) }];
-        })));
-        for (const id of ["caption", "scale", "status"]) {
-          const { area, top, bottom } = boxes[id];
-          assert.ok(area > 0 && (bottom <= boxes.canvas.top || top >= boxes.canvas.bottom), `${id} of ${name} at ${viewport.width}: ${JSON.stringify(boxes)}`);
-        }
-        assert.ok(boxes.canvas.bottom - boxes.canvas.top > 0.45 * viewport.height, JSON.stringify(boxes.canvas));
+        const boxesOf = (...ids) => page.evaluate((all) => ["canvas", ...all].map((id) => [id, document.getElementById(id).getBoundingClientRect().toJSON()]), ids);
+        const areBeside = ([[, canvas], ...others]) => {
+          for (const [id, { height, top, bottom }] of others)
+            assert.ok(height > 0 && (bottom <= canvas.top || top >= canvas.bottom), `${id} of ${name} at ${viewport.width}: ${JSON.stringify(others)}`);
+          assert.ok(canvas.height > 0.45 * viewport.height, JSON.stringify(canvas));
+        };
+        areBeside(await boxesOf("caption", "status", ...(name === "cube" ? ["scale"] : [])));
+        await page.check("input[name=shading][value=gaussian]"); // which ends the caption
+        areBeside(await boxesOf("scale", "status"));
+        const [needed, there] = await page.$eval("#surface .panel", (panel) => [panel.scrollWidth, panel.clientWidth]);
+        assert.ok(needed <= there, `the panel needs ${needed} pixels of ${there}`);
       });
 });
