@@ -9,7 +9,7 @@
 """How many of some meshes swell or fold more than by the linear scheme, refined twice with normals and roundness read off
 their points; exit code 1 if they are more than the manual says (volume beyond linear by 0.05 on 4 % of the closed ones, by
 0.12 on none; folds beyond 1.1 linear + 4 on 5 %, beyond 1.4 linear + 20 on none), or if the mean distance to FINE, a finer mesh
-of the same part, is greater than the linear one; 2 if a mesh is refused, or there is none.
+of the same part, is greater than the linear one; 2 if a mesh is refused, or there is none. Sharp edges are no folds.
 
   never_worse.py PN_SUBDIVIDE MESH... [--reference FINE] [-- OPTION...]
 
@@ -114,7 +114,7 @@ def main(arguments: list) -> int:
         print("no mesh" if not meshes else "--reference is for one mesh")
         return 2
     refused = farther = False
-    closed = swollen = much_swollen = all_meshes = folded = much_folded = 0
+    closed = swollen = much_swollen = all_meshes = folded = much_folded = all_folds = all_linear = 0
     with tempfile.TemporaryDirectory() as folder:
         for mesh in meshes:
             report, _ = refine(command, mesh, ["--check", *options], folder)
@@ -124,6 +124,7 @@ def main(arguments: list) -> int:
             c = report["check"]
             all_meshes += 1
             folds, linear = c["edges_folded_by_90_degrees"], c["linear_edges_folded_by_90_degrees"]
+            all_folds, all_linear = all_folds + folds, all_linear + linear
             folded += folds > 1.1 * linear + 4
             much_folded += folds > 1.4 * linear + 20
             line = f"{Path(mesh).name}: folds {folds} (linear {linear})"
@@ -137,7 +138,8 @@ def main(arguments: list) -> int:
                 print(line)
             farther = farther or (fine is not None and is_farther(command, mesh, fine, options, folder))
     print(f"{all_meshes} meshes, {closed} closed: volume beyond linear by 0.05 on {swollen}, by 0.12 on {much_swollen};"
-          f" folds beyond 1.1 linear + 4 on {folded}, beyond 1.4 linear + 20 on {much_folded}")
+          f" folds beyond 1.1 linear + 4 on {folded}, beyond 1.4 linear + 20 on {much_folded},"
+          f" {all_folds} in all (linear {all_linear})")
     fails = farther or swollen > 0.04 * closed or much_swollen > 0 or folded > 0.05 * all_meshes or much_folded > 0
     return 2 if refused else 1 if fails else 0
 

@@ -46,6 +46,10 @@ struct Normal_smoothing_report
   /// the roundness of all vertices with which the surface becomes fairest, less than 1 if the points have noise: to be given
   /// to `subdivide()` by `parameters::roundness()`.
   double roundness = 1;
+  /// if nothing has been changed, the mean angle between neighboring faces of the surface after the two rounds.
+  double mean_turn = 0;
+  /// the same of the linear one.
+  double linear_mean_turn = 0;
 };
 
 namespace internal {
@@ -87,6 +91,13 @@ inline Normal_smoothing_report smooth(const Level_connectivity& level,
     const double turn = in_degrees(std::atan2(a.cross(b).norm(), a.dot(b)));
     report.largest_turn = (std::max)(report.largest_turn, turn);
   }
+  if (report.changed_normals == 0 && report.roundness == 1) {
+    const auto turn = [&](double roundness) {
+      return in_degrees(fairness(level, data.points, data.normals, roundness).mean_turn);
+    };
+    report.mean_turn = turn(1);
+    report.linear_mean_turn = turn(0);
+  }
   return report;
 }
 
@@ -121,7 +132,8 @@ than a tenth of \f$ \rho^2 \f$, as with exact normals, nothing is changed.
 H| \f$, the change of the mean curvature, over the surface after two rounds of Catmull-Clark or, for triangles, Loop
 subdivision. If the new normals do not lessen this mean, smaller values of the roundness are tried with them, down to
 0, the linear scheme, for which normals do not count and stay. If the mean is no less then either, it is due to the
-shape and not to noise, as on triangles with long edges in all directions, and nothing is changed.
+shape and not to noise, as on triangles with long edges in all directions, and nothing is changed; the report
+then has the mean angles between the faces of both surfaces.
 
 Normals all of whose arcs have defects of at most 10<sup>-9</sup> are not changed by a bit, nor are those without arcs and
 zero ones. There is no arc between normals that are 90 degrees or more apart, so that a reversed one stays and does nothing to its

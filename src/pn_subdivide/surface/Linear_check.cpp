@@ -65,12 +65,12 @@ Points points_of(const Surface& surface)
 
 using Frame = PN::internal::Unit_frame<double>;
 
-Shape shape_of(const Surface& surface, const Frame& frame)
+Shape shape_of(const Surface& surface, const Frame& frame, std::vector<bool> is_sharp)
 {
   PN::Level_connectivity level;
   PN::internal::with_mesh_access(
     surface, [&](const auto& access) { level = PN::internal::checked_level(access); });
-  return Shape(std::move(level), frame(points_of(surface)), {}, frame.rounding());
+  return Shape(std::move(level), frame(points_of(surface)), std::move(is_sharp), frame.rounding());
 }
 
 Mesh_measures measures_of(const Shape& shape)
@@ -150,6 +150,7 @@ Linear_check::Linear_check(const Surface& control, const Creases& creases, const
     }
   }
   remove_normals(control_);
+  for (const double s : creases.edges) is_sharp_.push_back(s > 0);
   turning_ = turning_edges_of(control_, creases.edges);
 }
 
@@ -189,7 +190,12 @@ void Linear_check::compare(const Surface& result, const Scheme_choice& scheme, c
   make_linear(scheme, rounds);
   const Points points = points_of(control_);
   const Frame frame(points);
-  const Shape control = shape_of(control_, frame);
+  const std::vector<bool> of_result = sharp_edges_of(result), of_linear = sharp_edges_of(net_);
+  const bool are_known = net_creases_ && !of_result.empty() && !of_linear.empty();
+  const auto shape = [&](const Surface& surface, const std::vector<bool>& is_sharp) {
+    return shape_of(surface, frame, are_known ? is_sharp : std::vector<bool>());
+  };
+  const Shape control = shape(control_, is_sharp_);
   const Reference_surface reference(
     control_, control.points(),
     {std::ldexp(1., frame.exponent()), points.empty() ? Triple{} : points.front()}, choices_.part);
@@ -197,13 +203,14 @@ void Linear_check::compare(const Surface& result, const Scheme_choice& scheme, c
   of_control_ = measures_of(control);
   const double volume =
     control.is_closed() && control.volume() != 0 ? control.volume() + reference.gained_volume() : 0;
-  for (const auto& [mesh, measures] :
-       {std::pair(&result, &of_result_), std::pair(&std::as_const(net_), &of_linear_)}) {
-    const Shape shape = shape_of(*mesh, frame);
-    *measures = measures_of(shape);
-    if (volume != 0 && shape.is_closed()) measures->volume = shape.volume() / volume;
-    measure_distance(*mesh, shape, reference, frame.exponent(), *measures);
-  }
+  const auto measure = [&](const Surface& mesh, const Shape& of_mesh) {
+    Mesh_measures m = measures_of(of_mesh);
+    if (volume != 0 && of_mesh.is_closed()) m.volume = of_mesh.volume() / volume;
+    measure_distance(mesh, of_mesh, reference, frame.exponent(), m);
+    return m;
+  };
+  of_result_ = measure(result, shape(result, of_result));
+  of_linear_ = measure(net_, shape(net_, of_linear));
   net_ = Surface(); // the maps of a mesh go with it
   net_creases_.reset();
 }

@@ -36,7 +36,8 @@ std::string turning_edges_text(std::size_t number, const std::string& edge = "ed
 struct Mesh_measures
 {
   std::optional<double> volume; // as a part of theirs, of closed meshes that have one
-  std::size_t folded_edges = 0, sharply_folded_edges = 0; // by more than 90, and 150, degrees
+  // by more than 90, and 150, degrees; but sharp ones, if both results tell which these are
+  std::size_t folded_edges = 0, sharply_folded_edges = 0;
   // of these edges, by the size of the mesh; without those of right angles, whatever their rounding
   double folded_length = 0, sharply_folded_length = 0;
   double distance = 0; // the largest of a vertex
@@ -89,6 +90,7 @@ private:
 
   Choices choices_;
   Surface control_, net_;
+  std::vector<bool> is_sharp_; // of the edges of the control mesh
   std::optional<Crease_maps> net_creases_;
   Turning_edges turning_;
   std::size_t of_roundness_0_ = 0, of_roundness_below_1_ = 0; // if it varies, of control vertices

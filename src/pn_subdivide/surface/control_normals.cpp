@@ -217,10 +217,15 @@ bool smooth(Mesh_data& mesh, const Creases& creases, const std::string& name, Re
     ": the normals in the file have a noise of about %.2g degrees and miss arcs by %.2g: ",
     done.noise, done.arc_defect);
   if (done.changed_normals == 0 && done.roundness == 1) {
-    report.warn(
-      name + text +
-      "left as they are, since this does not stand out from what the shape itself does "
-      "to arcs; if the result is rough its points are: take --roundness 0.5, or --linear");
+    const std::string left = name + text +
+                             "left as they are, since this does not stand out "
+                             "from what the shape itself does to arcs; ";
+    const bool is_rough = done.mean_turn > done.linear_mean_turn;
+    std::snprintf(text, sizeof text,
+                  "the faces turn by %.3g degrees on average, those of the linear result by %.3g%s",
+                  done.mean_turn, done.linear_mean_turn,
+                  is_rough ? ": if that is rough take --roundness 0.5, or --linear" : "");
+    report.warn(left + text);
     return false;
   }
   std::string change = "left as they are";

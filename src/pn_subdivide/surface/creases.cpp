@@ -350,6 +350,15 @@ std::optional<Crease_maps> creases_of(const Surface& copy, const std::optional<C
                      {find_property_map<Surface::Halfedge_index, Vector_3>(copy, tangents_name)}};
 }
 
+std::vector<bool> sharp_edges_of(const Surface& surface)
+{
+  std::vector<bool> are_sharp;
+  if (const auto sharpness =
+        CGAL::PN_subdivision_3::internal::find_property_map<Edge, double>(surface, edges_name))
+    for (const Edge e : surface.edges()) are_sharp.push_back((*sharpness)[e] > 0);
+  return are_sharp;
+}
+
 Crease_maps add_creases(Surface& surface, const Creases& creases, bool with_tangents)
 {
   Crease_maps maps{surface.add_property_map<Edge, double>(edges_name, 0).first,

@@ -98,6 +98,8 @@ Crease_tags tags_of(const Surface& surface, const Crease_maps& maps);
 // with_tangents: whether there is a map of them, for what goes on from the refined mesh
 Crease_maps add_creases(Surface& surface, const Creases& creases, bool with_tangents = false);
 void remove_creases(Surface& surface, Crease_maps& maps);
+// whether edges are, by the maps; of none without them
+std::vector<bool> sharp_edges_of(const Surface& surface);
 // the maps of a copy
 std::optional<Crease_maps> creases_of(const Surface& copy, const std::optional<Crease_maps>& maps);
 

@@ -266,6 +266,16 @@ TEST_F(Pn_subdivide_check, TheShapeOfTheControlMeshCounts)
               ". Try --interpolate slide, whose surface passes through the points\n");
 }
 
+TEST_F(Pn_subdivide_check, SharpEdgesAreNoFolds)
+{
+  std::string prism = "OFF\n6 5 0\n0 0 0\n1 0 0\n0.5 0.8 0\n0 0 1\n1 0 1\n0.5 0.8 1\n"
+                      "3 2 1 0\n3 3 4 5\n4 0 1 4 3\n4 1 2 5 4\n4 2 0 3 5\n";
+  prism = folder.write("prism.off", prism); // at three edges by some 120 degrees
+  expect_part(check(prism, "--levels 2 --sharp angle:40"),
+              "check: 0 edges fold by more than 90 degrees (linear 0)");
+  expect_no_part(check(prism, "--sharp angle:40 --chord 0.1"), "check: 0 edges fold");
+}
+
 // Each vertex of a Catmull-Clark cube of width 2 is inside of it.
 TEST_F(Pn_subdivide_check, DistancesAreFromTheControlMesh)
 {

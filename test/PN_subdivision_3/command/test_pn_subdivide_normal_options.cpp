@@ -107,6 +107,26 @@ TEST_F(Normal_options, SmoothLeavesExactNormals)
   EXPECT_EQ(outcome.err.find("smoothed normals"), std::string::npos) << outcome.err;
 }
 
+// A coarse head: its shape misses arcs by more than any noise.
+TEST_F(Normal_options, SmoothSaysWhatIsRougherThanLinear)
+{
+  const std::string head = folder.file("head.obj");
+  ASSERT_EQ(run("surface '" PN_DATA_DIR "/head.obj' '" + head +
+                "' --levels 0 --normals estimate --output-normals control")
+              .code,
+            0);
+  const Outcome outcome =
+    run("surface '" + head + "' '" + folder.file("out.ply") + "' --normals smooth");
+  EXPECT_EQ(outcome.code, 0);
+  const auto after = [&](const std::string& words) {
+    const std::size_t place = outcome.err.find(words);
+    EXPECT_NE(place, std::string::npos) << outcome.err;
+    return place == std::string::npos ? 0. : std::stod(outcome.err.substr(place + words.size()));
+  };
+  EXPECT_GT(after("the faces turn by "), after("those of the linear result by "));
+  EXPECT_NE(outcome.err.find(": if that is rough take"), std::string::npos) << outcome.err;
+}
+
 // wedge by wedge: those of the flat side stay
 TEST_F(Normal_options, SmoothKnowsCreases)
 {

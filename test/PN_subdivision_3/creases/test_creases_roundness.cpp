@@ -236,6 +236,63 @@ TEST(Creases_roundness, StepsAreNotRound)
     }
 }
 
+// Both lie in the plane of a meridian, and a normal that is orthogonal to both is tangent to the ball.
+TEST(Creases_roundness, CreasesThatBendAwayDoNotTurnNormals)
+{
+  Turned_part ball(even(7), {{1.5, 0, true}, {1.272, 0.795, true}, {0.658, 1.348, true}}, false);
+  const auto edge = [&](unsigned a, unsigned b) {
+    return ball.mesh.edge(ball.mesh.halfedge(Mesh::Vertex_index(a), Mesh::Vertex_index(b)));
+  };
+  for (unsigned i = 0; i < 14; ++i) ball.sharp[edge(i, i + 7)] = true;
+  for (unsigned i : {7u, 9u, 11u}) ball.sharp[edge(i, i + 1)] = false;
+  EXPECT_LE(excess_of_volume(ball, false), 0.02);
+  const auto result =
+    PN::compare_with_linear(ball.mesh, PN::CatmullClark_scheme(), ball.parameters());
+  EXPECT_LE(result.largest_distance, 0.1);
+}
+
+// Three points are on a circle, whatever they are: of a facet in a bumpy sheet it would fold the facet.
+TEST(Creases_roundness, TrianglesAreNoCircles)
+{
+  Mesh mesh;
+  const unsigned n = 8;
+  for (unsigned j = 0; j <= n; ++j)
+    for (unsigned i = 0; i <= n; ++i)
+      mesh.add_vertex(Point(i + 0.7 * j, 0.5 * j, i == 4 && j == 4 ? 0.2 : 0));
+  const auto v = [&](unsigned i, unsigned j) { return Mesh::Vertex_index(j * (n + 1) + i); };
+  for (unsigned j = 0; j < n; ++j)
+    for (unsigned i = 0; i < n; ++i) {
+      mesh.add_face(v(i, j), v(i + 1, j), v(i + 1, j + 1));
+      mesh.add_face(v(i, j), v(i + 1, j + 1), v(i, j + 1));
+    }
+  const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("sharp", false).first;
+  for (const auto& [a, b] : {std::pair(v(4, 4), v(5, 4)), {v(5, 4), v(5, 5)}, {v(5, 5), v(4, 4)}})
+    sharp[mesh.edge(mesh.halfedge(a, b))] = true;
+  const auto result = PN::compare_with_linear(
+    mesh, PN::Loop_scheme(),
+    CGAL::parameters::number_of_iterations(2).edge_is_constrained_map(sharp));
+  EXPECT_LE(result.folded_edges, result.linear_folded_edges);
+  EXPECT_LE(result.largest_distance, 0.3);
+}
+
+// Arcs would move the rim of the lid by more than the faces beside it are wide. They do not meet exactly.
+TEST(Creases_roundness, CreasesDoNotMoveByMoreThanTheWidthOfFaces)
+{
+  for (const double width : {1., 0.01}) {
+    Turned_part part(even(9), {{2.5, -1, false}, {1 + width, 0.98, false}, {1, 1, true}}, false);
+    for (unsigned v = 18; v < 27; ++v) {
+      Point& p = part.mesh.point(Mesh::Vertex_index(v));
+      p = Point(1.1 * p.x(), p.y(), p.z());
+    }
+    const auto result =
+      PN::compare_with_linear(part.mesh, PN::CatmullClark_scheme(), part.parameters());
+    if (width == 1)
+      EXPECT_GE(result.largest_distance, 0.1);
+    else
+      EXPECT_LE(result.largest_distance, 0.01);
+  }
+}
+
 // There is an arc through any three points.
 TEST(Creases_roundness, BetweenTwoCornersOneVertexIsNotRound)
 {

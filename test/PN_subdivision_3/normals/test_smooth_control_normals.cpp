@@ -167,6 +167,33 @@ double fairness(const Sampled& s, double roundness = 1)
   return Fairness(s, PN::CatmullClark_scheme(), roundness)();
 }
 
+// of faces that share an edge, in degrees
+double mean_turn(Sampled s, double roundness)
+{
+  const auto np =
+    PN::parameters::roundness(roundness).number_of_iterations(2).vertex_normal_map(s.normals);
+  if (CGAL::is_triangle_mesh(s.mesh))
+    PN::subdivide(s.mesh, PN::Loop_scheme(), np);
+  else
+    PN::subdivide(s.mesh, PN::CatmullClark_scheme(), np);
+  const auto normal = [&](auto h) { // by the diagonals of quads
+    const auto &p = s.mesh.point(s.mesh.source(h)), &q = s.mesh.point(s.mesh.target(h));
+    const auto &r = s.mesh.point(s.mesh.target(s.mesh.next(h))),
+               &t = s.mesh.point(s.mesh.source(s.mesh.prev(h)));
+    const Vector_3 n =
+      p == t || r == t ? CGAL::cross_product(q - p, r - p) : CGAL::cross_product(r - p, t - q);
+    return n / std::sqrt(n.squared_length());
+  };
+  double sum = 0, number = 0;
+  for (const auto e : s.mesh.edges()) {
+    const auto h = s.mesh.halfedge(e);
+    if (s.mesh.is_border(e)) continue;
+    sum += std::acos((std::min)(1., normal(h) * normal(s.mesh.opposite(h)))) * 180 / CGAL_PI;
+    ++number;
+  }
+  return sum / number;
+}
+
 double error(const Sampled& s, const Control_mesh& exact)
 {
   double sum = 0;
@@ -359,7 +386,10 @@ TEST(Smooth_normals, LeaveArcsThatHold)
     Sampled s(control);
     for (const auto v : s.mesh.vertices()) s.normals[v] = 3 * s.normals[v]; // of any length
     const Sampled given(s);
-    EXPECT_EQ(PN::smooth_control_normals(s.mesh, s.normals).changed_normals, 0u);
+    const auto report = PN::smooth_control_normals(s.mesh, s.normals);
+    EXPECT_EQ(report.changed_normals, 0u);
+    EXPECT_NEAR(report.mean_turn, mean_turn(given, 1), 1e-6);
+    EXPECT_NEAR(report.linear_mean_turn, mean_turn(given, 0), 1e-6);
     for (const auto v : s.mesh.vertices()) EXPECT_EQ(s.normals[v], given.normals[v]);
   }
 }

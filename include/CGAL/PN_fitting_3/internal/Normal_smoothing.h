@@ -56,11 +56,11 @@ public:
     estimate_noise();
     if (!(strength_ > 0)) return normals_;
     Vectors<3> smooth = solution();
-    double least = change_of_curvature(level_, points_, normals_);
-    if (change_of_curvature(level_, points_, smooth) < least) return smooth;
+    double least = fairness(level_, points_, normals_).change_of_curvature;
+    if (fairness(level_, points_, smooth).change_of_curvature < least) return smooth;
     // it is the points that have noise, then, or the shape is like that
     for (const double w : {0.75, 0.5, 0.25, 0.}) {
-      const double change = change_of_curvature(level_, points_, smooth, w);
+      const double change = fairness(level_, points_, smooth, w).change_of_curvature;
       if (!(change < least)) continue;
       least = change;
       roundness_ = w;

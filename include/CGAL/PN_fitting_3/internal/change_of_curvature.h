@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_fitting_3/internal/Functional_tower.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
@@ -66,10 +67,38 @@ inline double mean_change_of_curvature(const Vectors<3>& points,
   return all > 0 ? sum / all : std::numeric_limits<double>::infinity();
 }
 
+// The mean angle between faces that share an edge, in radians.
+inline double mean_turn(const Level_connectivity& level, const Vectors<3>& points)
+{
+  using Index = Level_connectivity::Index;
+  Vectors<3> areas;
+  for (Index f = 0; f < level.number_of_faces(); ++f) {
+    areas.push_back(Eigen_vector<3>::Zero());
+    for_each_halfedge_of_face(level, f, [&](Index h) {
+      const auto& origin = points[level.target(level.halfedge_of_face(f))];
+      areas[f] += (points[level.source(h)] - origin).cross(points[level.target(h)] - origin);
+    });
+    areas[f].normalize();
+  }
+  double sum = 0, number = 0;
+  for (Index e = 0; e < level.number_of_edges(); ++e)
+    if (!level.is_border_edge(e)) {
+      const auto &a = areas[level.face(2 * e)], &b = areas[level.face(2 * e + 1)];
+      sum += std::atan2(a.cross(b).norm(), a.dot(b));
+      ++number;
+    }
+  return number > 0 ? sum / number : 0;
+}
+
+struct Fairness
+{
+  double change_of_curvature, mean_turn;
+};
+
 // Of the surface after two rounds. Of each quad both pairs of triangles count.
 template <class Scheme_>
-double change_of_curvature(const Scheme_& rules, const Level_connectivity& control,
-                           const Vectors<3>& points, const Vectors<3>& normals, double roundness)
+Fairness fairness(const Scheme_& rules, const Level_connectivity& control, const Vectors<3>& points,
+                  const Vectors<3>& normals, double roundness)
 {
   using Index = Level_connectivity::Index;
   using Scheme = With_roundness<Scheme_, double>;
@@ -107,18 +136,19 @@ double change_of_curvature(const Scheme_& rules, const Level_connectivity& contr
     for (std::size_t i = 0; i < number; ++i)
       triangles.push_back({c[i], c[(i + 1) % 4], c[(i + 2) % 4]});
   }
-  return mean_change_of_curvature(refined, triangles, std::move(counts));
+  return {mean_change_of_curvature(refined, triangles, std::move(counts)),
+          mean_turn(level, refined)};
 }
 
 // by Loop or Catmull-Clark subdivision
-inline double change_of_curvature(const Level_connectivity& level, const Vectors<3>& points,
-                                  const Vectors<3>& normals, double roundness = 1)
+inline Fairness fairness(const Level_connectivity& level, const Vectors<3>& points,
+                         const Vectors<3>& normals, double roundness = 1)
 {
   bool triangles = true;
   for (Level_connectivity::Index f = 0; f < level.number_of_faces() && triangles; ++f)
     triangles = level.has_degree(level.halfedge_of_face(f), 3);
-  return triangles ? change_of_curvature(Loop_scheme(), level, points, normals, roundness)
-                   : change_of_curvature(CatmullClark_scheme(), level, points, normals, roundness);
+  return triangles ? fairness(Loop_scheme(), level, points, normals, roundness)
+                   : fairness(CatmullClark_scheme(), level, points, normals, roundness);
 }
 
 } // namespace internal

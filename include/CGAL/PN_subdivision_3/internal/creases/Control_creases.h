@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -132,7 +133,7 @@ private:
 
 // How round creases are, which their wedges are no more than: where arcs meet. Ends mirror the tangents of their neighbors,
 // and tell nothing: beside a corner tangents turn from edges as in a round fan, too; beside a dart none is round, between
-// two corners what is straight.
+// two corners what is straight. What turns more, or moves by more than faces beside it are wide, needs exact arcs.
 template <class FT>
 class Crease_turns
 {
@@ -174,12 +175,12 @@ public:
 private:
   double of_vertex(const Crease_star& star) const
   {
-    double least = 1, miss = 0; // cosine of the turns; arcs
+    double least = 1, miss = 0, miss_of_normals = 0, reach = 0; // the first is a cosine of turns
     int ends = 0;
     for (const Crease_end& end : creases_.ends_of(star)) {
       const Crease_edge<FT>& e = creases_.edge(end);
-      const Index v = star.vertex, w = level_.source(creases_.halfedge(end));
-      const Vector edge = to_double_3<FT>(difference(values_[w].point, values_[v].point));
+      const Index h = creases_.halfedge(end), w = level_.source(h);
+      const Vector edge = between(level_.target(h), w);
       const double edge_length = length(edge);
       if (!(edge_length > 0) || !std::isfinite(edge_length)) continue;
       const Vector u = quotient(edge, edge_length);
@@ -187,6 +188,10 @@ private:
       const auto cosine = dot(t, u);
       least = (std::min)(least, cosine);
       if (is_dart_[w]) return 0;
+      for (const Index side : {h, level_.opposite(h)})
+        reach = (std::max)(reach, edge_length / 4 * length(cross(t, u)) / width(side, u));
+      for (const Index side : {0u, 1u})
+        if (e.has_after(side)) miss_of_normals = (std::max)(miss_of_normals, miss_of(e, side, u));
       ends += is_inside_[w] ? 0 : 1;
       if (!is_inside_[w]) continue;
       Vector difference_of_arcs = to_double_3<FT>(e.tangent_from[end.side]);
@@ -196,7 +201,33 @@ private:
     }
     if (ends > 1) // through any three points there is an arc
       return 1 - smooth_window(std::sqrt((std::max)(0., 2 - 2 * least)), 0.01, 0.1);
-    return share_of_arcs(miss) * (ends > 0 ? share_of_turn(least) : 1);
+    // a triangle with sharp sides is no circle, unless it is the rim of what is round
+    const double turn = share_of_turn(least);
+    return share_of_arcs(miss) *
+           (ends > 0 ? turn : either(turn, share_of_exact_arcs(miss_of_normals))) *
+           either(share_of_exact_arcs(miss), 1 - smooth_window(reach, 0.1, 0.3));
+  }
+
+  Vector between(Index v, Index w) const
+  {
+    return to_double_3<FT>(difference(values_[w].point, values_[v].point));
+  }
+
+  // of the arc of the normals in the wedges on one side of an edge with the direction u
+  double miss_of(const Crease_edge<FT>& e, Index side, const Vector& u) const
+  {
+    return std::abs(dot(to_double_3<FT>(values_[e.after[side]].normal), u) +
+                    dot(to_double_3<FT>(values_[e.before[1 - side]].normal), u));
+  }
+
+  // of the face of a half-edge with the direction u, the least over its other corners
+  double width(Index side, const Vector& u) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    if (level_.is_border(side)) return least;
+    for (Index h = level_.next(side); level_.target(h) != level_.source(side); h = level_.next(h))
+      least = (std::min)(least, length(cross(between(level_.source(side), level_.target(h)), u)));
+    return least;
   }
 
   const Level_connectivity& level_;
@@ -286,7 +317,8 @@ private:
     return rule == Vertex_rule::crease || rule == Vertex_rule::corner;
   }
 
-  // makes the estimated normals orthogonal to the tangents of the edges beside their wedges
+  // makes the estimated normals orthogonal to the tangents of the edges beside their wedges, if that turns
+  // them little
   template <class Normal_of>
   void strip_normals(const Crease_star& star, const Normal_of& normal) const
   {
@@ -307,13 +339,27 @@ private:
     }
     for (Index w = 0; w < star.number_of_wedges; ++w) {
       if (is_given_[star.slot(w)] || (!has_after[w] && !has_before[w])) continue;
-      Vector& n = normal(star.slot(w));
+      const Index slot = star.slot(w);
+      const Vector n = normal(slot);
+      Vector& stripped = normal(slot);
       if (has_after[w] && has_before[w])
-        n = strip<FT>(n, after[w], before[w]);
+        stripped = strip<FT>(n, after[w], before[w]);
       else
-        n = strip<FT>(n, has_after[w] ? after[w] : before[w]);
-      n = unit_or_zero(n, FT(1));
+        stripped = strip<FT>(n, has_after[w] ? after[w] : before[w]);
+      const double cosine = length(to_double_3<FT>(stripped));
+      stripped = unit_or_zero(stripped, FT(1));
+      if (creases_.rule(star) == Vertex_rule::corner && cosine < cos_36)
+        keep_part(slot, share_of_turn(cosine), n, stripped);
     }
+  }
+
+  // Creases that bend away from the surface at a corner have no normal between them but across it.
+  void keep_part(Index slot, double share, const Vector& n, Vector& stripped) const
+  {
+    scale(stripped, FT(share));
+    add_multiple(stripped, FT(1 - share), n);
+    stripped = unit_or_zero(stripped, FT(1));
+    if (estimate_ == Control_normal_estimate::coherent) values_[slot].roundness *= FT(share);
   }
 
   const Level_connectivity& level_;

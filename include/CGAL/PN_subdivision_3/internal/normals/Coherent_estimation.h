@@ -198,7 +198,7 @@ private:
 
   double share_of_arcs(Index s, double miss) const
   {
-    return is_mirrored(s) ? internal::share_of_arcs(miss) : 1;
+    return is_mirrored(s) ? share_of_wedge(miss) : 1;
   }
 
   // of the arcs of a sector, relative to their lengths; points that coincide miss by their normals

@@ -65,6 +65,18 @@ inline double share_of_arcs(double miss)
   return 1 - smooth_window(miss, 0.1, 0.3);
 }
 
+// the same beside creases, of arcs with the area normal
+inline double share_of_wedge(double miss)
+{
+  return 1 - smooth_window(miss, 0.05, 0.2);
+}
+
+// the same for what only exact arcs prove; files have six digits
+inline double share_of_exact_arcs(double miss)
+{
+  return 1 - smooth_window(miss, 1e-4, 1e-3);
+}
+
 // 0 where no corner has an area
 template <class FT>
 double roundness_of_turn(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan)
