@@ -28,8 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -299,7 +298,6 @@ compare_with_linear(const ControlMesh& control, const PolygonMesh& result,
   return comparison;
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_CERTIFICATES_3_COMPARE_WITH_LINEAR_H

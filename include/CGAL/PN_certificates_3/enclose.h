@@ -34,8 +34,7 @@
 #  include <type_traits>
 #  include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /// \ingroup PkgPNSubdivision3Kernels
 /// What `enclose()` returns.
@@ -215,8 +214,7 @@ Enclosure enclose(const PolygonMesh& mesh, const Scheme& scheme, unsigned rounds
   }
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_USE_MPFI
 

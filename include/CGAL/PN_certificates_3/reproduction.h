@@ -28,8 +28,7 @@
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Reproduction
@@ -403,7 +402,6 @@ auto curve_deviation(const Range& curve, const Shape& shape,
   return all.result();
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_CERTIFICATES_3_REPRODUCTION_H

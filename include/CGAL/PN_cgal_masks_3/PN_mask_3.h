@@ -19,8 +19,7 @@
 #include <tuple>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Ref
@@ -261,7 +260,6 @@ make_PN_mask_3(const PolygonMesh& mesh, const PointNormalMap& point_normals, con
   return PN_mask_3<Mask, PolygonMesh, PointNormalMap>(mesh, point_normals, args...);
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_CGAL_MASKS_3_PN_MASK_3_H

@@ -21,8 +21,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 template <class Scheme, class PolygonMesh, class NamedParameters>
@@ -201,7 +200,6 @@ void Sqrt3(PolygonMesh& mesh, Mask mask, int step = 1)
 /// \endcond
 
 } // namespace Subdivision_method_3
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_CGAL_MASKS_3_SUBDIVISION_METHOD_3_H

@@ -24,8 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Curves
@@ -176,7 +175,6 @@ void rotate_control_normals(Range& polygon, double angle)
   rotate_control_normals(polygon, angle, all);
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_CURVES_CURVE_CONTROL_NORMALS_H

@@ -21,8 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 // The first and the last position of each part, in a numbering that goes on behind the end of a
@@ -153,7 +152,6 @@ join_at_corners(const std::vector<std::vector<std::pair<Point, Vector>>>& parts,
   return curve;
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_CURVES_CURVE_CORNERS_H

@@ -31,8 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Limit
@@ -256,7 +255,6 @@ auto curve_limit_points(const Range& polygon, const Mask& mask, Curve_end end,
     return internal::limits_of_curve(polygon, mask, end, np);
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_CURVES_CURVE_LIMIT_POINTS_H

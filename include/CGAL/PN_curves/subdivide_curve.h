@@ -20,8 +20,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 // the vectors of the normals that are given, or those of the points
@@ -175,7 +174,6 @@ auto subdivide_curve(const Range& polygon, const Mask& mask, Curve_end end,
   }
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_CURVES_SUBDIVIDE_CURVE_H

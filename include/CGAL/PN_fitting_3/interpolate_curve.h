@@ -29,8 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 // What a mask is for interpolation.
@@ -238,7 +237,6 @@ auto interpolate_curve(const Range& polygon, const Mask& mask, Curve_end end,
   return std::make_pair(std::move(result), report);
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_FITTING_3_INTERPOLATE_CURVE_H

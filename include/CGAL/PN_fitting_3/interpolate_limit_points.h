@@ -26,8 +26,7 @@
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 template <class Access, class VertexMap>
@@ -229,7 +228,6 @@ interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
   }
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_FITTING_3_INTERPOLATE_LIMIT_POINTS_H

@@ -29,8 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 namespace internal {
 
@@ -263,7 +262,6 @@ Limit_interpolation prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme
   }
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_FITTING_3_PRESCRIBE_LIMIT_DATA_H

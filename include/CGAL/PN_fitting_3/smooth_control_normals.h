@@ -25,8 +25,7 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /// \ingroup PkgPNSubdivision3Functions
 /// What `smooth_control_normals()` has found and done. Angles are in degrees.
@@ -230,7 +229,6 @@ smooth_control_normals(const PolygonMesh& mesh, NormalMap normals,
   return report;
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_FITTING_3_SMOOTH_CONTROL_NORMALS_H

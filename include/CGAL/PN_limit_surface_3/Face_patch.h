@@ -18,8 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3LimitSurface
@@ -113,7 +112,6 @@ private:
   std::vector<internal::Jet_entry> corners_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_FACE_PATCH_H

@@ -33,8 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3LimitSurface
@@ -402,7 +401,6 @@ Limit_surface(const FaceGraph&, const Scheme&,
               const NamedParameters& = parameters::default_values())
   -> Limit_surface<FaceGraph, internal::Geom_traits_of_call<FaceGraph, NamedParameters>>;
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_LIMIT_SURFACE_H

@@ -33,8 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 namespace internal {
 
@@ -347,7 +346,6 @@ private:
   double distance_ = 0;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_LIMIT_SURFACE_QUERIES_H

@@ -24,8 +24,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 template <class Scheme, class GeomTraits, class Concurrency_tag>
 class Surface_pieces;
@@ -170,7 +169,6 @@ private:
   Limit_report limit_report_;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_SURFACE_PIECE_H

@@ -22,8 +22,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -233,7 +232,6 @@ void estimate_curvature(const PolygonMesh& mesh, CurvatureMap curvatures,
   });
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_ESTIMATE_CURVATURE_H

@@ -22,8 +22,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 namespace internal {
 
@@ -281,7 +280,6 @@ Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMa
   }
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_LIMIT_POINTS_H

@@ -35,8 +35,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -488,7 +487,6 @@ Surface_pieces(const PolygonMesh&, const Scheme&,
                const NamedParameters& = parameters::default_values())
   -> Surface_pieces<Scheme, internal::Geom_traits_of_call<PolygonMesh, NamedParameters>>;
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_REFINE_IN_PIECES_H

@@ -22,8 +22,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Limit
@@ -126,7 +125,6 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
   }
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_SUBDIVIDE_TO_LIMIT_H

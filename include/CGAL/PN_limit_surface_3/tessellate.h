@@ -24,8 +24,7 @@
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 namespace internal {
 
@@ -171,7 +170,6 @@ Tessellation_result tessellate(const FaceGraph& control, const Scheme& scheme, d
   }
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_TESSELLATE_H

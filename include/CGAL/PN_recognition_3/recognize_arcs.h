@@ -22,8 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Curves
@@ -279,7 +278,6 @@ auto split_at_arcs(const Range& polygon, Curve_end end, const std::vector<Recogn
   return internal::Split_at_arcs<Range, NamedParameters>(polygon, closed, arcs, plane, np)();
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_RECOGNITION_3_RECOGNIZE_ARCS_H

@@ -29,8 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 struct Read_part
@@ -212,7 +211,6 @@ std::size_t surface_creases(const FaceGraph& mesh, FacePatchMap patch_map,
   return number;
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_RECOGNITION_3_RECOGNIZE_SURFACES_H

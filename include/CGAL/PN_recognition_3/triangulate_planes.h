@@ -33,8 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -319,7 +318,6 @@ triangulate_planes(const FaceGraph& mesh, FacePatchMap patch_map,
   return result;
 }
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_RECOGNITION_3_TRIANGULATE_PLANES_H

@@ -35,9 +35,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class FT>
 struct Level_with_points
@@ -272,8 +270,6 @@ private:
   double volume_ = 0, volume_terms_ = 0, area_ = 0;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_CERTIFICATES_3_INTERNAL_COMPARED_LEVEL_H

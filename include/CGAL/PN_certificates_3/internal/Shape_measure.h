@@ -21,8 +21,7 @@
 
 #include <stdexcept>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 template <class Kernel>
 class Cylinder_3;
@@ -304,7 +303,6 @@ private:
 };
 
 } // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_CERTIFICATES_3_INTERNAL_SHAPE_MEASURE_H

@@ -25,9 +25,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Numbers that are sums of doubles times powers of two: float, double, long double, Gmpfr, and all whose
 // std::numeric_limits say that they round and have the radix 2.
@@ -250,8 +248,6 @@ private:
   long exponent_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_CERTIFICATES_3_INTERNAL_MEASURE_NUMBER_H

@@ -21,9 +21,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The numbers that the children of a level have in CGAL's Subdivision_method_3, by those of this package's hosts. There they are
 // the order in which Euler operations make them; a round of ours has the same vertices in the same order, but for
@@ -314,8 +312,6 @@ Cgal_ordered<Scheme, recycles> in_order_of_cgal(const Scheme& scheme)
   return {{scheme}};
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_CGAL_MASKS_3_INTERNAL_CGAL_ORDERED_HOST_H

@@ -31,9 +31,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // in the place of points that others compute
 template <class Vertex>
@@ -237,8 +235,6 @@ private:
   typename boost::property_map<Mesh, dynamic_vertex_property_t<std::size_t>>::type index_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_CGAL_MASKS_3_INTERNAL_MASKED_ROUND_H

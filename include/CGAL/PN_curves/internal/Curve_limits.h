@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The limit at a vertex or edge. Of a curve the tangent is what is asked for and reported as surface normals are.
 template <class Value, int dimension>
@@ -262,8 +260,6 @@ private:
   double rounding_ = 0; // of the coordinates
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_CURVES_INTERNAL_CURVE_LIMITS_H

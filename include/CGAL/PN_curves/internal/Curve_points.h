@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class Item>
 struct Default_curve_point_map
@@ -140,8 +138,6 @@ struct Curve_points
   }
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_CURVES_INTERNAL_CURVE_POINTS_H

@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class Mask>
 struct Is_linear_mask : std::false_type
@@ -271,8 +269,6 @@ private:
   bool is_near_overflow_ = false;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_CURVES_INTERNAL_CURVE_SUBDIVISION_H

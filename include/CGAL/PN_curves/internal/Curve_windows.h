@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The points of a window before and behind its center: that is a vertex if the mask is primal, and the first
 // point of an edge if it is dual. Smaller numbers than the mask asks for mean that the polygon ends there.
@@ -254,8 +252,6 @@ private:
   std::map<Window_size, Window> windows_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_CURVES_INTERNAL_CURVE_WINDOWS_H

@@ -27,8 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 namespace internal {
 
@@ -177,7 +176,6 @@ private:
 };
 
 } // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_CURVES_INTERNAL_UNIVARIATE_ROWS_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // the points of a polygon without those that repeat their predecessor, and for each point of the
 // polygon its position among them
@@ -361,8 +359,6 @@ polygon_normals(const std::vector<Coordinates<FT, dimension>>& points, bool clos
   return normals;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_CURVES_INTERNAL_POLYGON_NORMALS_H

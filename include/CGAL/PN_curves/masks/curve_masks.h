@@ -19,8 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /// \ingroup PkgPNSubdivision3Curves
 /// What happens at the ends of a control polygon.
@@ -353,7 +352,6 @@ struct Is_listed<Level_dependent_mask<Listed_masks<Mask>>> : std::true_type
 {};
 
 } // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_CURVES_MASKS_CURVE_MASKS_H

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Solves r(x) = 0 where x + r(x) is nearer to the solution than x: this step, mixed with the last ones so that what is left of a
 // linear r would be the least (D. G. Anderson, Iterative procedures for nonlinear integral equations, 1965).
@@ -60,8 +58,6 @@ private:
   std::vector<std::pair<Vector, Vector>> last_; // x and r(x)
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_ANDERSON_ITERATION_H

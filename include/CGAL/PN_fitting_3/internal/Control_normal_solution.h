@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Control normals n of which the limit N is the given normals M: n <- unit(n + m^-1 (M - N)) with the
 // matrix m of the linear limit points, sped up by Anderson's method over the last four differences. A
@@ -248,8 +246,6 @@ Solved_normals<dimension> solved_or_given(bool solves, const Interpolation_data<
   return result;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_CONTROL_NORMAL_SOLUTION_H

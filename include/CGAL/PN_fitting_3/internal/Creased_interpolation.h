@@ -32,9 +32,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Control points whose limits on a surface with creases are given points. With the normals of the wedges and the
 // tangents of the creases as they are, limits are linear in the control points: L p = P. L is not made, but
@@ -342,8 +340,6 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
   return result.report;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_CREASED_INTERPOLATION_H

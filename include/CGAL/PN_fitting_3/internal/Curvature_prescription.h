@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The principal curvatures that are prescribed at a vertex, positive where the surface bends away from
 // its normal: in a direction, which may be zero if both are equal, and across.
@@ -309,8 +307,6 @@ inline Eigen::Matrix3d second_form(const Surface_jet<double>& jet)
   return result.allFinite() ? result : Eigen::Matrix3d(Eigen::Matrix3d::Zero());
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_CURVATURE_PRESCRIPTION_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // What Limit_distance is for surfaces, for cubic B-spline curves: about each point a few control points are refined.
 template <int dimension>
@@ -153,8 +151,6 @@ private:
   PN_average<double, dimension> average_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_CURVE_DISTANCE_H

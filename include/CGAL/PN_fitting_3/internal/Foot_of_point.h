@@ -18,9 +18,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Where a piece of a surface or curve is nearest to a point.
 struct Foot_in_piece
@@ -104,8 +102,6 @@ Foot_in_piece foot_in_piece(const At& at, bool is_triangle, const std::array<dou
   return best;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_FOOT_OF_POINT_H

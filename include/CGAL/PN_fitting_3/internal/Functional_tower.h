@@ -20,9 +20,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <int dimension>
 using Eigen_vector = Eigen::Matrix<double, dimension, 1>;
@@ -289,8 +287,6 @@ private:
   unsigned depth_ = 0;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_FUNCTIONAL_TOWER_H

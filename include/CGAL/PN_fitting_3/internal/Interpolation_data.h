@@ -31,9 +31,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // What is to be interpolated, and how well.
 template <int dimension>
@@ -337,8 +335,6 @@ inline double largest_normal_angle(const Level_connectivity& level, const Vector
   return in_degrees(std::acos((std::max)(-1., least)));
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_INTERPOLATION_DATA_H

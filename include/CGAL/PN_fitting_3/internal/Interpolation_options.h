@@ -12,9 +12,7 @@
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/own_parameters.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 struct All_vertices
 {};
@@ -49,8 +47,6 @@ Interpolation_options interpolation_options(const NamedParameters& np)
   return o;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_INTERPOLATION_OPTIONS_H

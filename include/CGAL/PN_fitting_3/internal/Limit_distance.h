@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The largest distance of points from a limit surface, each sought about a vertex. As in Surface_evaluation the averages of
 // the spline pieces of a level stand for the surface, and the patch of a face where it has no such piece. Each point has its foot in
@@ -193,8 +191,6 @@ private:
   For_chunks for_chunks_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_LIMIT_DISTANCE_H

@@ -22,9 +22,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The limit at a vertex, and the tangents there, for fixed control normals as linear functions of the
 // control points; and the weights of the limit point of the linear scheme.
@@ -216,8 +214,6 @@ private:
   Ring_rule inner_, end_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_LIMIT_FUNCTIONALS_H

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 using Row_matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
@@ -235,8 +233,6 @@ inline Eigen::VectorXd solve_limit_system(const Row_matrix& a, const Eigen::Vect
   return x;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_LIMIT_MATRIX_H

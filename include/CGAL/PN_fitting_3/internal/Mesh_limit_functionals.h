@@ -34,9 +34,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The limit functionals at vertices of a control mesh. As in Limit_evaluation, the faces around
 // vertices whose neighborhood is not settled are cut out and refined until it is; the functionals are
@@ -326,8 +324,6 @@ private:
   Limit_precision precision_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_MESH_LIMIT_FUNCTIONALS_H

@@ -26,9 +26,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // See smooth_control_normals(). Points and unit normals, or zero ones, of the vertices of a level that is cut open
 // along creases; lengths have squares in the range of double.
@@ -286,8 +284,6 @@ private:
   double noise_ = 0, defect_ = 0, strength_ = 0, roundness_ = 1;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_NORMAL_SMOOTHING_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // What is prescribed at a vertex.
 struct Prescribed_vertex
@@ -217,8 +215,6 @@ vertex_without_tangents(const std::vector<Prescribed_vertex>& prescribed,
   return std::nullopt;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_PRESCRIPTION_H

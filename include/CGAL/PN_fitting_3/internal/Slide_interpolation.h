@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Control points p_v = P_v + s_v M_v, control normals M_v: P_v and the limit point L_v with the normal
 // nu_v of the limit surface shall lie on one PN arc,
@@ -287,8 +285,6 @@ private:
   Surface_limits& source_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_SLIDE_INTERPOLATION_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Unknowns with few entries first, those with many at the end: of symmetric patterns. Eigen's SparseLU takes
 // an order the other way round than Eigen's factors of symmetric matrices.
@@ -191,8 +189,6 @@ private:
   Eigen::SparseLU<Matrix, Degree_ordering> factor_with_sums_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_SMOOTH_CORRECTION_H

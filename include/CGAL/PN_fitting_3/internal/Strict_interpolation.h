@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Control points whose limit points are the given points, for given control normals: the limit points
 // L = C p are linear in them.
@@ -237,8 +235,6 @@ private:
     rest_; // the control points, and what is missing, of all vertices to be interpolated
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_STRICT_INTERPOLATION_H

@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The mean of |grad H| over triangles, but for those at vertices that do not count: H by cotangents (Meyer, Desbrun,
 // Schroeder and Barr), with a third of the area of each triangle.
@@ -151,8 +149,6 @@ inline Fairness fairness(const Level_connectivity& level, const Vectors<3>& poin
                    : fairness(CatmullClark_scheme(), level, points, normals, roundness);
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_CHANGE_OF_CURVATURE_H

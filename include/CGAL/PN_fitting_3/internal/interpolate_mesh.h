@@ -34,9 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class Access, class Map>
 using Undoable_vertices = Undoable_map<Access, Map, Vertex_of_mesh>;
@@ -181,8 +179,6 @@ Interpolation_result<3> interpolate_mesh(const Level_connectivity& level,
   return result;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_INTERPOLATE_MESH_H

@@ -11,8 +11,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /// \ingroup PkgPNSubdivision3Interpolation
 /// What interpolation has reached, and how it can be asked for. Lengths are in the unit of the coordinates.
@@ -95,7 +94,6 @@ struct Prescribed_curvature
   typename GeomTraits::Vector_3 direction{0, 0, 0};
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_FITTING_3_INTERPOLATION_LIMIT_INTERPOLATION_H

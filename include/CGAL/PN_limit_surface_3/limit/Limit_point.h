@@ -11,8 +11,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Limit
@@ -72,7 +71,6 @@ struct Limit_report
   bool is_within_tolerance() const { return number_of_misses == 0; }
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_LIMIT_LIMIT_POINT_H

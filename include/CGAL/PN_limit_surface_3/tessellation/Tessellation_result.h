@@ -12,8 +12,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /// \ingroup PkgPNSubdivision3Limit
 /// What `tessellate()` has reached.
@@ -46,7 +45,6 @@ struct Tessellation_result
   unsigned depth = 0;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_TESSELLATION_TESSELLATION_RESULT_H

@@ -8,10 +8,7 @@
 
 #include <CGAL/PN_recognition_3/internal/Part.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-namespace recognition {
+namespace CGAL::PN_subdivision_3::internal::recognition {
 
 // --- growing ---
 
@@ -292,7 +289,4 @@ inline bool still_has_evidence(const Context& c, Region& r)
   return Evidence(c)(r);
 }
 
-} // namespace recognition
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal::recognition

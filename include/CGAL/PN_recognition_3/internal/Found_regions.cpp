@@ -8,10 +8,7 @@
 
 #include <CGAL/PN_recognition_3/internal/Part.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-namespace recognition {
+namespace CGAL::PN_subdivision_3::internal::recognition {
 
 inline Found_regions::Found_regions(const Context& context)
   : c_(context)
@@ -297,7 +294,4 @@ inline std::vector<Region> find_regions(const Context& context)
   return choose_regions(context, found.regions());
 }
 
-} // namespace recognition
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal::recognition

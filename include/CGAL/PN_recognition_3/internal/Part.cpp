@@ -13,10 +13,7 @@
 #include <cstdlib>
 #include <tuple>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-namespace recognition {
+namespace CGAL::PN_subdivision_3::internal::recognition {
 
 // --- data ---
 
@@ -259,7 +256,4 @@ inline Part make_part(const Level_connectivity& level, const Points& points, dou
   return Make_part()(level, points, tolerance);
 }
 
-} // namespace recognition
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal::recognition

@@ -18,10 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-namespace recognition {
+namespace CGAL::PN_subdivision_3::internal::recognition {
 
 constexpr Index null = Level_connectivity::null;
 
@@ -333,9 +330,6 @@ Segments make_segments(const Context& c, const std::vector<Region>& regions,
 void give_slivers_away(const Context& c, const Lists& edges_of_face, std::vector<Index>& label,
                        std::vector<Segments::Segment>& labels);
 
-} // namespace recognition
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal::recognition
 
 #endif // CGAL_PN_RECOGNITION_3_INTERNAL_PART_H

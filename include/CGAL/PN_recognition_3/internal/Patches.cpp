@@ -10,10 +10,7 @@
 
 #include <tuple>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-namespace recognition {
+namespace CGAL::PN_subdivision_3::internal::recognition {
 
 class Make_patches
 {
@@ -248,7 +245,4 @@ inline Patches make_patches(const Part& part, double greatest_smooth_angle)
   return Make_patches(part, greatest_smooth_angle)();
 }
 
-} // namespace recognition
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal::recognition

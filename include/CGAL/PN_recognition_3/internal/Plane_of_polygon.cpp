@@ -16,10 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-namespace recognition {
+namespace CGAL::PN_subdivision_3::internal::recognition {
 
 CGAL_PN_RECOGNITION_3_INLINE void Plane_of_polygon::set(std::vector<Vec3> p, bool is_in_space,
                                                         bool closed, double tolerance)
@@ -104,7 +101,4 @@ inline void Plane_of_polygon::find_plane(const std::vector<Vec3>& p, bool closed
   v_ = dot(cross(across.u, across.v), normal) > 0 ? across.v : -across.v;
 }
 
-} // namespace recognition
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal::recognition

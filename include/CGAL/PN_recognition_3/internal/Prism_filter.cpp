@@ -8,10 +8,7 @@
 
 #include <CGAL/PN_recognition_3/internal/Part.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-namespace recognition {
+namespace CGAL::PN_subdivision_3::internal::recognition {
 
 // Which of the regions are meant to be round, and which are prisms and pyramids, whose facets are planes; and those that
 // are cut out of something unknown, which are none.
@@ -221,7 +218,4 @@ inline std::vector<double> take_prisms_out(const Context& c, std::vector<Region>
   return Prism_filter(c, regions)();
 }
 
-} // namespace recognition
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal::recognition

@@ -8,10 +8,7 @@
 
 #include <CGAL/PN_recognition_3/internal/Part.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-namespace recognition {
+namespace CGAL::PN_subdivision_3::internal::recognition {
 
 // --- what is known of the part ---
 
@@ -240,7 +237,4 @@ inline void measure(const Context& c, Region& r)
   fill(r);
 }
 
-} // namespace recognition
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal::recognition

@@ -8,10 +8,7 @@
 
 #include <CGAL/PN_recognition_3/internal/Part.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-namespace recognition {
+namespace CGAL::PN_subdivision_3::internal::recognition {
 
 inline double midpoint_distance(const Context& c, const Shape& s, Lists::Range faces)
 {
@@ -241,7 +238,4 @@ inline void give_slivers_away(const Context& c, const Lists& edges_of_face,
   Give_slivers_away(c, edges_of_face, label, labels)();
 }
 
-} // namespace recognition
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal::recognition

@@ -8,10 +8,7 @@
 
 #include <CGAL/PN_recognition_3/internal/Part.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-namespace recognition {
+namespace CGAL::PN_subdivision_3::internal::recognition {
 
 // From regions of patches to segments of faces: facets of two rounds in one plane, planes, what is unknown, slivers.
 class Make_segments
@@ -321,7 +318,4 @@ inline Segments make_segments(const Context& c, const std::vector<Region>& regio
   return Make_segments(c, regions, owners, prism_step)();
 }
 
-} // namespace recognition
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal::recognition

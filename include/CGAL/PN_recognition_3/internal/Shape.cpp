@@ -8,10 +8,7 @@
 
 #include <CGAL/PN_recognition_3/internal/Part.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-namespace recognition {
+namespace CGAL::PN_subdivision_3::internal::recognition {
 
 CGAL_PN_RECOGNITION_3_INLINE Cylindrical cylindrical(const Vec3& p, const Vec3& center,
                                                      const Vec3& axis)
@@ -333,7 +330,4 @@ inline bool circle_through(const std::vector<Vec3>& points, const Vec3& axis, Ve
   return true;
 }
 
-} // namespace recognition
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal::recognition

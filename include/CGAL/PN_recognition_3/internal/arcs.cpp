@@ -15,10 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-namespace recognition {
+namespace CGAL::PN_subdivision_3::internal::recognition {
 
 // Cuts a polygon into the lines and arcs that it has been made of. As of surfaces, points are on them up to the rounding of
 // the file: a run of three points is extended as long as they are on its line or circle up to the tolerance, and
@@ -410,7 +407,4 @@ find_arcs(std::vector<std::array<double, 2>> points, bool closed, double toleran
   return find();
 }
 
-} // namespace recognition
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal::recognition

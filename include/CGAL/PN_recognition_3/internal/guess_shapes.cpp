@@ -8,10 +8,7 @@
 
 #include <CGAL/PN_recognition_3/internal/Part.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-namespace recognition {
+namespace CGAL::PN_subdivision_3::internal::recognition {
 
 inline void guess_by_apexes(const Context& c, Found_regions& found)
 {
@@ -256,7 +253,4 @@ inline void guess_by_rows(const Context& c, Found_regions& found, Index middle)
   guess(middle);
 }
 
-} // namespace recognition
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal::recognition

@@ -11,10 +11,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-namespace recognition {
+namespace CGAL::PN_subdivision_3::internal::recognition {
 
 struct Vec3
 {
@@ -188,9 +185,6 @@ private:
   Row right_{};
 };
 
-} // namespace recognition
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal::recognition
 
 #endif // CGAL_PN_RECOGNITION_3_INTERNAL_LINEAR_ALGEBRA_H

@@ -35,9 +35,7 @@
 #  include <CGAL/PN_recognition_3/internal/surfaces.cpp>
 #endif
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class NamedParameters>
 struct Recognition_parameters
@@ -65,8 +63,6 @@ struct Recognition_parameters
   double tolerance, sharp_angle;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_RECOGNITION_3_INTERNAL_RECOGNITION_H

@@ -26,10 +26,7 @@
 #  define CGAL_PN_RECOGNITION_3_INLINE inline
 #endif
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-namespace recognition {
+namespace CGAL::PN_subdivision_3::internal::recognition {
 
 using Index = Level_connectivity::Index;
 using Kind = Recognized_surface::Kind;
@@ -212,9 +209,6 @@ struct Arc_run
 std::vector<Arc_run> find_arcs(std::vector<std::array<double, 2>> points, bool closed,
                                double tolerance, unsigned min_facets);
 
-} // namespace recognition
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal::recognition
 
 #endif // CGAL_PN_RECOGNITION_3_INTERNAL_RECOGNITION_INTERFACE_H

@@ -9,10 +9,7 @@
 #include <CGAL/PN_recognition_3/internal/Part.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
-namespace recognition {
+namespace CGAL::PN_subdivision_3::internal::recognition {
 
 // All of it, in the frame of the part.
 inline Segments recognize_part(const Part& part, unsigned min_facets)
@@ -182,7 +179,4 @@ inline void Surface_tags::set_sides(const Part& part)
   for (const double s : sums) side_.push_back(s < 0 ? -1 : 1);
 }
 
-} // namespace recognition
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal::recognition

@@ -11,8 +11,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -48,7 +47,6 @@ struct Recognized_surface
   double widest_meridian_step = 0;
 };
 
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_RECOGNITION_3_SURFACES_RECOGNIZED_SURFACE_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // What is known of the vertices of a mesh. A normal is a unit vector or zero.
 struct Curvature_data
@@ -181,8 +179,6 @@ private:
   std::vector<Curvature_sample> samples_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_CURVATURE_CURVATURE_ESTIMATION_H

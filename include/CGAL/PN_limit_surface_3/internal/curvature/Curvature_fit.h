@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The derivatives of the unit normal in an orthonormal basis of eigenvectors.
 struct Principal_curvatures
@@ -254,8 +252,6 @@ private:
   Row solution_ = Row::Zero();
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_CURVATURE_CURVATURE_FIT_H

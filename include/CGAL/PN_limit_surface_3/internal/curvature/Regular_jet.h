@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // A value with its first and second derivatives in the directions a and b.
 template <class FT>
@@ -175,8 +173,6 @@ private:
   std::vector<Jet_2<FT>> weights_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_CURVATURE_REGULAR_JET_H

@@ -33,9 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The limits at all slots of a level with creases.
 //
@@ -432,8 +430,6 @@ template <class Scheme, class FT, class Level_creases>
 using Limits_of_level = std::conditional_t<are_creases_v<Level_creases>, Creased_limits<Scheme, FT>,
                                            Limit_evaluation<Scheme, FT>>;
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_CREASED_LIMITS_H

@@ -32,9 +32,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Faces all around vertex 0: edge i leads to it from its neighbor 1 + i, and behind the neighbors come the
 // diagonal vertices of quads.
@@ -299,8 +297,6 @@ private:
   Average average_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_DART_LIMIT_H

@@ -29,9 +29,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The kinds of rings that the vertices of a level have: one for each valence, in the interior and on
 // the border. A kind is made where it occurs first, from the scheme itself at work around the vertex.
@@ -227,8 +225,6 @@ private:
   std::mutex mutex_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_CLASSES_H

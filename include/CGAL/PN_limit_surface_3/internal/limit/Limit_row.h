@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The fraction of small terms that a weight is but for rounding, by its continued fraction.
 inline std::optional<std::pair<int, int>> as_fraction(long double x)
@@ -243,8 +241,6 @@ private:
   std::vector<Reals> inverse_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_ROW_H

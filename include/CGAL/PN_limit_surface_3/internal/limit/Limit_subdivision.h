@@ -34,9 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The rounds of a call, and then the limits of the vertices that they make. The mesh and its maps are touched when
 // all limits are known; attributes are those of the rounds.
@@ -199,8 +197,6 @@ private:
   For_chunks for_chunks_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_SUBDIVISION_H

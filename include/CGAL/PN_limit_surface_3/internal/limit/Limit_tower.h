@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The limit at one vertex or face.
 template <class Average>
@@ -297,8 +295,6 @@ private:
   std::size_t count_ = 0;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_TOWER_H

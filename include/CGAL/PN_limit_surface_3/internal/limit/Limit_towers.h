@@ -33,9 +33,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The towers of vertices of several kinds: rings are gathered until the tower of their kind is full.
 template <class Scheme, class FT>
@@ -206,8 +204,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_TOWERS_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // whether a row times the matrix is the row, exactly
 template <class FT>
@@ -72,8 +70,6 @@ limit_weights(const Ring_masks::Vector& limit, [[maybe_unused]] const Ring_matri
   return row_of([](long double x) { return rounded_weight<FT>(x); });
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_WEIGHTS_H

@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 template <class Limit, class Average>
 Limit to_limit_point(const Limit_result<Average>& result)
@@ -211,8 +209,6 @@ struct Limit_maps_of_call
   const NamedParameters& np;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_WRITER_H

@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Closes the rim of a part of triangles by fans, so that it is not taken for a border: sqrt(3) cuts border
 // edges into three parts, and no triangle with two of them. Where the rim joins the border the fan gets three
@@ -151,8 +149,6 @@ private:
   Index vertices_ = 0, edges_ = 0, faces_ = 0;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RIM_CLOSURE_H

@@ -31,9 +31,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // A ring in a level, and in the next one.
 struct Ring_pair
@@ -328,8 +326,6 @@ private:
   Level_connectivity::Index transfer_valence_ = 0;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_CLASS_H

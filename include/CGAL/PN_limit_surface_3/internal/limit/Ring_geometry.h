@@ -24,9 +24,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // First and second order of a surface at the limit of a ring, from the values of the ring. They are
 // computed in double.
@@ -264,8 +262,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_GEOMETRY_H

@@ -19,9 +19,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The surface normals of four rings of one class side by side, as Ring_geometry finds them one by one, in wide
 // registers where the processor has them. Rings that are not of ordinary size, or have no tangent plane, or no
@@ -215,8 +213,6 @@ private:
   Lanes sums_[8], extent_, turn_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_LANES_H

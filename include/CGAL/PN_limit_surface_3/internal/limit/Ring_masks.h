@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // A row over the places of a ring: (place, weight).
 template <class FT>
@@ -322,8 +320,6 @@ private:
   double lambda_ = 0, smaller_ = 0, normal_ratio_ = 0, largest_other_ = 0;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_MASKS_H

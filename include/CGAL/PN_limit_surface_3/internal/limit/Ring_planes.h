@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The planes tangent to rings of one class at their limits. The value of place p of ring c is
 // rings[p * copies + c].
@@ -259,8 +257,6 @@ private:
   std::vector<std::pair<Vertex, std::size_t>> vertices_; // and where their rings begin
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_PLANES_H

@@ -20,9 +20,7 @@
 #include <algorithm>
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // How many rings of faces a vertex needs around it for a round to come out right, again and again, in the rings that
 // the round after it needs: c rings of new faces lie in c/2 of old ones, and these need the ghost rings around them, so
@@ -154,8 +152,6 @@ private:
   const bool has_next_ring_, rules_are_final_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SETTLED_NEIGHBORHOOD_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Numbers that some elements of a level get: in a table of all if they may be many, and otherwise at the first free place
 // from that of a hash on. With std::unordered_map cutting a few faces out takes two to three times as long.
@@ -196,8 +194,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SUB_LEVEL_H

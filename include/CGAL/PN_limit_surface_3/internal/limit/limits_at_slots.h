@@ -34,9 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The level of a mesh with points and, for PN schemes, control normals: the user's, or estimated ones
 // if there is no map of them.
@@ -172,8 +170,6 @@ std::vector<Coordinates<FT, 3>> limit_normals(const std::vector<Result>& results
   return normals;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMITS_AT_SLOTS_H

@@ -19,9 +19,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Whether the sum of the area vectors of triangles is on the other side than a normal. for_each(f) calls f(a, b)
 // with two sides of each.
@@ -117,8 +115,6 @@ void orient_normals(const Level& level, Results& results, const For_chunks& for_
     orient([&](Index v) -> const auto& { return level.values[v]; });
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_ORIENT_NORMALS_H

@@ -31,9 +31,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The limits at the faces of a level of a dual scheme, whose corners in a face of the next round
 // depend on those of the face alone: the ring of a face is its corners.
@@ -215,8 +213,6 @@ Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const NamedParamete
   return report;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_VERTEX_LIMITS_H

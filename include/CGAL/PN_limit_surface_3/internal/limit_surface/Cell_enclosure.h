@@ -26,9 +26,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // A bound of the distance of a point-normal limit from that of the linear scheme on the same net, whose edges have ends no
 // farther apart than D, with unit normals that differ by delta at most. With non-negative weights the height H of a
@@ -347,8 +345,6 @@ void require_proof_of_all(const Cells& cells, double tolerance)
                                 std::to_string(first) + ", " + why + rest);
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_CELL_ENCLOSURE_H

@@ -15,9 +15,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // by which estimates are multiplied
 constexpr double tessellation_safety = 1.1, safety_at_curves = 1.25;
@@ -183,8 +181,6 @@ inline bool is_turned_or_thin(const Corner& a, const Corner& b, const Corner& c,
 
 } // namespace flatness
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_FLATNESS_H

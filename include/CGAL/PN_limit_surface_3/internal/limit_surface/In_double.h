@@ -17,9 +17,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The points or vectors of another map, rounded to double.
 template <class Map, class Value>
@@ -83,8 +81,6 @@ Scheme kept_scheme(Scheme scheme, [[maybe_unused]] Given_roundness<FT>& kept)
   return scheme;
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_IN_DOUBLE_H

@@ -16,9 +16,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // A function of two parameters with its derivatives up to the second ones.
 struct Jet
@@ -196,8 +194,6 @@ Jet_average patch_average(Corners corners, double u, double v, bool is_pn = true
   return Jet_average(corners, is_pn);
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_JET_H

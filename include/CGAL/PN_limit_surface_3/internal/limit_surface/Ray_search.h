@@ -17,9 +17,7 @@
 #include <limits>
 #include <optional>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Where a ray meets a surface first. Seen along the ray, the surface has two coordinates, which both vanish there:
 // Newton's method finds the place. It may fail, or find one of two; then the triangle is split, and parts that the ray does
@@ -173,8 +171,6 @@ private:
   std::optional<Place> first_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_RAY_SEARCH_H

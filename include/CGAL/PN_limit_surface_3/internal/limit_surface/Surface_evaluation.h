@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // A point of a limit surface that is sought, and what has been found.
 struct Surface_query
@@ -343,8 +341,6 @@ private:
   const Limit_neighborhood neighborhood_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_SURFACE_EVALUATION_H

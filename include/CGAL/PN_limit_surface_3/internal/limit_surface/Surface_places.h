@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // A point of a surface where triangles meet; parameters are those in a piece of a face.
 struct Query_corner
@@ -268,8 +266,6 @@ private:
   const Surface& surface_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_SURFACE_PLACES_H

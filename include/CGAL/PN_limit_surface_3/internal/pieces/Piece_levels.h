@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The elements of the child of a level of a piece: their numbers follow from those of their parents, and who
 // owns a parent owns its children.
@@ -265,8 +263,6 @@ private:
   std::vector<Corner> corners_; // in the order of the half-edges
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_LEVELS_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // What pieces at the limit are asked for, whatever the scheme.
 template <class Average>
@@ -137,8 +135,6 @@ private:
     std::make_shared<Limit_classes<Scheme_of_limits, FT>>(with_roundness_);
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_LIMITS_H

@@ -34,9 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // How far a level has to be refined as a whole before it is divided.
 template <class Host>
@@ -371,8 +369,6 @@ private:
   mutable Candidate_tables tables_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_REFINER_H

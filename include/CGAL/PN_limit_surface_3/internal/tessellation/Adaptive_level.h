@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // What is known of a face of a level: where it comes from, and what limit points have told of it.
 struct Adaptive_face
@@ -296,8 +294,6 @@ private:
   std::vector<char> is_curve_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_ADAPTIVE_LEVEL_H

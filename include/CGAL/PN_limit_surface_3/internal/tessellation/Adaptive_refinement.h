@@ -41,9 +41,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // how many there are where the tolerance is out of reach
 constexpr double triangles_out_of_reach = 0x1p18;
@@ -617,8 +615,6 @@ private:
   unsigned rounds_ = 0;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_ADAPTIVE_REFINEMENT_H

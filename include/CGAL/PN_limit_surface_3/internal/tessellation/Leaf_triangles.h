@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 struct Tessellation_triangle
 {
@@ -408,8 +406,6 @@ private:
   std::vector<Tessellation_triangle> triangles_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_LEAF_TRIANGLES_H

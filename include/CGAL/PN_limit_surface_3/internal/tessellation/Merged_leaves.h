@@ -24,9 +24,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Takes splits back that did not have to be, since faces are split both ways although the surface is bent one way
 // only: a face becomes a leaf again, with the vertices on its sides, where its triangles are flat enough without those
@@ -162,8 +160,6 @@ private:
   Leaf_triangles<FT> trial_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_MERGED_LEAVES_H

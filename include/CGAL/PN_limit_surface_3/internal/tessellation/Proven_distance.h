@@ -21,9 +21,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // A bound, which is proved, of the distance of the limit of a face from triangles between its corners and further points of
 // the limit on its sides, wherever these are. Let Q be the quadrilateral of the corners, two triangles with either diagonal, or the
@@ -195,8 +193,6 @@ private:
   const double tolerance_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_PROVEN_DISTANCE_H

@@ -19,9 +19,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // Room for more elements, which is not all used up by the next few.
 template <class Elements>
@@ -217,8 +215,6 @@ struct Tessellation_node
   static constexpr Index null = Level_connectivity::null;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_SPLIT_EDGES_H

@@ -37,9 +37,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // A control mesh that has been read, with what is asked for.
 template <class Scheme, class FT, class Level_creases, bool may_be_proven>
@@ -330,8 +328,6 @@ private:
   For_chunks for_chunks_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_TESSELLATION_H

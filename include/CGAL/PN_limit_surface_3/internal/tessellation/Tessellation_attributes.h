@@ -25,9 +25,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // What an adaptive refinement carries besides the points: attributes of vertices as points without normals, three numbers
 // a plane, which go to their limits; those of corners linear inside the faces of the control mesh.
@@ -194,8 +192,6 @@ private:
   std::size_t of_corners_ = 0;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_TESSELLATION_ATTRIBUTES_H

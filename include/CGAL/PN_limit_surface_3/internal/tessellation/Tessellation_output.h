@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The triangles of all leaves as a level of their own. They are joined along the half-edges that they have from the
 // edges of the levels, not by their vertices: two of these may have several edges.
@@ -329,8 +327,6 @@ private:
   Attribute_table* table_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_TESSELLATION_OUTPUT_H
