@@ -100,7 +100,7 @@ endfunction()
 pn_add_consumer_test(
   install_consumer ${CMAKE_CURRENT_SOURCE_DIR}/install_consumer readme_example
   -DREADME_EXAMPLE=${pn_readme_example} -DCMAKE_PREFIX_PATH=${pn_prefix}
-  -DCOMPONENTS=${pn_components},double,recognition)
+  -DCOMPONENTS=${pn_components},double,limits,recognition)
 # an example that reads a mesh, without arguments and without the package's folder
 pn_add_consumer_test(
   installed_examples ${pn_prefix}/share/PN_subdivision_3/examples/PN_subdivision_3 polyhedron

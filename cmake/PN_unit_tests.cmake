@@ -132,17 +132,17 @@ function(pn_add_test name headers)
   pn_tier(${name} ${name})
 endfunction()
 
-# pn_add_test_of_library(name source): linked to PN_subdivision_3_double, and so without TBB and what others precompile.
+# pn_add_test_of_library(name source): linked to the libraries of double, and so without TBB and what others precompile.
 function(pn_add_test_of_library name source)
   add_executable(${name} ${source})
-  foreach(target ${name} PN_subdivision_3_double)
+  foreach(target ${name} PN_subdivision_3_double PN_subdivision_3_limits)
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
     target_compile_options(${target} PRIVATE ${PN_TEST_OPTIMIZATION})
     if(TARGET pn_warnings)
       target_link_libraries(${target} PRIVATE pn_warnings)
     endif()
   endforeach()
-  target_link_libraries(${name} PRIVATE PN_subdivision_3_double GTest::gtest pn_test_main)
+  target_link_libraries(${name} PRIVATE PN_subdivision_3_double PN_subdivision_3_limits GTest::gtest pn_test_main)
   target_include_directories(${name} PRIVATE ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3
                              ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/support)
   add_dependencies(pn_tests ${name})

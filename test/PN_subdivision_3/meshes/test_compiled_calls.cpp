@@ -6,14 +6,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// What the library PN_subdivision_3_double has the code of gives the same bits as the headers, throws the same, and all other
+// What the libraries PN_subdivision_3_double and PN_subdivision_3_limits have the code of gives the same bits as the headers, throws the same, and all other
 // calls are compiled from these.
 
 #include "Mesh_cases.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/PN_limit_surface_3/limit_points.h>
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/parameters/Default_visitor.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -234,6 +236,41 @@ TEST(Compiled_call, IsOfUsualTypesOnly)
   using Creased = std::decay_t<decltype(params::edge_is_constrained_map(edges))>;
   EXPECT_TRUE((is_compiled<CatmullClark_scheme, Mesh, Creased>()));
   EXPECT_FALSE((is_compiled<PN::DooSabin_scheme, Mesh, Creased>()));
+}
+
+// another type, which the library does not have
+template <class Scheme>
+struct Of_headers_alone : Scheme
+{};
+
+template <class Scheme>
+std::vector<Triple> limits_of(const Soup& soup, const Scheme& scheme, bool has_creases)
+{
+  CGAL::Surface_mesh<Cartesian::Point_3> mesh;
+  build(soup, mesh);
+  auto limits = mesh.add_property_map<CGAL::SM_Vertex_index, Cartesian::Point_3>("v:limit").first;
+  auto sharp = mesh.add_property_map<CGAL::SM_Edge_index, bool>("e:sharp", false).first;
+  for (const auto h : halfedges_around_face(halfedge(*faces(mesh).begin(), mesh), mesh))
+    sharp[edge(h, mesh)] = has_creases;
+  PN::limit_points(mesh, scheme,
+                   PN::parameters::limit_point_map(limits).edge_is_constrained_map(sharp));
+  return values(mesh, limits);
+}
+
+TEST(Compiled_limits, AreThoseOfTheHeaders)
+{
+  for (const bool has_creases : {false, true}) {
+    for (const Soup& soup : {cube(), mixed_with_border()}) {
+      const auto limits = limits_of(soup, PN::CatmullClark_scheme(), has_creases);
+      EXPECT_EQ(limits, limits_of(soup, Of_headers_alone<PN::CatmullClark_scheme>(), has_creases));
+      EXPECT_EQ(limits, limits_of(soup, PN::Any_scheme<>(PN::CatmullClark_scheme()), has_creases));
+    }
+    for (const Soup& soup : {tetrahedron(), triangles_with_border()}) {
+      const auto limits = limits_of(soup, PN::Loop_scheme(), has_creases);
+      EXPECT_EQ(limits, limits_of(soup, Of_headers_alone<PN::Loop_scheme>(), has_creases));
+      EXPECT_EQ(limits, limits_of(soup, PN::Any_scheme<>(PN::Loop_scheme()), has_creases));
+    }
+  }
 }
 
 } // namespace

@@ -64,30 +64,7 @@ public:
   // `level` has the values of the slots; it is cut open meanwhile. The creases get the tangents of the limit. If
   // only some vertices are asked for, which are sorted, the other slots have no results.
   std::vector<Result> operator()(Level& level, Creases<FT>& creases, unsigned next_round,
-                                 const std::vector<Index>* some = nullptr)
-  {
-    if (creases.empty()) return evaluation_(level, next_round, some);
-    if (is_anything_ending(creases)) return after_the_end(level, creases, next_round, some);
-    std::vector<Result> results(creases.number_of_slots);
-    Creases<FT> limits = creases;
-    some_ = some;
-    std::vector<Index> rest = vertices_of_rings(level.level, creases);
-    {
-      const Cut cut(level.level, creases);
-      evaluate_creases(level, creases, limits, results);
-      if constexpr (!is_pn)
-        if (demand_.surface_normals) evaluate_normals(level, creases, next_round, results);
-      rest =
-        selected(rest, evaluate_rest(level, creases, limits, {rest, rest}, next_round, 0, results));
-    }
-    if (!rest.empty()) refine(level, creases, limits, std::move(rest), next_round, results);
-    if (demand_.surface_normals) {
-      const Cut cut(level.level, creases);
-      orient_normals(level, results, for_chunks_, some == nullptr || demand_.has_neighbors);
-    }
-    creases = std::move(limits);
-    return results;
-  }
+                                 const std::vector<Index>* some = nullptr);
 
 private:
   static constexpr bool is_pn = is_pn_v<Scheme>;
@@ -424,6 +401,33 @@ private:
   // of the border, whether the crease is on its first edge, valence
   std::map<std::tuple<bool, bool, Index>, std::unique_ptr<Dart>> darts_;
 };
+
+template <class Scheme, class FT>
+auto Creased_limits<Scheme, FT>::operator()(Level& level, Creases<FT>& creases, unsigned next_round,
+                                            const std::vector<Index>* some) -> std::vector<Result>
+{
+  if (creases.empty()) return evaluation_(level, next_round, some);
+  if (is_anything_ending(creases)) return after_the_end(level, creases, next_round, some);
+  std::vector<Result> results(creases.number_of_slots);
+  Creases<FT> limits = creases;
+  some_ = some;
+  std::vector<Index> rest = vertices_of_rings(level.level, creases);
+  {
+    const Cut cut(level.level, creases);
+    evaluate_creases(level, creases, limits, results);
+    if constexpr (!is_pn)
+      if (demand_.surface_normals) evaluate_normals(level, creases, next_round, results);
+    rest =
+      selected(rest, evaluate_rest(level, creases, limits, {rest, rest}, next_round, 0, results));
+  }
+  if (!rest.empty()) refine(level, creases, limits, std::move(rest), next_round, results);
+  if (demand_.surface_normals) {
+    const Cut cut(level.level, creases);
+    orient_normals(level, results, for_chunks_, some == nullptr || demand_.has_neighbors);
+  }
+  creases = std::move(limits);
+  return results;
+}
 
 // What finds the limits at the slots of a level.
 template <class Scheme, class FT, class Level_creases>

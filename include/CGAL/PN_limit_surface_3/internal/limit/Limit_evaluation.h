@@ -62,7 +62,8 @@ Valued_level<Value> level_of_round(const One_round& round, const std::vector<Val
   return result;
 }
 
-// The limits at vertices of a level of a scheme that keeps its vertices. Where the neighborhood of a
+// The limits at vertices of a level of a scheme that keeps its vertices. What is defined behind the class may be compiled once,
+// see compiled_limits.h. Where the neighborhood of a
 // vertex is not settled yet but will be after one round, the round makes its ring and nothing else;
 // the faces around all other such vertices are cut out and refined until it is.
 template <class Scheme, class FT>
@@ -94,106 +95,20 @@ public:
     return (*this)(level, next_round, some);
   }
   std::vector<Result> operator()(const Level& level, unsigned next_round,
-                                 const std::vector<Index>* some = nullptr)
-  {
-    std::vector<Result> results(level.level.number_of_vertices());
-    std::vector<Index> all;
-    if (some == nullptr) {
-      all.resize(results.size());
-      std::iota(all.begin(), all.end(), Index(0));
-      some = &all;
-    }
-    evaluate(level, *some, next_round, 0, results.data(), some->data());
-    // where points are not asked for, rings have oriented them
-    if (demand_.surface_normals && demand_.points)
-      orient_normals(level, results, for_chunks_, some == &all || demand_.has_neighbors);
-    return results;
-  }
+                                 const std::vector<Index>* some = nullptr);
 
   // of some vertices, in their order
   void operator()(const Level& level, unsigned next_round, const std::vector<Index>& vertices,
-                  std::vector<Result>& results)
-  {
-    results.assign(vertices.size(), Result());
-    std::vector<Index> places(vertices.size());
-    std::iota(places.begin(), places.end(), Index(0));
-    evaluate(level, vertices, next_round, 0, results.data(), places.data());
-    if (demand_.surface_normals && demand_.points)
-      orient_normals(
-        level.level, results, for_chunks_,
-        [&](Index v) { return to_double_3(point_of(level.values[v])); },
-        [&](Index i) { return vertices[i]; });
-  }
+                  std::vector<Result>& results);
 
   // Sets result_of(i), of vertices[i], where the neighborhood is settled, or will be after one round; of the
   // other vertices returns the positions. A level that is cut open along creases may be given, without the vertices on
   // these.
   std::vector<Index> evaluate_settled(const Level& level, const std::vector<Index>& vertices,
-                                      unsigned next_round, unsigned depth, Result_of result_of)
-  {
-    const unsigned first_final_round = first_tuned_round(scheme_);
-    const Settled_neighborhood<Scheme> is_settled(scheme_, level.level,
-                                                  next_round >= first_final_round);
-    const bool keeps_points =
-      neighborhood_.keeps_points &&
-      !(neighborhood_.has_tangent_planes && (demand_.surface_normals || demand_.curvatures));
-    const bool is_final_then = next_round + 1 >= first_final_round;
-    std::vector<Vertex_state> states(vertices.size());
-    // all about a vertex in one go: what is read of the level is at hand then
-    with_towers(vertices.size(), [&](Towers& towers, Index begin, Index end) {
-      typename Classes::Recent kind_of(*classes_, level.level, next_round);
-      Rings rings(level.values);
-      std::array<Index, most_at_once> valences;
-      for (Index i = begin; i < end; ++i) {
-        const std::size_t in_part = (i - begin) % most_at_once;
-        if (in_part == 0)
-          find_valences(level.level, &vertices[i], (std::min<std::size_t>)(end - i, most_at_once),
-                        valences.data());
-        const Index v = vertices[i];
-        Result& result = result_of(i);
-        result.depth = depth;
-        if (valences[in_part] == 0 || keeps_points)
-          result.value = level.values[v];
-        else if (is_settled(v)) {
-          const auto* kind = &kind_of(v, valences[in_part]);
-          rings.add({v, &result, kind}, [&](std::vector<Index>& ring) {
-            Classes::append_ring(level.level, v, *kind, ring);
-          });
-          if (rings.is_full()) put_rings(level.level, rings, towers);
-        } else
-          states[i] = is_final_then && is_settled.in_next_ring(v) ? Vertex_state::settled_then
-                                                                  : Vertex_state::unsettled;
-      }
-      put_rings(level.level, rings, towers);
-    });
-    Vertices in_next_ring;
-    std::vector<Index> unsettled;
-    typename Classes::Recent kind_of(*classes_, level.level, next_round + 1);
-    for (Index i = 0; i < vertices.size(); ++i)
-      if (states[i] == Vertex_state::settled_then)
-        in_next_ring.push_back(
-          {vertices[i], &result_of(i), &kind_of(vertices[i], level.level.valence(vertices[i]))});
-      else if (states[i] == Vertex_state::unsettled)
-        unsettled.push_back(i);
-    if (!in_next_ring.empty()) evaluate_in_next_ring(level, in_next_ring, next_round);
-    return unsettled;
-  }
+                                      unsigned next_round, unsigned depth, Result_of result_of);
 
   // after so many rounds about vertices that are not settled
-  void require_depth(unsigned depth, unsigned next_round) const
-  {
-    const unsigned first_final_round = first_tuned_round(scheme_);
-    if (depth < most_rounds) return;
-    if (next_round < first_final_round)
-      throw std::invalid_argument(
-        "PN_subdivision_3: the first round of the rules of the scheme is " +
-        std::to_string(first_final_round) + ", but no limit is sought beyond round " +
-        std::to_string(next_round - 1) + ", which is " + std::to_string(most_rounds) +
-        " rounds after the mesh: subdivide it first, or take an earlier first round");
-    throw std::invalid_argument("PN_subdivision_3: the scheme does not settle about its vertices "
-                                "within " +
-                                std::to_string(most_rounds) + " rounds: it has no limit masks");
-  }
+  void require_depth(unsigned depth, unsigned next_round) const;
 
 private:
   using Average = typename Tower::Average;
@@ -319,6 +234,110 @@ private:
   For_chunks for_chunks_;
   std::shared_ptr<Classes> classes_;
 };
+
+template <class Scheme, class FT>
+auto Limit_evaluation<Scheme, FT>::operator()(const Level& level, unsigned next_round,
+                                              const std::vector<Index>* some) -> std::vector<Result>
+{
+  std::vector<Result> results(level.level.number_of_vertices());
+  std::vector<Index> all;
+  if (some == nullptr) {
+    all.resize(results.size());
+    std::iota(all.begin(), all.end(), Index(0));
+    some = &all;
+  }
+  evaluate(level, *some, next_round, 0, results.data(), some->data());
+  // where points are not asked for, rings have oriented them
+  if (demand_.surface_normals && demand_.points)
+    orient_normals(level, results, for_chunks_, some == &all || demand_.has_neighbors);
+  return results;
+}
+
+template <class Scheme, class FT>
+auto Limit_evaluation<Scheme, FT>::operator()(const Level& level, unsigned next_round,
+                                              const std::vector<Index>& vertices,
+                                              std::vector<Result>& results) -> void
+{
+  results.assign(vertices.size(), Result());
+  std::vector<Index> places(vertices.size());
+  std::iota(places.begin(), places.end(), Index(0));
+  evaluate(level, vertices, next_round, 0, results.data(), places.data());
+  if (demand_.surface_normals && demand_.points)
+    orient_normals(
+      level.level, results, for_chunks_,
+      [&](Index v) { return to_double_3(point_of(level.values[v])); },
+      [&](Index i) { return vertices[i]; });
+}
+
+template <class Scheme, class FT>
+auto Limit_evaluation<Scheme, FT>::evaluate_settled(const Level& level,
+                                                    const std::vector<Index>& vertices,
+                                                    unsigned next_round, unsigned depth,
+                                                    Result_of result_of) -> std::vector<Index>
+{
+  const unsigned first_final_round = first_tuned_round(scheme_);
+  const Settled_neighborhood<Scheme> is_settled(scheme_, level.level,
+                                                next_round >= first_final_round);
+  const bool keeps_points =
+    neighborhood_.keeps_points &&
+    !(neighborhood_.has_tangent_planes && (demand_.surface_normals || demand_.curvatures));
+  const bool is_final_then = next_round + 1 >= first_final_round;
+  std::vector<Vertex_state> states(vertices.size());
+  // all about a vertex in one go: what is read of the level is at hand then
+  with_towers(vertices.size(), [&](Towers& towers, Index begin, Index end) {
+    typename Classes::Recent kind_of(*classes_, level.level, next_round);
+    Rings rings(level.values);
+    std::array<Index, most_at_once> valences;
+    for (Index i = begin; i < end; ++i) {
+      const std::size_t in_part = (i - begin) % most_at_once;
+      if (in_part == 0)
+        find_valences(level.level, &vertices[i], (std::min<std::size_t>)(end - i, most_at_once),
+                      valences.data());
+      const Index v = vertices[i];
+      Result& result = result_of(i);
+      result.depth = depth;
+      if (valences[in_part] == 0 || keeps_points)
+        result.value = level.values[v];
+      else if (is_settled(v)) {
+        const auto* kind = &kind_of(v, valences[in_part]);
+        rings.add({v, &result, kind}, [&](std::vector<Index>& ring) {
+          Classes::append_ring(level.level, v, *kind, ring);
+        });
+        if (rings.is_full()) put_rings(level.level, rings, towers);
+      } else
+        states[i] = is_final_then && is_settled.in_next_ring(v) ? Vertex_state::settled_then
+                                                                : Vertex_state::unsettled;
+    }
+    put_rings(level.level, rings, towers);
+  });
+  Vertices in_next_ring;
+  std::vector<Index> unsettled;
+  typename Classes::Recent kind_of(*classes_, level.level, next_round + 1);
+  for (Index i = 0; i < vertices.size(); ++i)
+    if (states[i] == Vertex_state::settled_then)
+      in_next_ring.push_back(
+        {vertices[i], &result_of(i), &kind_of(vertices[i], level.level.valence(vertices[i]))});
+    else if (states[i] == Vertex_state::unsettled)
+      unsettled.push_back(i);
+  if (!in_next_ring.empty()) evaluate_in_next_ring(level, in_next_ring, next_round);
+  return unsettled;
+}
+
+template <class Scheme, class FT>
+auto Limit_evaluation<Scheme, FT>::require_depth(unsigned depth, unsigned next_round) const -> void
+{
+  const unsigned first_final_round = first_tuned_round(scheme_);
+  if (depth < most_rounds) return;
+  if (next_round < first_final_round)
+    throw std::invalid_argument(
+      "PN_subdivision_3: the first round of the rules of the scheme is " +
+      std::to_string(first_final_round) + ", but no limit is sought beyond round " +
+      std::to_string(next_round - 1) + ", which is " + std::to_string(most_rounds) +
+      " rounds after the mesh: subdivide it first, or take an earlier first round");
+  throw std::invalid_argument("PN_subdivision_3: the scheme does not settle about its vertices "
+                              "within " +
+                              std::to_string(most_rounds) + " rounds: it has no limit masks");
+}
 
 } // namespace CGAL::PN_subdivision_3::internal
 
