@@ -117,6 +117,7 @@ void require_writable_places(const Curve_options& options)
                      {options.input, options.output, options.comb.value_or(""),
                       options.sharp.value_or("arcs") == "arcs" ? "" : *options.sharp});
   if (!options.comb) return;
+  require_writable_place(*options.comb);
   if (!boost::algorithm::iends_with(*options.comb, ".svg"))
     throw Usage_error("--comb " + *options.comb +
                       ": the drawing is an SVG file, whose name ends in .svg");
