@@ -9,7 +9,6 @@
 #include "Control.h"
 
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
-#include <CGAL/PN_limit_surface_3/tessellate.h>
 #include <CGAL/PN_recognition_3/recognize_surfaces.h>
 
 #include <functional>
@@ -217,22 +216,6 @@ py::array limit(Control& c, unsigned levels, double tolerance, double normal_tol
   return py::array_t<PN::Limit_report>(1, &report);
 }
 
-py::array tessellate(Control& c, double chord)
-{
-  for (PN::Attribute_array& array : c.table.corners) array.rule = PN::Corner_rule::all;
-  PN::Tessellation_result result;
-  c.run([&](const auto& scheme, const auto& np, const auto& of_control) {
-    const std::decay_t<decltype(of_control)> normals;
-    Mesh triangles;
-    result = PN::tessellate<Tag>(c.mesh, scheme, chord, triangles,
-                                 PN::parameters::join(PN::parameters::attributes(c.table), np),
-                                 CGAL::parameters::vertex_normal_map(normals));
-    c.normals = normals;
-    c.mesh = std::move(triangles);
-  });
-  return py::array_t<PN::Tessellation_result>(1, &result);
-}
-
 // Makes creases, normals and the roundness those of the surfaces that are found; returns these and the number of that of
 // each face.
 py::tuple recognize(Control& c, int min_facets, double tolerance, double sharp_angle)
@@ -290,13 +273,11 @@ PYBIND11_MODULE(_core, module)
     .def("face_parents", [](const Control& c) { return to_array(c.table.face_parents); });
   PYBIND11_NUMPY_DTYPE(PN::Limit_report, error, normal_error, tolerance, number_of_misses,
                        number_of_stand_ins, depth);
-  PYBIND11_NUMPY_DTYPE(PN::Tessellation_result, bound, worst_face, worst_place, reached, depth);
   PYBIND11_NUMPY_DTYPE(PN::Recognized_surface, kind, point, direction, radius, tube_radius,
                        half_angle, residual, number_of_faces);
   module.def("subdivide", subdivide, py::arg("control"), py::arg("levels"), py::arg("progress"));
   module.def("limit", limit, py::arg("control"), py::arg("levels"), py::arg("tolerance"),
              py::arg("normal_tolerance"), py::arg("progress"));
-  module.def("tessellate", tessellate, py::arg("control"), py::arg("chord"));
   module.def("recognize", recognize, py::arg("control"), py::arg("min_facets"),
              py::arg("tolerance"), py::arg("sharp_angle"));
   add_surfaces(module);

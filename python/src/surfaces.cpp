@@ -10,6 +10,7 @@
 
 #include <CGAL/PN_limit_surface_3/Limit_surface.h>
 #include <CGAL/PN_limit_surface_3/Limit_surface_queries.h>
+#include <CGAL/PN_limit_surface_3/tessellate.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/PN_subdivision_curve.h>
 
@@ -82,6 +83,22 @@ void add_refiner(py::module_& module, const char* name)
       r.build_mesh(mesh);
       return faces_of(mesh);
     });
+}
+
+py::array tessellate(Control& c, double chord)
+{
+  for (PN::Attribute_array& array : c.table.corners) array.rule = PN::Corner_rule::all;
+  PN::Tessellation_result result;
+  c.run([&](const auto& scheme, const auto& np, const auto& of_control) {
+    const std::decay_t<decltype(of_control)> normals;
+    Mesh triangles;
+    result = PN::tessellate<Tag>(c.mesh, scheme, chord, triangles,
+                                 PN::parameters::join(PN::parameters::attributes(c.table), np),
+                                 CGAL::parameters::vertex_normal_map(normals));
+    c.normals = normals;
+    c.mesh = std::move(triangles);
+  });
+  return py::array_t<PN::Tessellation_result>(1, &result);
 }
 
 std::unique_ptr<Surface> limit_surface(Control& c, double tolerance, double normal_tolerance)
@@ -173,6 +190,8 @@ void add_surfaces(py::module_& module)
          py::call_guard<py::gil_scoped_release>())
     .def("closest_points", closest_points)
     .def("first_intersections", first_intersections);
+  PYBIND11_NUMPY_DTYPE(PN::Tessellation_result, bound, worst_face, worst_place, reached, depth);
+  module.def("tessellate", tessellate, py::arg("control"), py::arg("chord"));
   module.def("refiner", refiner);
   module.def("limit_surface", limit_surface);
   module.def("curve", curve);
