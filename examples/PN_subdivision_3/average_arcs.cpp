@@ -140,7 +140,7 @@ void draw(std::ostream& out, const Construction& c)
   Drawing d(out);
   d.line("line", moved(c.q, -0.5, c.normal), moved(c.q, 1.6, c.normal));
   for (std::size_t j = 0; j < c.row.size(); ++j) {
-    const auto& [point, normal] = c.old[j];
+    const auto& [point, normal, roundness] = c.old[j];
     const Vector end = moved(c.q, c.heights[j], c.normal);
     d.arc(point, normal, end, c.normal);
     d.line("normal", point, moved(point, 0.45, normal));

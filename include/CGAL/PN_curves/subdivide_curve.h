@@ -37,17 +37,20 @@ struct Curve_vector<Points, No_curve_normal_map>
 
 // The named parameters of the curve functions.
 template <class Range, class NamedParameters>
-struct Curve_parameters : Curve_points<Range, NamedParameters>
+struct Curve_parameters : Curve_maps<Range, NamedParameters>
 {
   using Points = Curve_points<Range, NamedParameters>;
-  using Vector = typename Curve_vector<Points, typename Points::Normal_map>::type;
+  using typename Curve_maps<Range, NamedParameters>::Normal_map;
+  using typename Curve_maps<Range, NamedParameters>::Point;
+  using Vector = typename Curve_vector<Points, Normal_map>::type;
   using Geom_traits =
     typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
-                                                 typename Points::Kernel>::type;
+                                                 typename CGAL::Kernel_traits<Point>::Kernel>::type;
   using FT = typename Geom_traits::FT;
 
   using Roundness = Parameter_type<roundness_t, NamedParameters, No_roundness>;
 
+  static constexpr int dimension = CGAL::Ambient_dimension<Point>::value;
   static constexpr bool has_roundness = is_given_roundness_v<Roundness>;
 
   static FT roundness([[maybe_unused]] const NamedParameters& np)
@@ -72,7 +75,7 @@ void for_each_point_and_normal(const Range& polygon, [[maybe_unused]] Curve_end 
                                const NamedParameters& np, const Function& f)
 {
   const auto point_map = Parameters::point_map(np);
-  if constexpr (Parameters::has_normals) {
+  if constexpr (Parameters::Points::has_normals) {
     const auto normal_map = Parameters::normal_map(np);
     for (const auto& item : polygon) f(get(point_map, item), get(normal_map, item));
   } else if constexpr (needs_normals) {

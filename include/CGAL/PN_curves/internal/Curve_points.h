@@ -79,9 +79,9 @@ Point_or_vector from_coordinates(const std::array<Number, dimension>& c)
 }
 
 // Where a range has its points: its items, the first members of its pairs, or what a named parameter
-// says; likewise its normals, if any. And the points in other number types.
+// says; likewise its normals, if any. Nothing is asked of the kernel, which is checked afterwards.
 template <class Range, class NamedParameters>
-struct Curve_points
+struct Curve_maps
 {
   using Item =
     typename std::iterator_traits<decltype(std::begin(std::declval<const Range&>()))>::value_type;
@@ -90,13 +90,6 @@ struct Curve_points
   using Normal_map = std::decay_t<typename internal_np::Lookup_named_param_def<
     internal_np::normal_t, NamedParameters, typename Default_curve_normal_map<Item>::type>::type>;
   using Point = std::remove_const_t<typename boost::property_traits<Point_map>::value_type>;
-  using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
-  using FT = typename Kernel::FT;
-
-  static constexpr int dimension = CGAL::Ambient_dimension<Point>::value;
-  static constexpr bool has_normals = !std::is_same_v<Normal_map, No_curve_normal_map>;
-  using Vector =
-    std::conditional_t<dimension == 2, typename Kernel::Vector_2, typename Kernel::Vector_3>;
 
   static Point_map point_map(const NamedParameters& np)
   {
@@ -108,13 +101,29 @@ struct Curve_points
     return parameters::choose_parameter<Normal_map>(
       parameters::get_parameter(np, internal_np::normal_map));
   }
+};
+
+// And the points in other number types.
+template <class Range, class NamedParameters>
+struct Curve_points : Curve_maps<Range, NamedParameters>
+{
+  using Maps = Curve_maps<Range, NamedParameters>;
+  using typename Maps::Normal_map;
+  using typename Maps::Point;
+  using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
+  using FT = typename Kernel::FT;
+
+  static constexpr int dimension = CGAL::Ambient_dimension<Point>::value;
+  static constexpr bool has_normals = !std::is_same_v<Normal_map, No_curve_normal_map>;
+  using Vector =
+    std::conditional_t<dimension == 2, typename Kernel::Vector_2, typename Kernel::Vector_3>;
 
   // the points in the number type Number
   template <class Number>
   static std::vector<Coordinates<Number, dimension>> get_all(const Range& range,
                                                              const NamedParameters& np)
   {
-    const auto map = point_map(np);
+    const auto map = Maps::point_map(np);
     std::vector<Coordinates<Number, dimension>> points;
     for (const auto& item : range) {
       const Point p = get(map, item);
