@@ -244,28 +244,30 @@ struct Of_headers_alone : Scheme
 {};
 
 template <class Scheme>
-std::vector<Triple> limits_of(const Soup& soup, const Scheme& scheme, bool has_creases)
+std::vector<mesh_cases::Triple> limits_of(const mesh_cases::Soup& soup, const Scheme& scheme,
+                                          bool has_creases)
 {
   CGAL::Surface_mesh<Cartesian::Point_3> mesh;
-  build(soup, mesh);
+  mesh_cases::build(soup, mesh);
   auto limits = mesh.add_property_map<CGAL::SM_Vertex_index, Cartesian::Point_3>("v:limit").first;
   auto sharp = mesh.add_property_map<CGAL::SM_Edge_index, bool>("e:sharp", false).first;
   for (const auto h : halfedges_around_face(halfedge(*faces(mesh).begin(), mesh), mesh))
     sharp[edge(h, mesh)] = has_creases;
   PN::limit_points(mesh, scheme,
                    PN::parameters::limit_point_map(limits).edge_is_constrained_map(sharp));
-  return values(mesh, limits);
+  return mesh_cases::values(mesh, limits);
 }
 
 TEST(Compiled_limits, AreThoseOfTheHeaders)
 {
   for (const bool has_creases : {false, true}) {
-    for (const Soup& soup : {cube(), mixed_with_border()}) {
+    for (const mesh_cases::Soup& soup : {mesh_cases::cube(), mesh_cases::mixed_with_border()}) {
       const auto limits = limits_of(soup, PN::CatmullClark_scheme(), has_creases);
       EXPECT_EQ(limits, limits_of(soup, Of_headers_alone<PN::CatmullClark_scheme>(), has_creases));
       EXPECT_EQ(limits, limits_of(soup, PN::Any_scheme<>(PN::CatmullClark_scheme()), has_creases));
     }
-    for (const Soup& soup : {tetrahedron(), triangles_with_border()}) {
+    for (const mesh_cases::Soup& soup :
+         {mesh_cases::tetrahedron(), mesh_cases::triangles_with_border()}) {
       const auto limits = limits_of(soup, PN::Loop_scheme(), has_creases);
       EXPECT_EQ(limits, limits_of(soup, Of_headers_alone<PN::Loop_scheme>(), has_creases));
       EXPECT_EQ(limits, limits_of(soup, PN::Any_scheme<>(PN::Loop_scheme()), has_creases));
