@@ -7,7 +7,7 @@
 // Author(s): PN_subdivision_3 developers
 
 // What many tests instantiate alike, for the precompiled header that they share: with clang++ it is compiled once, and no
-// test compiles it again (cmake/PN_precompiled_tests.cmake). Nothing here is ever called, and no test needs it.
+// test compiles it again (cmake/PN_joined_tests.cmake). Nothing here is ever called, and no test needs it.
 
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_INSTANCES_H
 #define CGAL_PN_SUBDIVISION_3_TEST_INSTANCES_H
