@@ -129,8 +129,16 @@ def parameter_page() -> str:
                       "| function | parameters of this package |", "|---|---|", *map(row, sorted(found, key=str.lower)), "*/", "}", ""])
 
 
+def example_page() -> str:
+    """Doxygen shows the source of what an `\\example` names."""
+    folder = ROOT / "examples"
+    names = [path.relative_to(folder) for path in sorted(folder.glob("*/*")) if path.suffix in (".cpp", ".h")]
+    return "\n".join(["/*!", *(f"\\example {name}" for name in names), "*/", ""])
+
+
 def prepare(out: Path) -> None:
     out.mkdir(parents=True, exist_ok=True)
+    (out / "examples.txt").write_text(example_page())
     (out / "bibliography.txt").write_text(bibliography())
     (out / "parameters.txt").write_text(parameter_page())
     (out / "moving.txt").write_text(moves.page())
@@ -237,9 +245,9 @@ def write_formulas(pages: dict[Path, str]) -> list[str]:
 
 
 def unlisted(pages: dict[Path, str]) -> list[str]:
-    """Public names that the classified list of PackageDescription.txt lacks."""
+    """Public names that the classified list of PackageDescription.txt and the page of named parameters lack."""
     description = (DOC / "PackageDescription.txt").read_text()
-    listed = set(re.findall(r"`(?:CGAL::PN_subdivision_3::)?(?:\w+::)*(\w+)(?:\(\))?`", description))
+    listed = set(re.findall(r"`(?:CGAL::PN_subdivision_3::)?(?:\w+::)*(\w+)(?:\(\))?`", description)).union(*read_parameters().values())
     found = set()
     for path, text in pages.items():
         if path.name.startswith("group__"):

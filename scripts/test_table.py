@@ -25,7 +25,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "doc" / "PN_subdivision_3" / "Building.md"
 HEADING = "## All tests\n"
-NO_NUMBER = ""
+SECTIONS = {"short": "### Short tests", "long": "### Long tests"}
 
 
 def tiers(build: Path) -> dict[str, str]:
@@ -59,30 +59,34 @@ def run_seconds(build: Path) -> dict[str, float]:
     return {line.split()[0]: float(line.split()[2]) for line in lines}
 
 
-def sources(build: Path, name: str) -> str:
-    joined = build / "test" / "PN_subdivision_3" / "joined" / f"{name}.cpp"
-    names = re.findall(r"/test_(\w+)\.cpp\"", joined.read_text()) if joined.exists() else []
-    return ", ".join(names)
+def joined(build: Path, name: str) -> str:
+    """The tests that a program is joined of."""
+    source = build / "test" / "PN_subdivision_3" / "joined" / f"{name}.cpp"
+    names = re.findall(r"/test_(\w+)\.cpp\"", source.read_text()) if source.exists() else []
+    return f": {', '.join(names)}" if names else ""
 
 
-def old_rows() -> dict[str, list[str]]:
-    table = PAGE.read_text().partition(HEADING)[2]
-    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in table.splitlines() if line.startswith("| `")]
-    return {row[0].strip("`"): row for row in rows}
+def old_rows() -> dict[str, tuple[str, list[str]]]:
+    """The tier of each test, and its numbers."""
+    rows, tier = {}, ""
+    for line in PAGE.read_text().partition(HEADING)[2].splitlines():
+        tier = next((name for name, heading in SECTIONS.items() if line == heading), tier)
+        if line.startswith("|`"):
+            name, *numbers = line.strip("|").split("|")
+            rows[name.split("`")[1]] = tier, numbers
+    return rows
 
 
 def table(build: Path) -> str:
     compiled, run, old = compile_seconds(build), run_seconds(build), old_rows()
-    rows = []
-    for name, tier in sorted(tiers(build).items(), key=lambda item: (item[1] == "long", item[0])):
-        before = old.get(name, [NO_NUMBER] * 5)
-
-        def number(seconds, column, before=before):
-            return before[column] if seconds is None else f"{seconds:.0f}"
-
-        rows.append(f"| `{name}` | {tier} | {number(compiled.get(name.removeprefix('example_')), 2)} |"
-                    f" {number(run.get(name), 3)} | {sources(build, name)} |")
-    return "\n".join(["| test | tier | s to compile | s to run | joined of |", "|---|---|---:|---:|---|", *rows]) + "\n"
+    rows: dict[str, list[str]] = {tier: [] for tier in SECTIONS}
+    for name, tier in sorted(tiers(build).items()):
+        before = old.get(name, ("", ["", ""]))[1]
+        found = compiled.get(name.removeprefix("example_")), run.get(name)
+        numbers = [was if seconds is None else f"{seconds:.0f}" for was, seconds in zip(before, found)]
+        rows[tier].append("|".join([f"|`{name}`{joined(build, name)}", *numbers]) + "|\n")
+    return "\n".join(f"{heading}\n\n|test|compile|run|\n|---|---:|---:|\n" + "".join(rows[tier])
+                     for tier, heading in SECTIONS.items())
 
 
 def main() -> int:
@@ -92,11 +96,11 @@ def main() -> int:
     options = parser.parse_args()
     if not options.check:
         text, heading, rest = PAGE.read_text().partition(HEADING)
-        introduction = rest.partition("\n| test")[0]
+        introduction = rest.partition("\n###")[0]
         PAGE.write_text(text + heading + introduction + "\n" + table(options.build))
         return 0
     expected = tiers(options.build)
-    written = {name: row[1] for name, row in old_rows().items()}
+    written = {name: tier for name, (tier, _) in old_rows().items()}
     wrong = [f"{name}: {expected.get(name, 'no such test')}, the table has {written.get(name, 'no row')}"
              for name in sorted(expected.keys() | written.keys()) if expected.get(name) != written.get(name)]
     print("\n".join(wrong), file=sys.stderr)

@@ -37,7 +37,6 @@ NAMES = {
     "opensubdiv/stencils": "OpenSubdiv, table of stencils, `float`",
 }
 DETAILED = ("catmull-clark", "loop")  # the ratios and the chart have all
-AGAIN = ("pn/refiner", "pn-linear/refiner", "opensubdiv/stencils")
 # CGAL has no interpolatory scheme for quads: Kobbelt's is beside its Catmull-Clark
 BESIDE = {"kobbelt": "catmull-clark"}
 
@@ -70,39 +69,20 @@ class Page:
             return self.find(beside, job, size, threads, kind, process)
         return m
 
-    def rows_of_sizes(self, scheme: str, jobs: list[str]) -> list[list[str]]:
-        rows = []
-        for job in jobs:
-            for threads in (1, 2):
-                found = [self.find(scheme, job, size, threads) for size in self.sizes]
-                if not any(found):
-                    continue
-                name = NAMES[job] + (", 2 threads" if threads == 2 else "")
-                rows.append([name] + [number(m.ns_per_face()) if m else "" for m in found])
-        return rows
-
-    def tables_of_sizes(self) -> list[str]:
-        header = [""] + [size_name(s) for s in self.sizes]
-        lines = []
-        for scheme in self.detailed:
-            lines += [f"### {TITLES[scheme]}", ""]
-            lines += table(header, self.rows_of_sizes(scheme, [j for j in NAMES if j not in AGAIN]))
-        return lines
-
-    def table_of_meshes(self, size: int) -> list[str]:
-        """the other control meshes, fresh processes and huge pages"""
+    def tables_of_meshes(self, size: int) -> list[str]:
+        """regular and other control meshes, fresh processes and huge pages"""
         columns = (("regular", "warm"), ("irregular", "warm"), ("real", "warm"),
                    ("regular", "fresh"), ("regular", "huge"))
-        rows = []
+        lines = []
         for scheme in self.detailed:
-            for job in (j for j in NAMES if not j.endswith("/polyhedron")):
+            rows = []
+            for job in NAMES:
                 found = [self.find(scheme, job, size, 1, *c) for c in columns]
-                if all(found) and not job.startswith("floor"):
-                    rows.append([f"{TITLES[scheme]}: {NAMES[job]}"] +
-                                [number(m.ns_per_face()) for m in found if m])
-        header = [f"about {size_name(size)} faces", "regular", "irregular", "real",
-                  "regular, fresh process", "regular, huge pages"]
-        return table(header, rows) if rows else []
+                if any(found):
+                    rows.append([NAMES[job]] + [number(m.ns_per_face()) if m else "" for m in found])
+            lines += [f"### {TITLES[scheme]}", ""]
+            lines += table(["", "regular", "irregular", "real", "regular, fresh process", "regular, huge pages"], rows)
+        return lines
 
     def table_of_ratios(self) -> list[str]:
         """point-normal subdivision to CGAL's linear functions"""
@@ -120,11 +100,10 @@ class Page:
 
     def lines(self) -> list[str]:
         lines = ["", "## Ratios", ""] + self.table_of_ratios()
-        lines += ["## Whole jobs on regular control meshes", "", "Nanoseconds a refined face.", ""]
-        lines += self.tables_of_sizes()
-        lines += ["## Other control meshes, fresh processes, huge pages", "",
-                  "Nanoseconds a refined face, one thread. A `Surface_refiner` and tables of stencils get all control points again.", ""]
-        return lines + self.table_of_meshes(max((r.size for r in self.medians if r.kind == "irregular"), default=0))
+        size = max((r.size for r in self.medians if r.kind == "irregular"), default=self.sizes[-1])
+        lines += ["## Whole jobs", "", f"Nanoseconds a refined face, about {size_name(size)} faces, one thread; the chart has other sizes. "
+                  "A `Surface_refiner` and tables of stencils get all control points again.", ""]
+        return lines + self.tables_of_meshes(size)
 
 
 BEGIN, END = "<!-- begin of the tables -->", "<!-- end of the tables -->"
