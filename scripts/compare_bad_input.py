@@ -53,10 +53,6 @@ def page(rows):
     for verdicts, inputs in alike.items():
         cells = [f"<b>{c}</b>" if c in ("crash", "garbage", "hangs") else c for c in verdicts]
         lines.append(f"| {'; '.join(inputs)} | {' | '.join(cells)} |")
-    counts = {p: [row[2 + 2 * i] for row in rows[1:]] for i, p in enumerate(peers)}
-    words = ("right", "accepts", "refusal", "garbage", "crash", "hangs")
-    summary = ["| | " + " | ".join(words) + " |", "| :-- " + "| :-: " * len(words) + "|"]
-    summary += [f"| {p} | " + " | ".join(str(counts[p].count(w)) for w in words) + " |" for p in peers]
     newline = "\n"
     return f"""// written by scripts/compare_bad_input.py
 namespace CGAL {{
@@ -68,21 +64,15 @@ namespace CGAL {{
 {len(rows) - 1} inputs that are wrong or unusual, one round of Catmull-Clark (or Loop), each in a process of its own. Release builds with `NDEBUG`
 of {versions}, this package, and its command with an OFF file:
 
-- *right*: the result of the scheme, finite, with the right numbers of vertices and faces;
-- *accepts*: no oriented 2-manifold, but a complete and finite result by the library's own rule;
+- *right*: the result of the scheme; *accepts*: no oriented 2-manifold, but a finite result by the library's own rule;
 - *refusal*: an exception, an error code or a null result before anything is refined, or the mesh cannot be made;
 - <b>garbage</b>: coordinates that are not finite, missing elements, or a mesh where there is none, without an error;
 - <b>crash</b>: ended by a signal; <b>hangs</b>: not done within 30 seconds of a processor.
 
-A program can live with the first three. CGAL and the functions of this package read a `Surface_mesh` of `add_face()`, and refuse
-what it refuses. An index beyond the vertices is an error of the program that builds the mesh. Most bold entries violate a documented
-precondition.
+CGAL and the functions of this package read a `Surface_mesh` of `add_face()`, and refuse what it refuses. Most bold entries violate a documented
+precondition; an index beyond the vertices is an error of the program that builds the mesh.
 
 {newline.join(lines)}
-
-In sum:
-
-{newline.join(summary)}
 
 `scripts/compare_bad_input.py` writes this page; the inputs are in `test/PN_subdivision_3/peers/Bad_inputs.h`.
 */
