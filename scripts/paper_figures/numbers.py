@@ -11,13 +11,12 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from itertools import product
 from math import acos, cos, degrees, hypot, pi, sin
-from statistics import median
 
 from control_meshes.star import BEZIER_HEIGHTS
 from control_meshes.vector import Vec, add, cross, dot, scaled, sub
 from refinery import Refinery
 
-from .refined import Refined, refined
+from .refined import refined
 from .rings import RINGS, bent, flat
 
 Numbers = Iterator[tuple[str, float]]
@@ -183,34 +182,6 @@ def off_cyclide(p: Vec, a: float, b: float, c: float, d: float) -> float:
     return abs(value) / hypot(*slope) / d
 
 
-def oscillation(mesh: Refined, v: int) -> float:
-    """How far the Gaussian curvature spreads on the second ring of vertices around one."""
-    values = [mesh.values["gaussian_curvature"][w]
-              for w, layer in mesh.layers(v, 2).items() if layer == 2]
-    return max(values) - min(values)
-
-
-def extraordinary(refinery: Refinery, number: str, model: str, options: str, control_vertices: int, regular: int) -> Numbers:
-    """Only vertices at which the modified schemes differ in the paper, of more edges than regular. A scheme is the
-    first word of the options."""
-    for name, way in (("linear", f"{options} --linear"), ("modified", f"modified-{options} --linear {MODIFIED}"),
-                      ("PN_modified", f"modified-{options} --normals angle {MODIFIED}"),
-                      ("PN_modified_1", f"modified-{options} --normals angle"), ("PN", f"{options} --normals angle")):
-        mesh = refined(refinery, model, f"--levels 4 --curvature gaussian --scheme {way}")
-        hubs = [v for v in range(control_vertices)
-                if len(mesh.neighbors[v]) > regular and not mesh.is_border(v)]
-        yield f"{number}_vertices", len(hubs)
-        yield f"{number}_{name}", median(oscillation(mesh, v) for v in hubs)
-
-
-def spoon_14(refinery: Refinery) -> Numbers:
-    return extraordinary(refinery, "14", "spoon.obj", "catmull-clark", 116, 4)
-
-
-def head_15(refinery: Refinery) -> Numbers:
-    return extraordinary(refinery, "15", "head.obj", "loop --triangulate", 304, 6)
-
-
 def torus_17(refinery: Refinery) -> Numbers:
     for n in (4, 8):
         mesh = refined(refinery, f"paper/torus_{n}.ply", "--scheme kobbelt --levels 5")
@@ -229,7 +200,7 @@ def torus_17(refinery: Refinery) -> Numbers:
 
 OF_REFINED: dict[int, Callable[[Refinery], Numbers]] = {
     3: cylinder_3, 4: tetrahedron_4, 6: rings_6, 8: cross_8, 9: local_9, 10: grid_10, 11: ring_11, 12: wheel_12,
-    13: models_13, 14: spoon_14, 15: head_15, 17: torus_17}
+    13: models_13, 17: torus_17}
 
 
 # --- what the examples print ---
