@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Hypothesis (E) of the manual's page "Smoothness: Theorems" for the modified schemes: their characteristic maps are
+// Hypothesis (E) of the preprint for the modified schemes: their characteristic maps are
 // regular and injective. Derivatives of a patch are in the hull of the differences of its control points.
 
 #include "Extraordinary_checks.h"
