@@ -6,7 +6,7 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""The constants of proven enclosures of limit surfaces, see PN_limit_surface_3/internal/limit_surface/Cell_enclosure.h and the page "The Limit Surface".
+"""The constants of proven enclosures of limit surfaces, see PN_limit_surface_3/internal/limit_surface/Cell_enclosure.h and the preprint.
 
 For a vertex of valence n between regular ones, of Catmull-Clark and Loop subdivision:
 gamma, the largest cost of a flow along edges that carries the row of one end of a new edge into that of the other; differences of

@@ -161,8 +161,8 @@ which the system above restores. Both steps are repeated while the curvature com
 step if the surface is smooth against its edges, of 3 to 10 on coarse nets. If a curvature but no point or no normal
 is prescribed, limit point and normal stay. Curvature can be prescribed where the scheme has it as a limit: at regular
 vertices, and at extraordinary ones with the modified schemes. The faces about the vertex have to be those that the
-scheme makes, and the rules of the scheme have to be settled there: with the modified schemes no other extraordinary
-vertex is next to it. No two of these vertices may have a vertex of their faces in common. Subdivide the mesh first if
+scheme makes, and the rules of the scheme have to be settled there. With the modified schemes no other extraordinary
+vertex may be next to it. No two of these vertices may have a vertex of their faces in common. Subdivide the mesh first if
 one of these conditions fails.
 
 Computed in `double`, whatever the number type.
@@ -171,7 +171,7 @@ Computed in `double`, whatever the number type.
 \param scheme as for `interpolate_limit_points()`; no linear one for curvatures
 \param np as for `interpolate_limit_points()`. Without curvatures the `vertex_normal_map` is read only, and
   without it control normals are estimated from the given points; curvatures need it, and write the
-  control normals of the 1-rings. Of `CGAL::PN_subdivision_3::parameters`, `prescribed_point_map`,
+  control normals of the 1-rings. In `CGAL::PN_subdivision_3::parameters` `prescribed_point_map`,
   `prescribed_normal_map` and `prescribed_curvature_map` have the data; `tolerance`, `max_depth`, `rings`,
   `curvature_tolerance` and `max_curvature_steps` control the method
 

@@ -110,8 +110,8 @@ public:
   }
 
   /// \name Corners
-  /// A corner of a face is named by its half-edge, at whose target it is. Where sharp edges divide the faces around a
-  /// vertex into several wedges it has one of several normals.
+  /// A corner of a face is named by its half-edge, at whose target it is. If sharp edges divide the faces around a
+  /// vertex into several wedges, a corner has one of several normals.
   /// @{
 
   /// which of the wedges of its vertex a corner belongs to: a number, 0 where there is one wedge.

@@ -68,8 +68,8 @@ n=\frac{n_i+n_j}{|n_i+n_j|}, \f]
 This height is exact on spheres and cylinders and of fourth order elsewhere. The height of a surface of second order
 over a triangle is at most \f$ 4s_{12}s_{23}s_{31}/(\sum_{i<j} 2 s_is_j-\sum_i s_i^2) \f$ or the largest of the \f$
 |s_{ij}| \f$. When a face is split, the distance of the new limit points from their expected places is measured; half
-of it is added to the estimate of its children. Without surface normals (at creases, corners, and where the ring has
-no tangent plane) the estimate is 0.27 to 0.45 of the distance that was measured on the parent, depending on the
+of it is added to the estimate of its children. At creases, corners, and where the ring has no tangent plane, there
+are no surface normals. The estimate is then 0.27 to 0.45 of the distance that was measured on the parent, depending on the
 limits of the control normals. On smooth surfaces a fourth of it remains. Faces of the control mesh, and children of
 its polygons, always get a round, and their estimate is the measured distance. Edges on creases and borders must be as
 close to their curve, which is estimated from the turns of the points of the level along it. Faces whose triangles,

@@ -83,8 +83,8 @@ internal::Face_attribute<Map> face_attribute(Map map)
 
 /// \ingroup PkgPNSubdivision3Attributes
 /// a map that gets the parents of refined faces. Keys are faces. Values are `Control_element`s, or integers: the
-/// number of the control face in the order of `faces(mesh)`, which with Doo-Sabin subdivision is for a face that
-/// comes from an edge or a vertex the least one of the faces there.
+/// number of the control face in the order of `faces(mesh)`. With Doo-Sabin subdivision a face that comes from an edge
+/// or a vertex has the least number of the faces there.
 template <class Map>
 internal::Face_parents<Map> face_parents(Map map)
 {

@@ -17,7 +17,7 @@ namespace CGAL::PN_subdivision_3 {
 /// What interpolation has reached, and how it can be asked for. Lengths are in the unit of the coordinates.
 struct Limit_interpolation
 {
-  /// What interpolation makes of a vertex.
+  /// The way in which a vertex is interpolated.
   enum class Mode {
     /// the limit surface passes through the point, or nearly; control normals are the given ones, and the control
     /// point slides along them. The fairest, and exact on spheres and circular cylinders.
@@ -33,7 +33,7 @@ struct Limit_interpolation
     natural ///< those that the interpolating surface has at the points, whatever is given; in mode `slide`, too
   };
 
-  /// What happens to the control points of vertices that are not interpolated.
+  /// The rule for control points of vertices that are not interpolated.
   enum class Free {
     fixed, ///< they stay
     smooth ///< they move along, as smoothly as they can; for `Mode::strict`

@@ -18,7 +18,7 @@ namespace CGAL::PN_subdivision_3 {
 /// What `tessellate()` has reached.
 struct Tessellation_result
 {
-  /// What keeps the triangles from the tolerance.
+  /// The reason why triangles are not within the tolerance.
   enum class Obstacle {
     none,      ///< it is reached
     rounds,    ///< there are faces about which as many rounds have been done as are allowed

@@ -40,8 +40,8 @@ struct Recognized_surface
   /// how many faces have been found to belong to it.
   std::size_t number_of_faces = 0;
   /// the widest angle that a facet spans about the axis; of a sphere the widest angle between corners of a face, seen from
-  /// the center. Where facets are even, 2 pi divided by it is their number a turn. Of a plane that of the prism or pyramid of
-  /// few sides which is left alone and of which it is a side. Zero for other planes and what is unknown.
+  /// the center. 2 pi divided by this angle is the number of even facets a turn. A plane has the angle of the prism or
+  /// pyramid of few sides that is left alone and of which it is a side. Zero for other planes and unknown faces.
   double widest_step = 0;
   /// the same about the center of the tube of a torus.
   double widest_meridian_step = 0;

@@ -160,8 +160,8 @@ If N vanishes, see `Unit_normal_traits::vanishing_tolerance()`, the result is q 
  - w = &sum; a<sub>j</sub> w<sub>j</sub>, p = q + w (&sum; a<sub>j</sub> h<sub>j</sub>) n:
 
 the fraction w of the way from the linear point to that of the rule without. Since the weights sum to 1 exactly,
-this is the rule itself, bit for bit, where all w<sub>j</sub> are 1, and the linear one where all are 0. Where all
-values have the same, `roundness` saves the sum and its rounding.
+this is the rule itself, bit for bit, where all w<sub>j</sub> are 1, and the linear one where all are 0. If all
+values have the same roundness, `roundness` saves the sum and its rounding.
 
 <em>Fade of opposite normals.</em> If n<sub>j</sub> is opposite to n, no arc from p<sub>j</sub> is defined. If it is
 nearly opposite, as one reversed normal among others is, the arc is many times longer than the chord. Such an entry

@@ -78,7 +78,7 @@ public:
 
   /// the old vertex, edge or face that a new vertex comes from.
   Element_parent parent_of_vertex(Index child) const { return numbering_.parent_of_vertex(child); }
-  /// the old edge that a new edge is a half of, or the face that it lies in; that of corner i of the face, counted
+  /// the old edge that a new edge is a half of, or the face that it lies in. The new edge of corner i of the face, counted
   /// from the target of its half-edge on, begins at the edge that leads to the corner.
   Element_parent parent_of_edge(Index child) const { return numbering_.parent_of_edge(child); }
   /// the old face that a new face is a part of, and its corner.

@@ -108,8 +108,8 @@ void add_along_border(const Level_connectivity& level, Level_connectivity::Index
 /*!
 \ingroup PkgPNSubdivision3Schemes
 
-The region around a vertex that has to be regular, so that a scheme does the same there in every round from now on: it
-maps the ring of the vertex to that of its successor by one matrix. A scheme has a static constant
+The region around a vertex that has to be regular, so that a scheme does the same there in every round from now on.
+One matrix then maps the ring of the vertex to the ring of its successor. A scheme has a static constant
 `limit_neighborhood` of this type; without it, these are the defaults, which serve all schemes with masks no larger
 than those of the package.
 */
@@ -124,7 +124,7 @@ struct Limit_neighborhood
   bool is_spline = false;
   /// whether vertices keep their points and normals.
   bool keeps_points = false;
-  /// whether the surface has tangent planes. Where it has none, control normals stand in for its normals; vertices
+  /// whether the surface has tangent planes. If it has none, control normals stand in for its normals; vertices
   /// then have to keep their points.
   bool has_tangent_planes = true;
 };
