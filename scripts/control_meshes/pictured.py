@@ -123,6 +123,14 @@ def _cylinder(random: Random) -> Mesh:
     return Mesh(points, list(_cut(grid_quads(nu, nv + 1, "columns"), random)))
 
 
+def chamfered_pin() -> Mesh:
+    """A prism of twelve sides with flat ends."""
+    n, profile = 12, [(0.75, 0.0), (1.0, 0.3), (1.0, 2.7), (0.75, 3.0)]
+    points = [(r * cos(2 * pi * i / n), r * sin(2 * pi * i / n), z) for r, z in profile for i in range(n)]
+    ends = [tuple(range(n - 1, -1, -1)), tuple(range(len(points) - n, len(points)))]
+    return Mesh(points, [*grid_quads(n, len(profile), "columns"), *ends])
+
+
 # --- of noisy normals ---
 
 
@@ -146,7 +154,7 @@ MESHES: dict[str, Callable[[], Mesh]] = {
     "bordered_quads": partial(four_cubes, True, False), "bordered_triangles": partial(four_cubes, True, True),
     "uneven_torus": uneven_torus, "uneven_vase": uneven_vase,
     "sphere": lambda: points_alone()["sphere"], "cap": lambda: points_alone()["cap"],
-    "cylinder": lambda: points_alone()["cylinder"],
+    "cylinder": lambda: points_alone()["cylinder"], "chamfered_pin": chamfered_pin,
     "torus_exact": partial(noisy_torus, 0), "torus_noise_2": partial(noisy_torus, 2),
     "torus_noise_5": partial(noisy_torus, 5), "torus_reversed": partial(noisy_torus, 0, 2 + 26 * 16),
     "torus_triangles": partial(noisy_torus, 5, None, 0.35)}
