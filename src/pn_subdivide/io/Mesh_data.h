@@ -24,7 +24,7 @@
 
 namespace pn_subdivide {
 
-// What the normals of a mesh are: data for a further round, those of its faces, or those of the surface that
+// The meaning of the normals of a mesh: data for a further round, normals of its faces, or normals of the surface that
 // the rounds lead to.
 enum class Normal_kind { control, of_mesh, of_surface };
 
@@ -74,8 +74,8 @@ struct Crease_tags
 using Triple = std::array<double, 3>; // a point or a vector; a kernel's would cost compile time
 using Color = std::array<std::uint8_t, 3>; // red, green, blue
 
-// Of normals that are those of the faces: how many different ones there are, on how many faces. With few, or
-// with large faces, their edges are meant to be seen; with many they are there for want of better ones.
+// Normals of the faces: how many different normals there are, on how many faces. If they are few, or the faces large, the
+// edges are meant to be seen; many such normals are there for want of better normals.
 struct Flat_shading
 {
   std::size_t normals = 0, faces = 0; // 0: no flat shading
@@ -84,8 +84,8 @@ struct Flat_shading
   bool makes_creases() const { return normals <= 6 || faces >= 20 * normals; }
 };
 
-// Of normals that a modelling program has made of those of the faces, for shading: how they are weighted, and how many of
-// all normals are so.
+// Normals for shading, which a modeling program has averaged from normals of faces: how they are weighted, and how many
+// normals of the file agree.
 struct Shading
 {
   const char* weights = nullptr; // "weighted by angle"
@@ -168,18 +168,18 @@ public:
   Written_digits digits_of_normals;    // in the file
   bool are_said_to_be_control = false; // the normals, by the file itself
 
-  // What the numbers of vertices in the file have become: those of the vertices that they were merged
-  // into (empty: their own), and for the last vertices those of which these are copies.
+  // For each vertex of the file the number of the vertex that it was merged into (empty: its own), and for each of the last
+  // vertices the number of the vertex that it is a copy of.
   std::vector<Index> merged_into, copied_from;
 
-  // of which a vertex is a copy, or itself
+  // the vertex that v is a copy of, or v
   Index original(Index v) const
   {
     const std::size_t copies_begin = points.size() - copied_from.size();
     while (v >= copies_begin) v = copied_from[v - copies_begin];
     return v;
   }
-  // for messages; of vertices that were merged that of the first
+  // for messages; merged vertices have the number of the first
   Index number_in_file(Index v) const
   {
     v = original(v);

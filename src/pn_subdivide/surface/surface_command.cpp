@@ -293,7 +293,7 @@ Limit_summary limits(Surface& surface, const Plan& plan, const Surface_options& 
                  : set_limits(surface, scheme, limit, options.levels, plan.threads);
 }
 
-// Those of the limit, beside those of the surface.
+// Limits of control normals, beside the normals of the surface.
 Kept_normals control_normals_at_limits(const Surface& surface, const Plan& plan,
                                        const Surface_options& options, const Scheme_choice& scheme,
                                        const std::optional<Crease_maps>& creases)
@@ -468,7 +468,7 @@ void remark_on_texture(const Plan& plan, const Surface_options& options, Report&
                   "--texture-rule all has them");
 }
 
-// Triangles within --chord; the rounds become those that were done.
+// Triangles within --chord; `rounds` gets the rounds that were done.
 void tessellate(Surface& surface, const Plan& plan, Surface_options& options,
                 const Scheme_choice& scheme, Refinement& rounds, double chord, Report& report)
 {
@@ -481,7 +481,7 @@ void tessellate(Surface& surface, const Plan& plan, Surface_options& options,
   report_tessellation(result, chord, plan.output.title("standard output"), report);
 }
 
-// Limits are those of what is smooth or sharp forever.
+// Limits are known of edges that are smooth or sharp forever.
 void require_limit_of_creases(const Creases& creases, const Plan& plan, unsigned levels)
 {
   const Limit_choice& limit = plan.limit;
@@ -496,7 +496,7 @@ void require_limit_of_creases(const Creases& creases, const Plan& plan, unsigned
                     std::to_string(static_cast<unsigned long>(std::ceil(sharpness))) + " or more");
 }
 
-// Control points slide on smooth surfaces only, and limits are those of what is smooth or sharp forever.
+// Control points slide on smooth surfaces only, and limits are known of edges that are smooth or sharp forever.
 void require_interpolation_of_creases(const Creases& creases, const Plan& plan)
 {
   if (!plan.interpolation) return;
@@ -602,7 +602,7 @@ std::optional<Recognized_part> recognized_part(Mesh_data& mesh, const Plan& plan
   return part;
 }
 
-// A table of them if they were asked for.
+// A table of the recognized surfaces if it was asked for.
 void report_surfaces(const Surface_table& table, bool are_asked_for, const std::string& input,
                      Report& report)
 {
@@ -845,8 +845,8 @@ private:
     return control;
   }
 
-  // Subdivision need not stay on cones, nor beside what is unknown. Of other normals, of control data and of limit points
-  // nobody has said that they are on surfaces.
+  // Subdivision need not stay on cones, nor beside faces of unknown surfaces. With other normals, control data or limit
+  // points nobody has said that vertices are on surfaces.
   bool is_to_be_on_surfaces() const
   {
     return options_.levels > 0 && !plan_.limit.points && !options_.roundness &&
@@ -930,7 +930,7 @@ private:
   Seen_part seen_;
   std::string normals_, turning_;                       // for the closing line
   bool has_file_normals_ = false, has_normals_ = false; // to refine with
-  double chord_ = 0;                                    // that of --chord as a length
+  double chord_ = 0;                                    // the value of --chord as a length
   std::optional<Linear_check> check_;
   std::optional<Surface_table> table_;
   Pieces_job pieces_;

@@ -28,7 +28,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// The limit at a vertex or edge. Of a curve the tangent is what is asked for and reported as surface normals are.
+// The limit at a vertex or edge. The tangent of a curve is asked for and reported as normals of surfaces are.
 template <class Value, int dimension>
 struct Curve_limit_result
 {
@@ -102,7 +102,7 @@ private:
 
   // the error of a curvature falls by 1/4 a round, or by 1/2 at an end
   static constexpr unsigned curvature_depth = 10;
-  // in smaller windows than those of so many rounds second differences are those of rounding
+  // beyond so many rounds windows are so small that second differences are nothing but rounding
   static constexpr unsigned most_curvature_depth = 12;
 
   Window_size full() const { return windows_[0].full(); }
@@ -134,7 +134,7 @@ private:
     const bool is_exact = !is_pn || (is_one(of_points.limit_row) && is_one(of_normals.limit_row));
     const bool has_curvature =
       demand_.curvatures && has_curvature_ && of_points.has_curvature && of_points.rows.size() > 1;
-    // as on surfaces: that of the geometric series which the differences become
+    // as on surfaces: the error of the geometric series that the differences become
     const double square = of_points.largest_other * of_points.largest_other;
     Limit_steps<FT, dimension> steps(demand_, is_exact,
                                      (std::min)(0.9, (std::max)(1. / 16, square)));
@@ -197,7 +197,7 @@ private:
     return s;
   }
 
-  // those of the rounds so far
+  // the tangents of the rounds so far
   struct Tangents
   {
     Reals last{};

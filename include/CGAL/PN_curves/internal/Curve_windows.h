@@ -34,7 +34,7 @@ namespace CGAL::PN_subdivision_3::internal {
 // point of an edge if it is dual. Smaller numbers than the mask asks for mean that the polygon ends there.
 using Window_size = std::pair<std::int64_t, std::int64_t>;
 
-// How the points of a window become those of the next round.
+// The rows that make the points of a window in the next round.
 template <class FT>
 struct Curve_window
 {
@@ -45,13 +45,13 @@ struct Curve_window
   Entry_row<FT> limit_row;
   // of the points, in double; the first one is empty if there is none, the second one if it is zero for all data
   std::vector<double> first_derivative, second_derivative;
-  // whether all other parts of the data shrink much faster than those of the curvature
+  // whether all other parts of the data shrink much faster than the part of the curvature
   bool has_curvature = false;
-  // the modulus of the largest eigenvalue besides 1 and that of the first derivative, within some percent
+  // the modulus of the largest eigenvalue besides 1 and the eigenvalue of the first derivative, within some percent
   double largest_other = 0;
 };
 
-// A matrix of a few rows, or those of the differences of neighbors.
+// A matrix of a few rows, or of the rows of differences of neighbors.
 template <class FT>
 using Window_matrix = std::vector<std::vector<FT>>;
 
@@ -61,7 +61,7 @@ std::vector<FT> window_limit_row(const Window_matrix<FT>& matrix)
 {
   const std::size_t n = matrix.size();
   const FT tolerance = is_exact_v<FT> ? FT(0) : FT(1e-9);
-  // Equations for l: a row for each column of S - 1, of which the first depends on the others; the sum takes
+  // Equations for l: a row for each column of S - 1. The first column depends on the others; the sum takes
   // its place. The right side is in column n.
   Window_matrix<FT> a(n, std::vector<FT>(n + 1, FT(0)));
   a[0].assign(n + 1, FT(1));
@@ -203,7 +203,7 @@ private:
     window.has_curvature = others < settling;
   }
 
-  // that maps differences of neighbors to twice those of the next round
+  // the matrix that maps differences of neighbors to twice the differences of the next round
   static Matrix of_differences(const Matrix& m)
   {
     Matrix d;

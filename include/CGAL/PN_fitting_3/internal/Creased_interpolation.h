@@ -46,7 +46,7 @@ public:
   using Level = Valued_level<Value>;
   using Data = Interpolation_data<3>;
 
-  // `level` has the values of the slots, of which `vertex_of_slot` are the vertices; the vertices of the data are sorted
+  // `level` has the values of the slots, `vertex_of_slot` the vertices of the slots; the vertices of the data are sorted
   Creased_interpolation(const Scheme& scheme, Level& level, const Creases<double>& creases,
                         const std::vector<Index>& vertex_of_slot, const Data& data,
                         const For_chunks& for_chunks)
@@ -108,12 +108,12 @@ private:
     return length;
   }
 
-  // of the control points, those that are not sought as they are
+  // of the control points; points that are not sought are as they are
   Vector limits_at(const Vector& unknowns, Limit_interpolation* report)
   {
     return limits(unknowns, data_.points, data_.precision().tolerance, report);
   }
-  // of those that are not sought as zero
+  // points that are not sought count as zero
   Vector limits_of_direction(const Vector& direction)
   {
     const double scale = size_ / direction.lpNorm<Eigen::Infinity>();
@@ -271,7 +271,7 @@ void require_creased_options(const Options& options, const std::string& what_is_
           "control points move along on surfaces without creases only");
 }
 
-// Reads a mesh, some of which is sharp forever, interpolates, and writes the control points, the normals of the wedges
+// Reads a mesh with edges that are sharp forever, interpolates, and writes the control points, the normals of the wedges
 // and the tangents of the creases. is_interpolated(v) tells the vertices.
 template <class FT, class Access, class Scheme, class Mesh, class NamedParameters, class Options,
           class Is_interpolated>

@@ -40,7 +40,7 @@ Coordinates<double, dimension> to_coordinates(const Eigen_vector<dimension>& v)
   return c;
 }
 
-// The PN average of a row as what it is for fixed normals, a linear map of the points: its blocks are
+// The PN average of a row for fixed normals, a linear map of the points. Its blocks are
 //   B_j = a_j (1 + n r_j^T),  r_j = w (v_j - v),  v_j = chi_j (n_j + n) / (W d_j),  v = sum a_j v_j
 // with n, w, chi_j, d_j and W of PN_average; W = 1 if nothing fades. Their sum is 1.
 template <int dimension>
@@ -50,8 +50,8 @@ public:
   using Vector = Eigen_vector<dimension>;
   using Value = Point_normal<double, dimension>;
 
-  // The row over old values, of which the normals are read, and the value that it gives, of which the normal and the
-  // roundness are.
+  // The row over old values, whose normals are read, and the value that the row gives, whose normal and roundness are
+  // read.
   template <class Entry, class Values>
   void assign(const Entry* begin, const Entry* end, const Values& old, const Value& value)
   {
@@ -125,16 +125,16 @@ struct Limit_precision
   unsigned min_depth = 0, max_depth = 0;
   bool with_blocks = true; // not only the limits themselves
   double tangents = 0;     // their relative error; 0: that which comes with the limit point
-  double second_forms = 0; // the relative error of those of the surface; 0: they are not wanted
+  double second_forms = 0; // their relative error; 0: they are not wanted
 };
 
 // The limit of a ring and the tangents there, for fixed normals as linear functions of the points of
 // the ring: found at some depth of the tower of rings, and pulled back to its base by the transposed
 // blocks of the PN averages.
 //
-// Of each place there is a block of `rows` rows: those of the limit point, then, if there are tangents,
-// those of the vectors t_a = sum T_aj [(1 - N N^T)(p_j - o) + N (n_j + N).(p_j - o) / ((n_j + N).N)], whatever the
-// roundness: with any multiple of what this differs by from p_j - o they tend to the tangents.
+// Each place has a block of `rows` rows: the rows of the limit point, then, if there are tangents,
+// the rows of the vectors t_a = sum T_aj [(1 - N N^T)(p_j - o) + N (n_j + N).(p_j - o) / ((n_j + N).N)], whatever the
+// roundness: with any multiple of the difference from p_j - o these vectors tend to the tangents.
 template <int dimension, int tangents>
 class Functional_tower
 {
@@ -226,7 +226,7 @@ private:
       if (!rule_->tangents.empty()) set_tangents();
   }
 
-  // of the points themselves; what is relative to o is left to remove_limit_from_tangents()
+  // of the points themselves; remove_limit_from_tangents() makes them relative to o
   void set_tangents()
   {
     using Square = Eigen::Matrix<double, dimension, dimension>;

@@ -57,8 +57,8 @@ private:
   std::vector<Index> items_;
 };
 
-// A mesh, scaled to its box, its vertices in the order of their coordinates and its faces in that of their vertices: what
-// is done with it does not depend on how they were numbered.
+// A mesh, scaled to its box, with vertices in the order of their coordinates and faces in the order of their vertices, so
+// that results do not depend on how the mesh was numbered.
 struct Part
 {
   struct Edge
@@ -216,7 +216,7 @@ public:
     , stamp_(context.patches.size(), 0)
   {}
 
-  // all vertices of a facet within t of the shape, its normal near that of the shape at each
+  // all vertices of a facet within t of the shape, the normal of the facet near the normals of the shape there
   bool is_on(const Shape& s, Index p, double t, int side) const;
   // on which side a facet is
   int side_of(const Shape& s, Index p) const;
@@ -224,7 +224,7 @@ public:
   // have been too much, so that the fit leaves the seeds: then less of it.
   bool settle(Region& r, const std::vector<Index>& seeds, double t);
 
-  // what must not be taken, for flats
+  // a facet that flats must not take
   void ban(Index p) { banned_.push_back(p); }
   void lift_bans() { banned_.clear(); }
 
@@ -243,13 +243,13 @@ private:
   unsigned now_ = 0;
 };
 
-// Whether a region has more vertices on its shape than any facets would have, so that it is no accident. Measures it, and takes
+// Whether a region has more vertices on its shape than any facets would have, so that it is no accident. Measures the region, and takes
 // flats out of it.
 bool has_evidence(const Context& c, Grower& grower, Region& r);
-// of one that has lost facets
+// the same for a region that has lost facets
 bool still_has_evidence(const Context& c, Region& r);
 
-// Tries guesses and keeps those that have evidence.
+// Tries guesses and keeps the regions that have evidence.
 class Found_regions
 {
 public:
@@ -294,7 +294,7 @@ void guess_by_rulings(const Context& c, Found_regions& found);
 // Shapes of revolution by three facets in a row, with this one in the middle.
 void guess_by_rows(const Context& c, Found_regions& found, Index middle);
 
-// all of it; regions have no facets in common
+// all regions of a part; they have no facets in common
 std::vector<Region> find_regions(const Context& c);
 
 // --- from regions to segments ---

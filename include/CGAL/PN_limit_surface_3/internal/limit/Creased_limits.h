@@ -37,9 +37,9 @@ namespace CGAL::PN_subdivision_3::internal {
 
 // The limits at all slots of a level with creases.
 //
-// Where there is no crease, they are those of the level cut open: what the ring of a vertex becomes depends on
+// Without a crease nearby, the level cut open has the same limits: the next ring of a vertex depends on
 // the ring alone, and in it on slots. Vertices on creases are evaluated with their neighbors along the
-// crease, darts with their ring, and corners stay. Where a ring is not settled, or something is sharp, but not forever, the
+// crease, darts with their ring, and corners stay. If a ring is not settled, or an edge is sharp, but not forever, the
 // whole level is refined.
 template <class Scheme, class FT>
 class Creased_limits
@@ -85,7 +85,7 @@ private:
   };
 
   // \name Where something is sharp, but not forever
-  // The slots of the corners about a vertex, from its half-edge on, which is that of its descendants.
+  // The slots of the corners about a vertex, from its half-edge on, which its descendants have, too.
   static std::vector<Index> slots_about(const Level_connectivity& level,
                                         const Corner_slots<FT>& slot_of, Index v)
   {
@@ -111,7 +111,7 @@ private:
     Creases<FT> now = refiner.creases();
     const Corner_slots<FT> old_slots(level.level, creases), new_slots(refined.level, now);
     std::vector<Result> results(creases.number_of_slots);
-    std::vector<std::pair<Index, Index>> spread; // from a slot to one of those that it comes from
+    std::vector<std::pair<Index, Index>> spread; // from a slot to a slot that it comes from
     for (const Index v : vertices) {
       if (level.level.is_isolated(v)) {
         spread.emplace_back(v, v);
@@ -202,7 +202,7 @@ private:
     std::vector<Value> values;
     std::vector<Index> centers;
   };
-  // of a level that is not cut open; at the rim the rules are those of a smooth border
+  // of a level that is not cut open; the rim has the rules of a smooth border
   Part part_about(const Level& level, const Creases<FT>& creases,
                   const std::vector<Index>& vertices) const
   {
@@ -317,7 +317,7 @@ private:
     tangent_from(limits, to) = limit.tangents[0];
   }
 
-  // of a linear scheme, whose rules in a wedge are those of a border
+  // of a linear scheme, which has the rules of a border in a wedge
   void evaluate_normals(const Level& level, const Creases<FT>& creases, unsigned next_round,
                         std::vector<Result>& results)
   {

@@ -57,9 +57,9 @@ struct Tessellation_demand
 };
 
 // Refines, level by level, the faces that are not flat enough, with the rings of faces that they need. Every vertex gets
-// its limit when it is new, so that the cost is that of the vertices of the result. Of faces of the control mesh and of
-// the children of its polygons a round is made before it is known whether they have to be split, so that something has been
-// seen of every face.
+// its limit when it is new, so that the vertices of the result are the whole cost. Faces of the control mesh and children
+// of its polygons get a round before it is known whether they have to be split, so that something has been seen of every
+// face.
 template <class Scheme, class FT, class Level_creases, bool may_be_proven = false>
 class Adaptive_refinement
 {
@@ -84,7 +84,7 @@ public:
     all_.set_exponent(demand.exponent);
   }
 
-  // before: the nodes of the same that has been made before, of which some have to be split now
+  // before: the nodes of an earlier refinement of the same mesh; some of these nodes have to be split now
   void operator()(Valued_level<Value>&& control, Level_creases&& creases,
                   const typename Attributes::Data& attributes = {},
                   std::deque<Tessellation_node>&& before = {})
@@ -96,7 +96,7 @@ public:
   }
 
   const Tessellation_demand& demand() const { return demand_; }
-  // that of the demand, or a larger one that is in reach
+  // the tolerance of the demand, or a larger one that is in reach
   double tolerance() const { return tolerance_; }
   Split_edges<FT>& all() { return all_; }
   const Split_edges<FT>& all() const { return all_; }
@@ -136,7 +136,7 @@ private:
   };
 
   static constexpr double least_tolerance = 0x1p-48; // what coordinates in double can tell
-  // The sagitta of halves is a fourth; what is known badly may fall more slowly.
+  // The sagitta of halves is a fourth; errors that are known badly may fall more slowly.
   static constexpr double rest_of_discrepancy = 0.5, rest_of_distance = 0.45, least_rest = 0.27;
   // where a normal is not to be trusted, and the surface not smooth about the vertex
   static constexpr double distrust = 2;
@@ -157,7 +157,7 @@ private:
       if (level.slot_ids[s] != null && level.slot_ids[s] >= first_new)
         set_slot(level.slot_ids[s], results[s]);
   }
-  // at those of some vertices
+  // at the slots of some vertices
   void set_limits_of(Level& level, const std::vector<Index>& vertices, Index first_new)
   {
     if constexpr (is_creased)
@@ -174,7 +174,7 @@ private:
     }
   }
 
-  // is_smooth: whether the surface has a tangent plane wherever there is a normal of it
+  // is_smooth: whether the surface has a tangent plane wherever it has a normal
   void set_slot(Index slot, const Result& result, bool is_smooth = true)
   {
     auto& s = all_.slot(slot);
@@ -279,7 +279,7 @@ private:
     return true;
   }
 
-  // marks the faces of which a round has to be made to see them; whether there are any
+  // marks the faces that get a round to be seen; whether there are any
   static bool mark_unseen(Level& level)
   {
     bool has_unseen = false;
@@ -291,8 +291,8 @@ private:
     return has_unseen;
   }
 
-  // Decides which faces are split, and stores the others; whether there are any to be split. First those that go by their
-  // parents, then those of which the limits after the round are known.
+  // Decides which faces are split, and stores the others; whether there are any to be split. Faces that go by their parents
+  // come first, then faces whose limits after the round are known.
   bool select(Level& level, bool is_second)
   {
     using Seen = Adaptive_face::Seen;
@@ -340,8 +340,8 @@ private:
     return number != 0;
   }
 
-  // Where the number of triangles, which is inverse to the tolerance, is beyond what is allowed, the tolerance becomes one that
-  // is in reach.
+  // The number of triangles is inverse to the tolerance. If more would be needed than are allowed, the tolerance becomes one
+  // that is in reach.
   void relax(const std::vector<Face_error>& errors, unsigned triangles)
   {
     double expected = 0;
@@ -420,7 +420,7 @@ private:
       e = is_seen ? (std::max)(e, by_normals) : by_normals;
     } else if (!estimate.trusts_normals)
       e *= distrust;
-    else if (!is_seen) // those of the control data may be off, but tell which way it goes
+    else if (!is_seen) // control normals may be off, but tell which way the surface goes
       e = (std::max)(least_rest * face.measured,
                      (std::min)(e, estimate.error + rest_of_discrepancy * face.discrepancy));
     e = (estimate.is_at_curve ? safety_at_curves : tessellation_safety) *
@@ -491,7 +491,7 @@ private:
   }
 
   // \name What the new limit points tell of the faces
-  // place(half-edge, vertex of the next level) is that of the limit, without a half-edge of a face
+  // place(half-edge, vertex of the next level) is the place of the limit, without a half-edge of a face
   template <class Place>
   void measure(Level& level, const Place& place) const
   {
@@ -540,7 +540,7 @@ private:
     }
   }
 
-  // what is known of the faces
+  // what is known of the faces, to their children
   void hand_down(const Level& level, Level& next)
   {
     const Host host(level.level.level, rounds_);
@@ -609,7 +609,7 @@ private:
   std::vector<std::vector<double>> corners_of_nodes_;
   Split_edges<FT> all_;
   std::optional<Cells> cells_;          // of the level, for proofs
-  std::deque<Tessellation_node> nodes_; // of which none is copied when there are more
+  std::deque<Tessellation_node> nodes_; // a deque does not copy nodes when it grows
   std::deque<Tessellation_node> before_;
   std::uint64_t number_of_leaves_ = 0;
   unsigned rounds_ = 0;

@@ -27,8 +27,8 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// The values of an attribute of the control mesh, which become those of the refined mesh: of faces or edges
-// by a copy, of vertices or corners by rows. What is put can be taken back until it is kept.
+// The values of an attribute of the control mesh, which become the values of the refined mesh: on faces or edges
+// by a copy, on vertices or corners by rows. Values that are put can be taken back until they are kept.
 class Put_values
 {
 public:
@@ -43,11 +43,11 @@ public:
   // element i of the refined mesh gets value sources[i]
   virtual void put(const std::vector<Index>& sources) = 0;
   virtual void keep() noexcept = 0;
-  // where that of a part has been put: an Attribute_array, or a Map_of_numbers
+  // where the values of a part have been put: an Attribute_array, or a Map_of_numbers
   virtual std::any kept_of_part() { return {}; }
 };
 
-// The values are those of control elements, and that of a new element where the source is null.
+// The values of control elements, and the value of a new element where the source is null.
 class Copied_values : public Put_values
 {
 public:
@@ -62,9 +62,9 @@ class Row_values : public Put_values
 public:
   using Entry = typename Entry_row<FT>::Entry;
 
-  // those of the control mesh
+  // whether two values of the control mesh are equal
   virtual bool are_equal(Index a, Index b) const = 0;
-  // value i of the first level is that of control element sources[i]; where that is null it does not matter
+  // value i of the first level is the value of control element sources[i], any value where this is null
   virtual void begin(const std::vector<Index>& sources) = 0;
 
   virtual void begin_round(std::size_t number_of_values) = 0;
@@ -84,9 +84,9 @@ public:
   // value i for element i
   virtual void put_all(Index number) = 0;
 
-  // put(): the values are those of the last level; an element keeps what it has if its source is null.
+  // put() puts the values of the last level; an element keeps its value if its source is null.
 
-  // Those of a part of the level: value i is value sources[i]; where that is null it does not matter.
+  // The values of a part of the level: value i is value sources[i], any value where this is null.
   virtual std::unique_ptr<Row_values> part(const std::vector<Index>& sources) const = 0;
 };
 
@@ -114,8 +114,8 @@ inline void make_units(std::size_t dimension, std::vector<double>& values)
     make_unit(values.data() + i, values.data() + i + dimension);
 }
 
-// origin + sum, where sum = sum w_j (v_j - origin). Where that leaves the range of the numbers (infinite or huge
-// values, and what is not a number) plain_sum() counts.
+// origin + sum, where sum = sum w_j (v_j - origin), or plain_sum() if the sum leaves the range of the numbers (infinite or
+// huge values, NaN).
 template <class FT, class Plain_sum>
 FT average_from(const FT& origin, const FT& sum, [[maybe_unused]] const Plain_sum& plain_sum)
 {

@@ -156,7 +156,7 @@ private:
     }
   }
 
-  // what is joined is not round: any of its numbers will do
+  // a joined wedge gets the roundness 0 later, so that any of its numbers will do here
   static void join_roundness(const Wedge_join& join, std::vector<FT>& roundness)
   {
     if (roundness.size() == join.number_of_wedges) return;
@@ -239,13 +239,13 @@ class Gone_round;
 
 // One round of a scheme on a level with creases.
 //
-// The mask is that of the level cut open, so that rows far from creases and beside them are those of
-// an ordinary round, over slots. What they give for new vertices on creases is replaced by the values
-// of the crease pass, which has those of all their slots.
+// The mask sees the level cut open, so that rows far from creases and beside them are the rows of an
+// ordinary round, over slots. For new vertices on creases the crease pass replaces their values by the
+// values of all slots.
 //
-// Of point-normal schemes, what ends is not round: the edges that end in the round join their wedges, and the faces of the
-// refined level that touch them get the roundness 0. Edges of which less than a round is left, 0 < s < 1, are sharp in this
-// round as a whole; another one has them gone, and what reads it is blended, see Gone_round.
+// With point-normal schemes edges that end in the round join their wedges, and the faces of the refined level that touch
+// these edges get the roundness 0. Edges of the sharpness 0 < s < 1 are sharp in this round as a whole. Another round is made
+// without them, and rows that reach them are blended, see Gone_round.
 //
 // Where nothing can be sharp it is an ordinary round.
 template <class Scheme, class Average, class Level_creases>
@@ -293,7 +293,7 @@ public:
   // the values of the slots
   void read(const Value* old) { old_ = old; }
 
-  // of all new vertices; those of which crease_values() has values do not hold
+  // the round of all new vertices; its values do not hold where crease_values() has others
   const One_round& round() const { return *round_; }
   Index number_of_vertices() const { return static_cast<Index>(refined_size_.vertices); }
 
@@ -340,7 +340,7 @@ public:
   // makes the level whole again; to be called before a host connects the child
   void close() { cut_->close(); }
 
-  // those of the refined level, once their tangents have been made by crease_values()
+  // the creases of the refined level, once crease_values() has made their tangents
   Creases<FT>& refined_creases() { return refined_.creases; }
 
   // the new vertices that crease_values() has values for, in increasing order
@@ -367,7 +367,7 @@ private:
     return vertices;
   }
 
-  // what is beside creases and not as its row has it
+  // vertices beside creases whose values are not those of their rows
   void find_others(const std::vector<Index>& on_creases)
   {
     std::vector<Index> all(ended_.begin(),
@@ -383,7 +383,7 @@ private:
                         std::back_inserter(others_));
   }
 
-  // in the order of the vertices, of which the slots follow one another
+  // in the order of the vertices; the slots of a vertex follow one another
   std::vector<Slot_value> with_others(const std::vector<Slot_value>& on_creases,
                                       const std::vector<Value>& values) const
   {

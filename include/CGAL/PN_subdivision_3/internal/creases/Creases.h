@@ -47,7 +47,7 @@ struct Crease_edge
   using Index = Level_connectivity::Index;
 
   Index edge;
-  Index control_edge; // of which it is a part
+  Index control_edge; // the one that the edge is a part of
   double sharpness;
   Index border_side = no_side;   // of the half-edge that has no face
   std::array<Index, 2> after{};  // the slot of the end in the face of the half-edge
@@ -62,7 +62,7 @@ struct Crease_edge
   Index halfedge(Index side) const { return 2 * edge + side; }
 };
 
-// Makes the tangents of both ways along a crease opposite, unless they are: that of the second one is
+// Makes the tangents of both ways along a crease opposite, unless they are: the second tangent becomes
 // the direction of their difference.
 template <class FT>
 void make_opposite_vectors(Coordinates<FT, 3>& a, Coordinates<FT, 3>& b)
@@ -106,12 +106,12 @@ inline Vertex_rule vertex_rule(double sharpness, std::size_t number_of_ends, boo
   return number_of_ends == 1 ? Vertex_rule::dart : Vertex_rule::smooth;
 }
 
-// The control level without the edges and vertices of which less than a round is left.
+// The control level without edges and vertices whose sharpness is less than 1.
 template <class FT>
 struct Control_without_fractions;
 
-// The creases of a level: what is sharp, the slots, and the tangents. All sizes are those of the
-// tagged part of the level.
+// The creases of a level: sharp edges and vertices, slots, and tangents. All sizes grow with the
+// tagged part of the level only.
 template <class FT>
 struct Creases
 {
@@ -122,7 +122,7 @@ struct Creases
   std::vector<Crease_star> stars;
   Index number_of_slots = 0;
   bool has_fixed_border = false; // all vertices of border creases are corners
-  // of a control level whose normals are not those of corners
+  // of a control level without normals of corners
   std::shared_ptr<const Control_without_fractions<FT>> without_fractions;
 
   explicit Creases(Index number_of_vertices = 0)
@@ -195,7 +195,7 @@ struct Control_without_fractions
   std::vector<Point_normal<FT, 3>> values; // of their slots
 };
 
-// The creases of a level of which is known, when the call is compiled, that nothing can be sharp.
+// The creases of a level where nothing can be sharp, which is known when the call is compiled.
 struct No_creases
 {
   using Index = Level_connectivity::Index;
@@ -245,7 +245,7 @@ inline std::vector<Level_connectivity::Index> vertices_of_extra_slots(No_creases
   return {};
 }
 
-// Calls f(half-edge, slot) for the corners of a level whose slot is not that of their vertex: those at one star, or all.
+// Calls f(half-edge, slot) for corners whose slot is not that of their vertex: the corners at one star, or of a level.
 template <class FT, class Function>
 void for_each_extra_corner(const Level_connectivity& level, const Creases<FT>& creases,
                            const Crease_star& star, const Function& f)
@@ -272,8 +272,8 @@ void for_each_extra_corner(const Level_connectivity& level, const Creases<FT>& c
   for (const Crease_star& star : creases.stars) for_each_extra_corner(level, creases, star, f);
 }
 
-// The creases of the refined level, without their tangents, and where those of the old level have
-// gone.
+// The creases of the refined level, without their tangents, and the new places of the creases of the
+// old level.
 template <class FT>
 struct Refined_creases
 {
@@ -343,8 +343,8 @@ private:
   }
 };
 
-// Calls f(position, vertex, value) for the vertices among slots with values, of which those of a vertex
-// follow one another. With several of them it has their mean normal.
+// Calls f(position, vertex, value) for the vertices of slots with values; the slots of a vertex follow one
+// another. A vertex of several slots has their mean normal.
 template <class Average, class Function>
 void for_each_crease_vertex(
   const std::vector<std::pair<Level_connectivity::Index, typename Average::Value>>& slot_values,

@@ -61,8 +61,8 @@ void for_each_corner_of_star(const Level_connectivity& level, const Creases<FT>&
   }
 }
 
-// Calls f(half-edge, joined wedge, s) for the corners at a star in faces that touch an edge of the star that ends: those of
-// the wedges that are joined over it. Of these edges s is the least sharpness.
+// Calls f(half-edge, joined wedge, s) for the corners of wedges that are joined over edges of a star that end, in faces that
+// touch such an edge. s is the least sharpness of these edges.
 template <class FT, class Ends, class Function>
 void for_each_corner_at_ended(const Level_connectivity& level, const Creases<FT>& creases,
                               const Crease_star& star, const Ends& ends, const Function& f)
@@ -86,8 +86,8 @@ void for_each_corner_at_ended(const Level_connectivity& level, const Creases<FT>
   });
 }
 
-// What ends is not round: the slots of a refined level, by their numbers, at the corners of its faces that touch what is
-// left of an edge that ends in this round. `level` is whole.
+// The slots of a refined level that get the roundness 0, by their numbers: at the corners of faces that touch the halves of
+// an edge that ends in this round. `level` is whole.
 template <class Host, class FT>
 std::vector<Level_connectivity::Index>
 slots_at_ended(const Host& host, const Level_connectivity& level, const Creases<FT>& creases,
@@ -123,7 +123,7 @@ slots_at_ended(const Host& host, const Level_connectivity& level, const Creases<
   return slot_ids;
 }
 
-// The creases of a level without those of which less than a round is left.
+// The creases of a level without edges and vertices whose sharpness is less than 1.
 template <class FT>
 struct Gone_creases
 {
@@ -147,7 +147,7 @@ struct Gone_creases
     find_reach(level, old);
   }
 
-  // those that the old creases have now; a corner that becomes a crease vertex passes on one direction of travel
+  // the tangents that the old creases have now; a corner that becomes a crease vertex passes on one direction of travel
   void take_tangents(const Creases<FT>& old)
   {
     auto gone = creases.edges.begin();
@@ -229,12 +229,12 @@ private:
       });
   }
 
-  std::vector<Index> rank_; // of the old edges among those that remain
+  std::vector<Index> rank_; // of the old edges among the remaining edges
   std::vector<Index> star_; // of the old stars, or null
 };
 
-// Keeps with control creases what stands for them where less than a round is left: values(creases) are those of the slots of
-// the level without these edges and vertices, and complete its creases.
+// Keeps with control creases the level without edges and vertices whose sharpness is less than 1: values(creases) are the
+// values of its slots, and complete its creases.
 template <class FT, class Values>
 void keep_without_fractions(const Level_connectivity& level, Creases<FT>& creases,
                             const Values& values)

@@ -103,8 +103,8 @@ private:
     });
   }
 
-  // Walks round the vertex, from the border on or from the vertex' own half-edge: this order is that of
-  // the refined creases, so that a refined mesh that is read again has the same one.
+  // Walks round the vertex, from the border on or from the vertex' own half-edge: the refined
+  // creases have this order, so that a refined mesh that is read again has it, too.
   void add_star(Index v, double sharpness, std::size_t first, std::size_t end)
   {
     const auto first_end = static_cast<Index>(creases_.ends.size());
@@ -129,8 +129,8 @@ private:
   std::vector<Sorted_end> sorted_;
 };
 
-// The creases of some faces of a level as a level of their own, with their tangents. At its rim, but not at the border
-// of the whole, the rules are those of a smooth border. The origins are the numbers in the whole; edges keep their
+// The creases of some faces of a level as a level of their own, with their tangents. Its rim, but not the border
+// of the whole, has the rules of a smooth border. The origins are the numbers in the whole; edges keep their
 // orientation.
 template <class FT, class Edge_origin, class Vertex_origin>
 Creases<FT> creases_of_part(const Creases<FT>& whole, const Level_connectivity& part,
@@ -163,8 +163,8 @@ Creases<FT> creases_of_part(const Creases<FT>& whole, const Level_connectivity& 
   return creases;
 }
 
-// Puts the values of the slots of a part, of which those of isolated vertices are not looked at. Wedges that begin at
-// a crease are told from the others by this; `slots` are those of the whole.
+// Puts the values of the slots of a part; isolated vertices are not looked at. Wedges that begin at
+// a crease are told from the others by this; `slots` are the slots of the whole.
 template <class FT, class Halfedge_origin, class Whole_values, class Values>
 void take_slot_values(const Level_connectivity& part, const Creases<FT>& creases,
                       const Halfedge_origin& halfedge_origin, const Corner_slots<FT>& slot_of,

@@ -84,7 +84,7 @@ constexpr bool may_be_sharp_v =
   is_constraint_map_v<Edge_map> || is_constraint_map_v<Vertex_map> || Border_of<Scheme>::is_given ||
   has_crease_tangents_v<Scheme> || is_of_halfedges_v<Access, Normal_map>;
 
-// whether creases are looked for; the scheme refuses what is sharp if it has no rules for it
+// whether creases are looked for; a scheme without rules for creases refuses sharp edges and vertices
 template <class Scheme, class Access, class Normal_map, class Edge_map, class Vertex_map>
 constexpr bool may_have_creases_v = Has_crease_rules<Scheme>::value&&
   may_be_sharp_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>;
@@ -99,7 +99,7 @@ constexpr bool check_corner_normals()
   return are_taken;
 }
 
-// Refuses what is sharp if the scheme has no rules for it.
+// Refuses sharp edges and vertices if the scheme has no rules for creases.
 template <class Scheme, class Access, class Normal_map, class Edge_map, class Vertex_map>
 void require_crease_rules([[maybe_unused]] const Scheme& scheme,
                           [[maybe_unused]] const Access& access, const Normal_map&,
@@ -143,7 +143,7 @@ public:
       [&](Index e) { return edges_.sharpness(e); },
       [&](Index v) { return vertices_.sharpness(v); });
   }
-  // those that are given
+  // the given tangents
   void read_tangents(Creases<FT>& creases) const { tangents_.read(creases); }
 
   // the values of the slots, and the tangents that are missing
@@ -159,7 +159,7 @@ public:
     return values_of_slots(level, points, normals, creases);
   }
 
-  // what is sharp besides the seams of attributes
+  // the sharpness besides the seams of attributes
   Control_sharpness sharpness(const Level_connectivity& level) const
   {
     Control_sharpness result;
@@ -172,7 +172,7 @@ public:
 
   // \name The refined mesh
 
-  // Puts what is left of the user's sharpness after some rounds; the border that is a crease by the scheme's rule
+  // Puts the rest of the user's sharpness after some rounds; a border that is a crease by the scheme's rule
   // is not the user's.
   void put_sharpness(const Creases<FT>& creases, const Level_size& size, unsigned rounds)
   {

@@ -35,8 +35,8 @@ constexpr bool is_of_halfedges_v =
   std::is_same_v<std::decay_t<Key_of_map<Map>>,
                  std::decay_t<decltype(std::declval<const Access&>().halfedge_at(0))>>;
 
-// The control normals of a map of corners: of every slot the one that its corners have or, where they
-// differ, the unit vector of their sum. Of an estimate the largest roundness, too, and whether one of them is no estimate any more.
+// The control normals of a map of corners: a slot has the normal of its corners or, where they differ, the unit vector of
+// their sum. From an estimate it also has the largest roundness, and whether a corner is no estimate any more.
 template <class FT, class Access, class Map, class Value>
 void read_corner_normals(const Access& access, const Level_connectivity& level,
                          const Creases<FT>& creases, Map map, std::vector<Value>& values,
@@ -86,7 +86,7 @@ public:
     : map_(access, map, corners_of(level))
   {}
 
-  // `values` are those of the slots, or the normals of these alone
+  // `values` are the values of the slots, or their normals alone
   template <class FT, class Values>
   void put_all(const Level_connectivity& level, const Creases<FT>& creases, const Values& values)
   {
@@ -124,7 +124,7 @@ struct Nothing_of_corners
   void keep() {}
 };
 
-// the map of vertices that takes the normals of a map, and what takes those of its corners
+// the map of vertices that takes the normals of a map, and the object that takes the normals of its corners
 template <class Access, class Map, bool is_of_halfedges = is_of_halfedges_v<Access, Map>>
 struct Normal_writers
 {
@@ -140,10 +140,9 @@ struct Normal_writers<Access, Map, true>
   static Vertex_map vertex_map(const Map&) { return {}; }
 };
 
-// Normals of corners without one for each corner of the refined mesh. Those of the control mesh are read from `corners`.
-// Those of the refined mesh go to `vertices`, where a vertex has several wedges that of the first one, and those of
-// the wedges of such vertices to `wedges`, with their roundness if `corners` have one and the half-edges that they begin
-// at, clockwise. A border vertex's first wedge that begins at an edge that is no crease is not listed.
+// Normals of corners, without storing a normal for each corner of the refined mesh. Normals of the control mesh are read from
+// `corners`. Normals of the refined mesh go to `vertices`, from the first wedge of a vertex of several wedges. All wedges of
+// such vertices go to `wedges`, with their roundness if `corners` have one and the half-edges that they begin at, clockwise. A border vertex's first wedge that begins at an edge that is no crease is not listed.
 template <class Corner_map, class Vertex_map_>
 struct Wedge_normals
 {
@@ -174,8 +173,7 @@ auto get_whole(const Wedge_normals<Corner_map, Vertex_map>& n, const Key& h)
   return get_whole(n.corners, h);
 }
 
-// What a map of normals says of the mesh without edges of which less than one round is left: its normals, the same if they are
-// given.
+// The normals of a map for the mesh without edges whose sharpness is less than 1: the same normals if they are given.
 template <class Map>
 const Map& normals_without_fractions(const Map& map)
 {

@@ -23,9 +23,9 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// The half-edges with the same target v, one after the other clockwise. A closed fan has all of
-// them, an open one those from `first` to `last`; the faces of a closed fan are those of its
-// half-edges, those of an open one all but that of `last`. An open fan may have the same first and
+// The half-edges with the same target v, one after the other clockwise. A closed fan has all these
+// half-edges, an open fan the half-edges from `first` to `last`. The faces of a fan are the faces of its
+// half-edges, but for `last` in an open fan. An open fan may have the same first and
 // last half-edge: then it goes once round v.
 struct Fan
 {
@@ -68,7 +68,7 @@ void for_each_halfedge_to(const Level_connectivity& level, Level_connectivity::I
   } while (h != first);
 }
 
-// calls function(half-edge) for those of a face
+// calls function(half-edge) for the half-edges of a face
 template <class Function>
 void for_each_halfedge_of_face(const Level_connectivity& level, Level_connectivity::Index f,
                                const Function& function)
@@ -192,7 +192,7 @@ private:
 
 // Normals are estimated sector by sector. A sector is a vertex with one of its fans; here a whole
 // vertex. at_target(h) and at_source(h) are the sectors of the corners of face(h). Wedges are
-// sectors at creases; own_normal(s) is a normal of theirs in which the neighbors have no part.
+// sectors at creases; own_normal(s) is a normal of the wedge in which the neighbors have no part.
 class Vertex_sectors
 {
 public:

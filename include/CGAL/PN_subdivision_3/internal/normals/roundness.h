@@ -59,7 +59,7 @@ inline double share_of_turn(double cosine)
   return smooth_window(cosine, cos_45, cos_36);
 }
 
-// how well arcs meet, by the most that one of them misses, relative to its length
+// how well arcs meet, by the largest miss of an arc relative to its length
 inline double share_of_arcs(double miss)
 {
   return 1 - smooth_window(miss, 0.1, 0.3);
@@ -97,7 +97,7 @@ double roundness_of_turn(const Coordinates<double, 3>& n, const Inverted_fan<FT>
 template <class FT>
 bool is_narrow(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan)
 {
-  constexpr double cosine = 0.8405; // more than that of 36 degrees and the distance of close ones
+  constexpr double cosine = 0.8405; // over that of 36 degrees by more than close vectors differ
   bool has_area = false;
   for (const auto& corner : fan.corners()) {
     if (!corner.has_area) continue;
@@ -114,11 +114,11 @@ inline bool is_close(const Coordinates<double, 3>& n, const Coordinates<double, 
   return dot(d, d) <= 0x1p-10;
 }
 
-// the length of the shortest edge over that of the longest one
+// the length of the shortest edge over the length of the longest edge
 template <class FT>
 double evenness(const Inverted_fan<FT>& fan)
 {
-  double least = std::numeric_limits<double>::infinity(), most = 0; // of what is inverse to squares
+  double least = std::numeric_limits<double>::infinity(), most = 0; // of inverse squares of lengths
   for (const auto& ray : fan.rays()) {
     least = (std::min)(least, ray.squared);
     most = (std::max)(most, ray.squared);
@@ -145,7 +145,7 @@ struct Dips
     of_shortest = (std::max)(of_shortest, inverse);
   }
 
-  // what is left of the roundness
+  // the factor of the roundness
   double share() const
   {
     const double squared_ratio = largest * of_shortest;
@@ -176,13 +176,13 @@ inline double share_of_uneven(double longest, double shortest)
   return longest > 36 * shortest ? (std::min)(std::sqrt(longest / shortest) - 6, 1.) : 0;
 }
 
-// 0 where arcs meet, by what one of them misses, relative to its length: 1e-6 to 1e-3
+// 0 where arcs meet, up to a miss of 1e-6 of the length; 1 from 1e-3 on
 inline double share_of_miss(double miss)
 {
   return miss > 1e-6 ? smooth_window(std::log10(miss), -6, -3) : 0;
 }
 
-// what is left of the roundness of a vertex beside another one, by the error of the arc between them
+// the factor of the roundness of a vertex beside another vertex, by the error of the arc between both
 inline double roundness_beside(double neighbor, double arc_error)
 {
   return 1 - (1 - neighbor) * smooth_window(arc_error, 0.3, 0.6);
@@ -192,7 +192,7 @@ inline double roundness_beside(double neighbor, double arc_error)
 // or below them all: not at all on spheres, cylinders and whatever bends like them. But where a large
 // plane ends in short bevels, the linear point slides far along the plane, the new normal tilts a
 // little, by the normals of the bevels, and the point leaves the plane by the tilt times the way: thin
-// plates swell. The weights are those of a regular vertex of Loop's scheme, near those of Catmull-Clark.
+// plates swell. The weights are Loop's at a regular vertex, which are near those of Catmull-Clark.
 class Lift_above_neighbors
 {
 public:
@@ -204,7 +204,7 @@ public:
   // the edge to a neighbor, of positive length, and the neighbor's normal
   void add(const Vector& edge, const Vector& normal) { neighbors_.push_back({edge, normal}); }
 
-  // what is left of the roundness of the vertex
+  // the factor of the roundness of the vertex
   double share(const Vector& normal) const
   {
     const double x = excess(normal);
@@ -279,7 +279,7 @@ public:
     longest_ = (std::max)(longest_, corners_.back().squared_edge);
   }
 
-  // what is left of the roundness of the corners
+  // the factor of the roundness of the corners
   double share()
   {
     const double shortest = squared_width(), uneven = share_of_uneven(longest_, shortest);
@@ -295,7 +295,7 @@ private:
     double height;       // of the arc from here over the middle
   };
 
-  // that of the shortest edge, or of what points that coincide may miss each other by
+  // the squared length of the shortest edge, or of the distance that coinciding points may have
   double squared_width() const
   {
     double shortest = longest_;

@@ -23,7 +23,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// each six bits of it are others (de Bruijn)
+// each six consecutive bits are others (de Bruijn)
 constexpr std::uint64_t sequence_of_places = 0x03f79d71b4cb0a89;
 constexpr std::array<unsigned char, 64> make_places()
 {
@@ -66,7 +66,7 @@ public:
     }
   }
 
-  // moves all of them to the list, which becomes their order
+  // moves all numbers to the list, which has their order
   void move_to(std::vector<Number>& numbers)
   {
     numbers.clear();
@@ -103,7 +103,7 @@ inline void add_ring(const Level_connectivity& level, Face_marks& is_marked)
     if (!level.is_border(h) && is_touched[level.target(h)] != 0) is_marked[level.face(h)] = 1;
 }
 
-// The elements of a level among which those of a piece are looked for. Here all of them, of a level that is
+// The elements of a level among which the elements of a piece are looked for: here all elements of a level that is
 // not much larger than the piece.
 class All_candidates
 {
@@ -182,7 +182,7 @@ private:
   Index begin_ = 1, end_ = 1; // of the places of the list
 };
 
-// Those of a few faces: what is done with them does not depend on the size of the level.
+// The elements of a few faces, at a cost that does not depend on the size of the level.
 class Listed_candidates
 {
 public:

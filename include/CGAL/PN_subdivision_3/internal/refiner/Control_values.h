@@ -28,7 +28,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// The values of the control vertices, and which of them were set since they were last taken.
+// The values of the control vertices, and which vertices were set since the values were last taken.
 template <class Average>
 class Control_values
 {
@@ -40,7 +40,7 @@ public:
 
   static constexpr bool has_normals = has_normal_v<Value>;
 
-  // Normals that are given for all slots, with their roundness, some of which tell of the tangents beside them; or none.
+  // Normals that are given for all slots, with their roundness; some normals tell of the tangents beside them. Or none.
   struct Given_slots
   {
     std::vector<Value> values;
@@ -118,7 +118,7 @@ public:
     }
   }
 
-  // in place of that of the estimate
+  // the roundness in place of the estimated roundness
   void set_roundness(const Given_roundness<FT>& given)
   {
     if constexpr (has_normals) {
@@ -127,7 +127,7 @@ public:
       is_roundness_of_estimate_ = given.is_of_estimate;
     }
   }
-  // that of an estimate counts where its normal does
+  // the roundness of an estimate counts where its normal does
   bool has_given_roundness(Index v) const
   {
     return has_given_roundness_ && (!is_roundness_of_estimate_ || is_given(v));
@@ -165,7 +165,7 @@ public:
     slots_ = {slot_values, std::move(tell_of_tangents)};
   }
   const Given_slots& given_slots() const { return slots_; }
-  // those that there are without edges whose sharpness is less than 1
+  // the slots of the mesh without edges whose sharpness is less than 1
   void set_slots_without_fractions(const std::vector<Value>& slot_values,
                                    std::vector<bool> tell_of_tangents)
   {

@@ -162,7 +162,7 @@ private:
     return solve(size, heights);
   }
 
-  // The form that the functionals see as `rest`. Its least norm is that of the matrix, so that it does
+  // The form that the functionals see as `rest`. The solution of least norm is the matrix of least norm, and does
   // not depend on the frame, if the unknown besides the diagonal is sqrt(2) Q_xy.
   std::optional<Quadratic_part<Real>> with_rest(const Local_frame<Real>& frame,
                                                 const std::vector<Pair<Real>>& u,
@@ -200,9 +200,9 @@ public:
 
   std::size_t size() const { return transfer_.size(); }
 
-  // The quadratic part of a ring. What rounding leaves of spheres and cylinders is none: it is that of the
-  // coordinates that the points have about the origin of the mesh, if they are given about another one. The
-  // frame of the part is that of the ring divided by a power of two if squares of its size would be out of range.
+  // The quadratic part of a ring. A part as small as the rounding on spheres and cylinders is none; the rounding is that of
+  // coordinates about the origin of the mesh, even if the points are given about another origin. The frame of the part is
+  // the frame of the ring, divided by a power of two if squares of its size would be out of range.
   std::optional<Part> operator()(const std::vector<Value>& ring,
                                  const Coordinates<FT, 3>& origin = {FT(0), FT(0), FT(0)})
   {
@@ -228,7 +228,7 @@ public:
     return part;
   }
 
-  // Adds half of it to the slopes of the normals of the ring that it was found in last.
+  // Adds half of the part to the slopes of the normals of the ring that it was found in last.
   template <class Normal_of>
   void add_half(const Part& part, const Normal_of& normal) const
   {
@@ -252,7 +252,7 @@ private:
     else
       return close_double(x);
   }
-  // of which the exponent is asked
+  // a size whose exponent is asked
   using Size = std::conditional_t<std::is_floating_point_v<Real>, Real, double>;
   static Size size_of(const Real& x)
   {
@@ -281,7 +281,7 @@ private:
   int exponent_ = 0; // of the power of two by which `ring_` is divided
 };
 
-// of a round whose normals are those of the rows
+// for a round that leaves the normals of the rows as they are
 struct No_transfers
 {
   bool is_empty() const { return true; }

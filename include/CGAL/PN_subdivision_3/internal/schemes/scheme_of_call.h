@@ -68,7 +68,7 @@ Scheme_with_normal_estimate<Scheme> with_normal_estimate(const Scheme& scheme,
 
 template <class Scheme>
 using Is_with_crease_tangents = Is_instance<Scheme_with_crease_tangents, Scheme>;
-// whether it is one of these adaptors
+// whether a scheme is one of these adaptors
 template <class Scheme>
 using Is_said_by_call = std::disjunction<Is_with_border<Scheme>, Is_with_crease_tangents<Scheme>,
                                          Is_instance<Scheme_with_normal_estimate, Scheme>>;
@@ -178,8 +178,8 @@ decltype(auto) with_scheme_of_call(const Scheme& scheme, const NamedParameters& 
     with_parameter<scheme_is_adapted_t>(true, np));
 }
 
-// The roundness of control vertices that a call is given: one of each, one of all, or none. Where there is none it is
-// that of the estimate of normals, and 1 where these are given.
+// The roundness of control vertices that a call is given: a number for each vertex, a number for all, or none. Without a number
+// estimated normals bring their roundness, and given normals have the roundness 1.
 template <class FT>
 struct Given_roundness
 {
@@ -188,7 +188,7 @@ struct Given_roundness
   bool is_of_estimate = false; // and counts where the normal of the vertex does
 
   bool is_any() const { return of_all || !of_vertices.empty(); }
-  // into the values of the vertices, the first, and of their extra slots, of which `extra` has the vertices
+  // into the values of the vertices, which come first, and of their extra slots; `extra` has the vertices of these slots
   template <class Value, class Index = std::size_t>
   void put(std::size_t vertices, std::vector<Value>& values,
            const std::vector<bool>* is_normal_given = nullptr,
@@ -214,7 +214,7 @@ struct With_roundness : Scheme_adaptor<Scheme>
   const Given_roundness<FT>* given = nullptr; // none is given
   bool varies = true;
 
-  // that of all values, if it is one
+  // the roundness of all values, if they have the same
   std::optional<FT> of_all() const
   {
     if (varies) return std::nullopt;
@@ -251,7 +251,7 @@ auto rules_of(const With_roundness<Scheme, FT>& scheme)
 template <class Scheme>
 using Rules_of = std::decay_t<decltype(rules_of(std::declval<const Scheme&>()))>;
 
-// puts what is given into the values of the vertices, the first, and of their extra slots
+// puts the given roundness into the values of the vertices, which come first, and of their extra slots
 template <class Scheme, class Value, class Index = std::size_t>
 void put_given_roundness([[maybe_unused]] const Scheme& scheme,
                          [[maybe_unused]] std::size_t vertices,
@@ -269,8 +269,8 @@ void put_given_roundness([[maybe_unused]] const Scheme& scheme,
   }
 }
 
-// Of the entries of a crease average, of which of(j) is the roundness. Equal ones are not summed: here the weights come in
-// another order than that in which they sum to 1.
+// The roundness of a crease average, whose entry j has the roundness of(j). Equal numbers are not summed, since the weights
+// come in another order here than the order in which they sum to 1.
 template <class Entry, std::size_t n, class Roundness_of>
 auto averaged_roundness(const std::array<Entry, n>& entries, const Roundness_of& of)
 {
