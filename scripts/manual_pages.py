@@ -245,9 +245,11 @@ def write_formulas(pages: dict[Path, str]) -> list[str]:
 
 
 def unlisted(pages: dict[Path, str]) -> list[str]:
-    """Public names that the classified list of PackageDescription.txt and the page of named parameters lack."""
+    """Public names that are neither in the classified list of PackageDescription.txt, nor a named parameter or a concept's model."""
     description = (DOC / "PackageDescription.txt").read_text()
-    listed = set(re.findall(r"`(?:CGAL::PN_subdivision_3::)?(?:\w+::)*(\w+)(?:\(\))?`", description)).union(*read_parameters().values())
+    concepts = "".join(path.read_text() for path in sorted((DOC / "Concepts").glob("*.h")))
+    listed = set(re.findall(r"`(?:CGAL::PN_subdivision_3::)?(?:\w+::)*(\w+)(?:\(\))?`", description)).union(
+        *read_parameters().values(), re.findall(r"\\cgalHasModels\{CGAL::PN_subdivision_3::(\w+)", concepts))
     found = set()
     for path, text in pages.items():
         if path.name.startswith("group__"):
