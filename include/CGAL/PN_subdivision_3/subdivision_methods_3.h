@@ -60,12 +60,10 @@ void subdivide_by_variant(PolygonMesh& mesh, const NamedParameters& np)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-
-applies point-normal Catmull-Clark subdivision, for polygons of any degree. The same as
-`subdivide(mesh, CatmullClark_scheme(), np)`, which documents all parameters, guarantees and
-exceptions. The order of the new vertices is that of `PQQ_host`. With `parameters::tuned()` it is
-`CatmullClark_scheme::Tuned`, with cap 1/2, and with `parameters::curvature_transfer()` it is `CatmullClark_scheme::Transfer`;
-`subdivide()` takes `CatmullClark_scheme::Grid`.
+applies point-normal Catmull-Clark subdivision, for polygons of any degree: `subdivide(mesh, CatmullClark_scheme(), np)`,
+which documents all parameters, guarantees and exceptions. With `parameters::tuned()` it is
+`CatmullClark_scheme::Tuned`, with cap 1/2, and with `parameters::curvature_transfer()` it is
+`CatmullClark_scheme::Transfer`; `subdivide()` takes `CatmullClark_scheme::Grid`.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters>
@@ -78,13 +76,8 @@ void CatmullClark_subdivision(PolygonMesh& mesh,
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-
-applies point-normal Loop subdivision, for triangles. The same as `subdivide(mesh, Loop_scheme(),
-np)`, which documents all parameters, guarantees and exceptions. The order of the new vertices is
-that of `PTQ_host`. With `parameters::tuned()` it is `Loop_scheme::Tuned`, with cap 1/2, and with
-`parameters::curvature_transfer()` it is `Loop_scheme::Transfer`.
-
-\throws std::invalid_argument also if a face is not a triangle
+applies point-normal Loop subdivision, for triangles: `subdivide(mesh, Loop_scheme(), np)`. With `parameters::tuned()`
+it is `Loop_scheme::Tuned`, with cap 1/2, and with `parameters::curvature_transfer()` it is `Loop_scheme::Transfer`.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters>
@@ -96,9 +89,7 @@ void Loop_subdivision(PolygonMesh& mesh, const NamedParameters& np = parameters:
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-
-applies point-normal Doo-Sabin subdivision, for polygons of any degree. The same as `subdivide(mesh,
-DooSabin_scheme(), np)`, which documents all parameters, guarantees and exceptions.
+applies point-normal Doo-Sabin subdivision, for polygons of any degree: `subdivide(mesh, DooSabin_scheme(), np)`.
 
 Every vertex is new. The order is that of `DQQ_host`; the vertices take the descriptors of old ones
 as far as there are any, and what other vertex property maps hold for these is not touched. The
@@ -116,15 +107,10 @@ void DooSabin_subdivision(PolygonMesh& mesh,
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-
-applies point-normal \f$ \sqrt{3} \f$ subdivision, for triangles. The same as `subdivide(mesh,
-Sqrt3_scheme(), np)`, which documents all parameters, guarantees and exceptions. The order of the
-new vertices is that of `Sqrt3_host`.
+applies point-normal \f$ \sqrt{3} \f$ subdivision, for triangles: `subdivide(mesh, Sqrt3_scheme(), np)`.
 
 \attention The border is refined in the even rounds of one call only, as in
 `CGAL::Subdivision_method_3::Sqrt3_subdivision()`: k calls with one round each never refine it.
-
-\throws std::invalid_argument also if a face is not a triangle
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters>
@@ -135,12 +121,8 @@ void Sqrt3_subdivision(PolygonMesh& mesh, const NamedParameters& np = parameters
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-
-applies point-normal modified Butterfly subdivision, for triangles. The same as `subdivide(mesh,
-Butterfly_scheme(), np)`, which documents all parameters, guarantees and exceptions. Old vertices
-keep their points and normals bit for bit. The order of the new vertices is that of `PTQ_host`.
-
-\throws std::invalid_argument also if a face is not a triangle or an interior vertex has valence 2
+applies point-normal modified Butterfly subdivision, for triangles: `subdivide(mesh, Butterfly_scheme(), np)`. Old
+vertices keep their points and normals bit for bit.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters>
@@ -152,14 +134,9 @@ void Butterfly_subdivision(PolygonMesh& mesh,
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-
-applies the point-normal form of Kobbelt's interpolatory scheme, for quadrilaterals, with tension
-1/16. The same as `subdivide(mesh, Kobbelt_scheme(), np)`, which documents all parameters,
-guarantees and exceptions; use it for other tensions. Old vertices keep their points and normals bit
-for bit. The order of the new vertices is that of `PQQ_host`.
-
-\throws std::invalid_argument also if a face is not a quadrilateral or an interior vertex has
-  valence 2
+applies the point-normal form of Kobbelt's interpolatory scheme, for quadrilaterals, with tension 1/16:
+`subdivide(mesh, Kobbelt_scheme(), np)`, which takes other tensions, too. Old vertices keep their points and normals
+bit for bit.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters>
@@ -171,13 +148,9 @@ void Kobbelt_subdivision(PolygonMesh& mesh,
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-
-splits triangles into four, with new vertices in the middle of edges: of the arcs that the normals tell of, or, with roundness 0, of
-the straight ones. The same as `subdivide(mesh, Midpoint_scheme(), np)`, which documents all parameters,
-guarantees and exceptions. Old vertices keep their points and normals bit for bit. The order of the new vertices is
-that of `PTQ_host`.
-
-\throws std::invalid_argument also if a face is not a triangle
+splits triangles into four, with new vertices in the middle of edges: of the arcs that the normals tell of, or, with
+roundness 0, of the straight ones. It is `subdivide(mesh, Midpoint_scheme(), np)`. Old vertices keep their points and
+normals bit for bit.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters>
@@ -189,11 +162,8 @@ void Midpoint_subdivision(PolygonMesh& mesh,
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-
-splits polygons into quadrilaterals, with new vertices in the middle of edges, as `Midpoint_subdivision()`, and of faces.
-The same as `subdivide(mesh, Bilinear_scheme(), np)`, which documents all parameters, guarantees and
-exceptions. Old vertices keep their points and normals bit for bit. The order of the new vertices is that of
-`PQQ_host`.
+splits polygons into quadrilaterals, with new vertices in the middle of edges, as `Midpoint_subdivision()`, and of
+faces. It is `subdivide(mesh, Bilinear_scheme(), np)`.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters>

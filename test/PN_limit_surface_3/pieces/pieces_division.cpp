@@ -9,8 +9,8 @@
 // How faces are divided into pieces, against a slow way to the same, and the order of the elements of a piece; a part
 // of the program of test_pieces.cpp.
 
+#include <CGAL/PN_limit_surface_3/internal/pieces/Divided_level.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Divided_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>

@@ -129,6 +129,23 @@ struct Limit_neighborhood
   bool has_tangent_planes = true;
 };
 
+namespace internal {
+
+// The base of schemes whose masks need no more than a level.
+template <class Host_, template <class> class Mask>
+struct Scheme_of_mask
+{
+  using Host = Host_;
+
+  template <class FT>
+  Mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
+  {
+    return Mask<FT>(level);
+  }
+};
+
+} // namespace internal
+
 } // namespace CGAL::PN_subdivision_3
 
 #endif // CGAL_PN_SUBDIVISION_3_ROWS_STENCIL_H

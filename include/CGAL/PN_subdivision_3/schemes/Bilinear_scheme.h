@@ -57,24 +57,14 @@ Upsampling of polygons: `Bilinear_mask` on `PQQ_host`. The linear scheme leaves 
 others into bilinear patches; see `Midpoint_scheme` for the rest. Accepts any polygons.
 \cgalModels{PNSubdivisionScheme_3}
 */
-struct Bilinear_scheme
+struct Bilinear_scheme : internal::Scheme_of_mask<PQQ_host, Bilinear_mask>
 {
-  /// the host of the scheme.
-  using Host = PQQ_host;
-
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "bilinear"; }
   /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
   static constexpr unsigned ghost_rings = 1;
   /// what has to be regular around a vertex for its limit.
   static constexpr Limit_neighborhood limit_neighborhood = Midpoint_scheme::limit_neighborhood;
-
-  /// the mask of a round; see `PNSubdivisionScheme_3`.
-  template <class FT>
-  Bilinear_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
-  {
-    return Bilinear_mask<FT>(level);
-  }
 };
 
 } // namespace CGAL::PN_subdivision_3

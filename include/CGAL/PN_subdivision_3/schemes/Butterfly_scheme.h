@@ -176,24 +176,14 @@ Modified Butterfly subdivision: `Butterfly_mask` on `PTQ_host`. Accepts triangle
 interior vertex of valence 2.
 \cgalModels{PNSubdivisionScheme_3}
 */
-struct Butterfly_scheme
+struct Butterfly_scheme : internal::Scheme_of_mask<PTQ_host, Butterfly_mask>
 {
-  /// the host of the scheme.
-  using Host = PTQ_host;
-
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "butterfly"; }
   /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
   static constexpr unsigned ghost_rings = 2;
   /// what has to be regular around a vertex for its limit.
   static constexpr Limit_neighborhood limit_neighborhood{2, false, false, true};
-
-  /// the mask of a round; see `PNSubdivisionScheme_3`.
-  template <class FT>
-  Butterfly_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
-  {
-    return Butterfly_mask<FT>(level);
-  }
 
   /// refuses an interior vertex of valence 2.
   template <class Element_names>

@@ -192,7 +192,7 @@ private:
 Catmull-Clark subdivision: `CatmullClark_mask` on `PQQ_host`. Accepts any polygons.
 \cgalModels{PNSubdivisionScheme_3}
 */
-struct CatmullClark_scheme
+struct CatmullClark_scheme : internal::Scheme_of_mask<PQQ_host, CatmullClark_mask>
 {
   /// with other eigenvalues at separated extraordinary vertices, in `schemes/Tuned_CatmullClark_scheme.h`.
   class Tuned;
@@ -200,9 +200,6 @@ struct CatmullClark_scheme
   class Transfer;
   /// by grid lines, in `schemes/Grid_CatmullClark_scheme.h`.
   struct Grid;
-
-  /// the host of the scheme.
-  using Host = PQQ_host;
 
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "catmull-clark"; }
@@ -213,13 +210,6 @@ struct CatmullClark_scheme
 
   /// along creases the rules are those of the border.
   static constexpr bool has_crease_rules = true;
-
-  /// the mask of a round; see `PNSubdivisionScheme_3`.
-  template <class FT>
-  CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
-  {
-    return CatmullClark_mask<FT>(level);
-  }
 
   /// see `estimated_row_entries()`: the corners and edges of a face of m vertices have m entries for it in the first round.
   static double dense_row_entries(const Level_connectivity& level, unsigned round)

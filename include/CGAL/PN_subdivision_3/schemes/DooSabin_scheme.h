@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/rows/Stencil.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
 
 #include <cstddef>
@@ -90,22 +91,12 @@ Doo-Sabin subdivision: `DooSabin_mask` on `DQQ_host`. Accepts any polygons, and 
 valence 2, of which a face with two corners would be left.
 \cgalModels{PNSubdivisionScheme_3}
 */
-struct DooSabin_scheme
+struct DooSabin_scheme : internal::Scheme_of_mask<DQQ_host, DooSabin_mask>
 {
-  /// the host of the scheme.
-  using Host = DQQ_host;
-
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "doo-sabin"; }
   /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
   static constexpr unsigned ghost_rings = 1;
-
-  /// the mask of a round; see `PNSubdivisionScheme_3`.
-  template <class FT>
-  DooSabin_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
-  {
-    return DooSabin_mask<FT>(level);
-  }
 
   /// refuses an interior vertex of valence 2.
   template <class Element_names>

@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/rows/Stencil.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Grid_average.h>
 
@@ -195,23 +196,13 @@ With equal or absent normals the result is not that of the linear scheme, since 
 interpolation, tessellation and other schemes for the normals.
 \cgalModels{PNSubdivisionScheme_3}
 */
-struct CatmullClark_scheme::Grid
+struct CatmullClark_scheme::Grid : internal::Scheme_of_mask<PQQ_host, Grid_CatmullClark_mask>
 {
-  /// the host of the scheme.
-  using Host = PQQ_host;
-
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "grid-catmull-clark"; }
 
   /// its rows are averaged by `Grid_average`.
   static constexpr bool has_grid_rows = true;
-
-  /// the mask of a round; see `PNSubdivisionScheme_3`.
-  template <class FT>
-  Grid_CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
-  {
-    return Grid_CatmullClark_mask<FT>(level);
-  }
 
   /// throws `std::invalid_argument` if a face is not a quad.
   template <class Element_names>

@@ -97,15 +97,12 @@ private:
 Loop subdivision: `Loop_mask` on `PTQ_host`. Accepts triangles only.
 \cgalModels{PNSubdivisionScheme_3}
 */
-struct Loop_scheme
+struct Loop_scheme : internal::Scheme_of_mask<PTQ_host, Loop_mask>
 {
   /// with other eigenvalues at separated extraordinary vertices, in `schemes/Tuned_Loop_scheme.h`.
   class Tuned;
   /// with transfer of curvature at extraordinary vertices, in `schemes/Transfer_schemes.h`.
   class Transfer;
-
-  /// the host of the scheme.
-  using Host = PTQ_host;
 
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "loop"; }
@@ -116,13 +113,6 @@ struct Loop_scheme
 
   /// along creases the rules are those of the border.
   static constexpr bool has_crease_rules = true;
-
-  /// the mask of a round; see `PNSubdivisionScheme_3`.
-  template <class FT>
-  Loop_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
-  {
-    return Loop_mask<FT>(level);
-  }
 };
 
 } // namespace CGAL::PN_subdivision_3

@@ -67,24 +67,14 @@ Along its arcs the surface has no tangent planes, so that there are limit points
 `limit_points()` has the control normals in their place. Sharp edges and vertices are refused.
 \cgalModels{PNSubdivisionScheme_3}
 */
-struct Midpoint_scheme
+struct Midpoint_scheme : internal::Scheme_of_mask<PTQ_host, Midpoint_mask>
 {
-  /// the host of the scheme.
-  using Host = PTQ_host;
-
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "midpoint"; }
   /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
   static constexpr unsigned ghost_rings = 1;
   /// what has to be regular around a vertex for its limit.
   static constexpr Limit_neighborhood limit_neighborhood{0, true, false, true, false};
-
-  /// the mask of a round; see `PNSubdivisionScheme_3`.
-  template <class FT>
-  Midpoint_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
-  {
-    return Midpoint_mask<FT>(level);
-  }
 };
 
 } // namespace CGAL::PN_subdivision_3

@@ -120,24 +120,14 @@ private:
 refined in the even rounds of a call only.
 \cgalModels{PNSubdivisionScheme_3}
 */
-struct Sqrt3_scheme
+struct Sqrt3_scheme : internal::Scheme_of_mask<Sqrt3_host, Sqrt3_mask>
 {
-  /// the host of the scheme.
-  using Host = Sqrt3_host;
-
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "sqrt3"; }
   /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
   static constexpr unsigned ghost_rings = 2;
   /// what has to be regular around a vertex for its limit.
   static constexpr Limit_neighborhood limit_neighborhood{0, true, false, false};
-
-  /// the mask of a round; see `PNSubdivisionScheme_3`.
-  template <class FT>
-  Sqrt3_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
-  {
-    return Sqrt3_mask<FT>(level);
-  }
 };
 
 } // namespace CGAL::PN_subdivision_3

@@ -277,49 +277,20 @@ private:
 \ingroup PkgPNSubdivision3Schemes
 Tuned Loop subdivision: `Tuned_Loop_mask` on `PTQ_host`. Accepts triangles only. On a mesh
 without separated extraordinary vertices a round gives the same as one of `Loop_scheme`.
+
+`Tuned(cap, first_round, valences)` takes the cap, above 0 and at most 1, by default 0.5. In a call, whose rounds are counted
+from 1, the rules hold from `first_round` on, by default 1, and those of `Loop_scheme` before; they hold at `valences`, see
+`Tuned_valences`, by default at all. Numbers out of their range are refused by `std::invalid_argument`. `of_the_paper(cap)` is the
+policy of Yang's paper: a plain first round, and plain rules at valences 4 and 5.
 \cgalModels{PNSubdivisionScheme_3}
 */
-class Loop_scheme::Tuned
+class Loop_scheme::Tuned : public internal::Tuned_scheme<Loop_scheme>
 {
 public:
-  /// the host of the scheme.
-  using Host = PTQ_host;
-
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "modified-loop"; }
-  /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
-  static constexpr unsigned ghost_rings = 3;
-  /// what has to be regular around a vertex for its limit.
-  static constexpr Limit_neighborhood limit_neighborhood{1, true, true, false};
-  /// the name of the parameter that the constructor takes, and its default value.
-  static constexpr const char* parameter_name() { return "cap"; }
-  /// the default cap.
-  static constexpr double default_parameter() { return 0.5; }
 
-  /// along creases the rules are those of the border.
-  static constexpr bool has_crease_rules = true;
-
-  /*!
-  The rules of the tuned scheme hold from round `first_round` of a call on, those of `Loop_scheme`
-  before; the rounds of every call are counted from 1. They hold at `valences`.
-  \pre `0 < cap <= 1`, `first_round >= 1`
-  \throws std::invalid_argument otherwise
-  */
-  explicit Tuned(const Scheme_parameter& cap = default_parameter(), unsigned first_round = 1,
-                 Tuned_valences valences = Tuned_valences::all)
-    : tuning_(cap, first_round, valences)
-  {}
-
-  /// the policy of Yang's paper: a plain first round, and plain rules at valences 4 and 5.
-  static Loop_scheme::Tuned of_the_paper(const Scheme_parameter& cap = default_parameter())
-  {
-    return Loop_scheme::Tuned(cap, 2, Tuned_valences::diverging);
-  }
-
-  /// the first round with tuned weights.
-  unsigned first_round() const { return tuning_.first_round; }
-  /// the valences with tuned weights.
-  Tuned_valences valences() const { return tuning_.valences; }
+  using internal::Tuned_scheme<Loop_scheme>::Tuned_scheme;
 
   /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>
@@ -335,9 +306,6 @@ public:
     return round == 1 ? internal::squared_separated_valences(level, 6, 3)
                       : internal::squared_irregular_valences(level, 6);
   }
-
-protected:
-  internal::Ring_tuning tuning_; ///< what becomes of the eigenvalues.
 };
 
 } // namespace CGAL::PN_subdivision_3

@@ -11,7 +11,6 @@
 
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <cstddef>

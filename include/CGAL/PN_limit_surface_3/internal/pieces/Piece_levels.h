@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_LEVELS_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_LEVELS_H
 
+#include <CGAL/PN_limit_surface_3/internal/pieces/Whole_level.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
@@ -16,8 +17,6 @@
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Whole_level.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
@@ -191,8 +190,8 @@ public:
     const Face_marks kept = owned_with_rings(level, elements, rings);
     const All_candidates candidates(level, kept);
     Extraction extraction(level, candidates, has_isolated);
-    Numbered_elements vertices = extraction.vertices(elements.vertices);
-    Numbered_elements faces = extraction.faces(elements.faces);
+    Numbered_elements vertices = elements_of_part(extraction.old_vertices(), elements.vertices);
+    Numbered_elements faces = elements_of_part(extraction.old_faces(), elements.faces);
     Level_part part(extraction, bool(attributes));
     if constexpr (!std::is_empty_v<Carried>)
       if (attributes)

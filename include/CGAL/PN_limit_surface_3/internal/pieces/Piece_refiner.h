@@ -9,17 +9,16 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_REFINER_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_REFINER_H
 
+#include <CGAL/PN_limit_surface_3/internal/pieces/Divided_level.h>
 #include <CGAL/PN_limit_surface_3/internal/pieces/Piece_levels.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Carried_through.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Divided_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/number_type_basic.h>
@@ -200,9 +199,12 @@ private:
     Piece_extraction<Listed_candidates> extraction(base_.level(), candidates, has_isolated);
     const Divided_level& all = *division_;
     Piece_elements elements{
-      extraction.vertices(base_elements([&](Index v) { return all.owns_vertex(piece, v); })),
-      extraction.edges(base_elements([&](Index e) { return all.owns_edge(piece, e); })),
-      extraction.faces(base_elements([&](Index f) { return all.owns_face(piece, f); }))};
+      elements_of_part(extraction.old_vertices(),
+                       base_elements([&](Index v) { return all.owns_vertex(piece, v); })),
+      elements_of_part(extraction.old_edges(),
+                       base_elements([&](Index e) { return all.owns_edge(piece, e); })),
+      elements_of_part(extraction.old_faces(),
+                       base_elements([&](Index f) { return all.owns_face(piece, f); }))};
     return part_of(base_, attributes_, extraction, std::move(elements), base_slots_, chart_slots_);
   }
 
@@ -251,8 +253,11 @@ private:
     Chart_slots chart_slots;
     if constexpr (carries)
       if (attributes) chart_slots = attributes->slots_of_charts(level.level());
-    return part_of(level, attributes, extraction, extraction.elements(elements), slot_of,
-                   chart_slots);
+    return part_of(level, attributes, extraction,
+                   {elements_of_part(extraction.old_vertices(), elements.vertices),
+                    elements_of_part(extraction.old_edges(), elements.edges),
+                    elements_of_part(extraction.old_faces(), elements.faces)},
+                   slot_of, chart_slots);
   }
 
   Refiner refiner(Part& part, unsigned round) const

@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/rows/Stencil.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/Scheme_parameter.h>
 #include <CGAL/Uncertain.h>
 
@@ -75,6 +76,35 @@ struct Ring_tuning
   unsigned first_round = 1;
   Tuned_valences valences = Tuned_valences::all;
   bool keeps_quadratic = false;
+};
+
+// The base of the tuned form of a scheme, which adds its masks.
+template <class Scheme>
+class Tuned_scheme
+{
+public:
+  using Host = typename Scheme::Host;
+
+  static constexpr unsigned ghost_rings = 3;
+  static constexpr Limit_neighborhood limit_neighborhood{1, true, true, false};
+  static constexpr const char* parameter_name() { return "cap"; }
+  static constexpr double default_parameter() { return 0.5; }
+  static constexpr bool has_crease_rules = true;
+
+  explicit Tuned_scheme(const Scheme_parameter& cap = default_parameter(), unsigned first_round = 1,
+                        Tuned_valences valences = Tuned_valences::all)
+    : tuning_(cap, first_round, valences)
+  {}
+  static typename Scheme::Tuned of_the_paper(const Scheme_parameter& cap = default_parameter())
+  {
+    return typename Scheme::Tuned(cap, 2, Tuned_valences::diverging);
+  }
+
+  unsigned first_round() const { return tuning_.first_round; }
+  Tuned_valences valences() const { return tuning_.valences; }
+
+protected:
+  Ring_tuning tuning_;
 };
 
 // what the valence of v counts as, null if that is the valence itself

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_DIVIDED_LEVEL_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_DIVIDED_LEVEL_H
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_DIVIDED_LEVEL_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_DIVIDED_LEVEL_H
 
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -187,4 +187,4 @@ private:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_DIVIDED_LEVEL_H
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_DIVIDED_LEVEL_H

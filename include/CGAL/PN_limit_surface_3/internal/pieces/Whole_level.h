@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_WHOLE_LEVEL_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_WHOLE_LEVEL_H
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_WHOLE_LEVEL_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_WHOLE_LEVEL_H
 
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
@@ -15,9 +15,62 @@
 #include <CGAL/PN_subdivision_3/internal/hosts/numberings.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
+#include <boost/container/vector.hpp>
+
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
+
+// Elements of one kind in a piece: their numbers in the whole level, and whether the piece owns them. Every
+// element of the whole level has one owner.
+class Numbered_elements
+{
+public:
+  using Number = std::uint64_t;
+
+  Numbered_elements() = default;
+  explicit Numbered_elements(std::size_t size)
+    : number_(size, boost::container::default_init)
+    , is_owned_(size, boost::container::default_init)
+  {}
+
+  std::size_t size() const { return number_.size(); }
+  Number number(std::size_t i) const { return number_[i]; }
+  bool is_owned(std::size_t i) const { return is_owned_[i] != 0; }
+
+  // different elements by different threads
+  void set(std::size_t i, Number number, bool is_owned)
+  {
+    number_[i] = number;
+    is_owned_[i] = is_owned ? 1 : 0;
+  }
+
+private:
+  boost::container::vector<Number> number_;
+  boost::container::vector<char> is_owned_;
+};
+
+// Those of a level of a piece, beside its connectivity. In all three kinds the numbers increase.
+struct Piece_elements
+{
+  Numbered_elements vertices, edges, faces;
+};
+
+// Those of a part of a level, of which `origins` are the elements in the level; of a vertex that is there several times the
+// first one may be owned.
+template <class Elements>
+Numbered_elements elements_of_part(const std::vector<Level_connectivity::Index>& origins,
+                                   const Elements& whole)
+{
+  Numbered_elements part(origins.size());
+  for (std::size_t i = 0; i < origins.size(); ++i) {
+    const bool is_first = i == 0 || origins[i - 1] != origins[i];
+    part.set(i, whole.number(origins[i]), is_first && whole.is_owned(origins[i]));
+  }
+  return part;
+}
 
 // What the numbers of the children of a level depend on, besides their parents.
 struct Whole_level
@@ -98,4 +151,4 @@ private:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_WHOLE_LEVEL_H
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_WHOLE_LEVEL_H
