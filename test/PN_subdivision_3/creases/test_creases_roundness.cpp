@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -251,6 +252,30 @@ TEST(Creases_roundness, CreasesThatBendAwayDoNotTurnNormals)
   EXPECT_LE(result.largest_distance, 0.1);
 }
 
+// A slit in a plane, one lip of which is a little higher: the circle through its tip and its ends stands upright.
+TEST(Creases_roundness, TipsOfSlitsDoNotTurnNormals)
+{
+  const double height = 1e-3;
+  Mesh mesh;
+  const auto tip = mesh.add_vertex(Point(0, 0, 0));
+  std::vector<Mesh::Vertex_index> ring;
+  for (unsigned i = 0; i < 8; ++i) {
+    const double a = 2 * Turned_part::pi * i / 8;
+    ring.push_back(mesh.add_vertex(Point(4 * std::cos(a), 4 * std::sin(a), 0)));
+  }
+  ring.push_back(mesh.add_vertex(Point(4, 0, height)));
+  for (unsigned i = 0; i < 8; ++i) mesh.add_face(tip, ring[i], ring[i + 1]);
+  mesh.add_face(tip, ring[8], ring[0]);
+  const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("sharp", false).first;
+  for (const auto end : {ring[0], ring[8]}) sharp[mesh.edge(mesh.halfedge(tip, end))] = true;
+  PN::subdivide(mesh, PN::Loop_scheme(),
+                CGAL::parameters::number_of_iterations(2).edge_is_constrained_map(sharp));
+  for (auto v : mesh.vertices()) {
+    EXPECT_LE(mesh.point(v).z(), 2 * height) << v;
+    EXPECT_GE(mesh.point(v).z(), -height) << v;
+  }
+}
+
 // Three points are on a circle, whatever they are: of a facet in a bumpy sheet it would fold the facet.
 TEST(Creases_roundness, TrianglesAreNoCircles)
 {
@@ -290,6 +315,33 @@ TEST(Creases_roundness, CreasesDoNotMoveByMoreThanTheWidthOfFaces)
       EXPECT_GE(result.largest_distance, 0.1);
     else
       EXPECT_LE(result.largest_distance, 0.01);
+  }
+}
+
+// The ridge turns by 24 degrees and is not sharp; at its ends no arcs meet. At the eaves all do, of the plane of one face.
+TEST(Creases_roundness, PlanesOfRoofsAreNotRound)
+{
+  for (const bool triangles : {false, true}) {
+    Mesh house;
+    for (double x : {0., 4.})
+      for (const auto& [y, z] : {std::pair(-1., 0.), {-1., 1.}, {0., 1.2126}, {1., 1.}, {1., 0.}})
+        house.add_vertex(Point(x, y, z));
+    const auto v = [](unsigned i) { return Mesh::Vertex_index(i); };
+    house.add_face(std::vector{v(0), v(1), v(2), v(3), v(4)});
+    house.add_face(std::vector{v(9), v(8), v(7), v(6), v(5)});
+    for (unsigned i = 0; i < 5; ++i) {
+      const unsigned j = (i + 1) % 5;
+      house.add_face(v(j), v(i), v(i + 5), v(j + 5));
+    }
+    if (triangles) CGAL::Polygon_mesh_processing::triangulate_faces(house);
+    const auto sharp = house.add_property_map<Mesh::Edge_index, bool>("sharp", false).first;
+    PN::detect_creases(house, 30, sharp);
+    const auto parameters =
+      CGAL::parameters::number_of_iterations(2).edge_is_constrained_map(sharp);
+    const auto result = triangles
+                          ? PN::compare_with_linear(house, PN::Loop_scheme(), parameters)
+                          : PN::compare_with_linear(house, PN::CatmullClark_scheme(), parameters);
+    EXPECT_LE(result.largest_distance, 1e-9) << triangles;
   }
 }
 

@@ -27,14 +27,14 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// x without its part along the direction of u, as far as the squared length of u says that there is
-// one: that is 2 strength if u is the sum or difference of two unit vectors.
+// x without its part along the direction of u, which is the sum or difference of two vectors, of length 1 if they are
+// certain; as far as u is long enough to tell a direction
 template <class FT>
 void strip_direction(Coordinates<FT, 3>& x, const Coordinates<FT, 3>& original,
-                     Coordinates<FT, 3> u, const FT& strength)
+                     Coordinates<FT, 3> u)
 {
-  const FT f = smoothstep<FT>(FT(64) * strength);
   const FT squared_length = dot(u, u);
+  const FT f = smoothstep<FT>(FT(32) * squared_length);
   if (f == FT(0) || squared_length == FT(0)) return;
   divide_by_length(u, squared_length);
   add_multiple(x, FT(-(f * dot(original, u))), u);
@@ -45,11 +45,10 @@ template <class FT>
 Coordinates<FT, 3> strip(const Coordinates<FT, 3>& x, const Coordinates<FT, 3>& a,
                          const Coordinates<FT, 3>& b)
 {
-  const FT c = dot(a, b);
   Coordinates<FT, 3> sum = a, result = x;
   add_multiple(sum, FT(1), b);
-  strip_direction<FT>(result, x, sum, FT(1) + c);
-  strip_direction<FT>(result, x, difference(a, b), FT(1) - c);
+  strip_direction<FT>(result, x, sum);
+  strip_direction<FT>(result, x, difference(a, b));
   return result;
 }
 
@@ -59,7 +58,7 @@ Coordinates<FT, 3> strip(const Coordinates<FT, 3>& x, const Coordinates<FT, 3>& 
 {
   Coordinates<FT, 3> sum = a, result = x;
   add_multiple(sum, FT(1), a);
-  strip_direction<FT>(result, x, sum, FT(2));
+  strip_direction<FT>(result, x, sum);
   return result;
 }
 

@@ -201,16 +201,22 @@ private:
     return is_mirrored(s) ? share_of_wedge(miss) : 1;
   }
 
-  // of the arcs of a sector, relative to their lengths; points that coincide miss by their normals
+  // of the arcs of a sector, relative to their lengths; points that coincide miss by their normals. Wedges of a plane meet
+  // all arcs of normals that are orthogonal to creases: those of their neighbors count, too.
   std::vector<double> largest_misses() const
   {
-    std::vector<double> result(estimates_.size(), 0);
+    std::vector<double> own(estimates_.size(), 0);
     for_each_edge([&](Index i, Index j, Index h) {
       const Vector e = edge(h), n = evidence(i), m = evidence(j);
       const double e_length = quick_length(e);
       const double miss =
         e_length > 0 ? std::abs(dot(n, e) + dot(m, e)) / e_length : quick_length(difference(n, m));
-      for (Index s : {i, j}) result[s] = (std::max)(result[s], miss);
+      for (Index s : {i, j}) own[s] = (std::max)(own[s], miss);
+    });
+    std::vector<double> result = own;
+    for_each_edge([&](Index i, Index j, Index) {
+      if (is_mirrored(i)) result[i] = (std::max)(result[i], own[j]);
+      if (is_mirrored(j)) result[j] = (std::max)(result[j], own[i]);
     });
     return result;
   }
