@@ -7,8 +7,8 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
 #
-# Builds the page and the library for JavaScript (scripts/build_page.sh) and tests them in headless Chromium and Node.js,
-# against the command.
+# Builds the page and the library for JavaScript (scripts/build_page.sh) and tests them in headless Chromium, in Firefox where it
+# is installed, and in Node.js, against the command.
 #
 #   scripts/test_page.sh [--offline] [--measure] [--command PN_SUBDIVIDE]
 #
@@ -41,4 +41,9 @@ if [[ -z $command ]]; then
   command=build/release/src/pn_subdivide/pn_subdivide
 fi
 export PN_PAGE=$page PN_LIBRARY=build/page/library PN_MODELER=build/page/modeler PN_SUBDIVIDE=$command
-node --test $tests/test_editing.mjs $tests/test_page.mjs $tests/test_pictures.mjs $tests/test_outputs.mjs $tests/test_visits.mjs $tests/test_worker.mjs $tests/test_library.mjs $tests/test_readers.mjs $tests/test_firefox.mjs
+node --test $tests/test_*.mjs
+if [[ -x ${FIREFOX:-/usr/bin/firefox-esr} ]]; then
+  PN_BROWSER=firefox node --test $tests/test_{page,visits,worker,outputs,library}.mjs
+else
+  echo "left out: Firefox is not installed"
+fi

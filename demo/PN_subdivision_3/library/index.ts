@@ -174,14 +174,17 @@ function cutAtSeams(drawn: Omit<Refined["geometry"], "uv">, degrees: Uint32Array
 
 function flatFaces(faces: Mesh["faces"]): Faces {
   if (typeof faces !== "object" || faces === null) throw new Error("the mesh has no faces: they must be lists of vertices, or { degrees, corners }");
-  if ("degrees" in faces) return { degrees: indices(faces.degrees), corners: indices(faces.corners) };
+  if ("degrees" in faces) return { degrees: indices("degrees", faces.degrees), corners: indices("corners", faces.corners) };
   const lists = Array.from(faces);
-  return { degrees: indices(lists.map((face) => face.length)), corners: indices(lists.flatMap((face) => Array.from(face))) };
+  const wrong = lists.findIndex((face) => typeof face?.length !== "number");
+  if (wrong >= 0) throw new RangeError(`face ${wrong} is no list of vertices`);
+  return { degrees: indices("degrees", lists.map((face) => face.length)), corners: indices("faces", lists.flatMap((face) => Array.from(face))) };
 }
 
-function indices(list: ArrayLike<number>): Uint32Array {
+function indices(name: string, list: ArrayLike<number>): Uint32Array {
+  if (typeof list?.length !== "number") throw new RangeError(`${name} must be a list of numbers`);
   const wrong = Array.prototype.findIndex.call(list, (i: number) => !Number.isInteger(i) || i < 0 || i >= 2 ** 32);
-  if (wrong >= 0) throw new RangeError(`${list[wrong]} is no number of a vertex`);
+  if (wrong >= 0) throw new RangeError(`${name}: ${list[wrong]} is no number of a vertex`);
   return Uint32Array.from(list);
 }
 
@@ -204,7 +207,7 @@ function stateOf(mesh: Mesh): MeshState {
     degrees,
     corners,
     cornerNormals: normals && ofCorners("normals", normals, 3, vertices, corners),
-    sharpEdges: indices(mesh.creases ?? []),
+    sharpEdges: indices("creases", mesh.creases ?? []),
     roundness: roundness && Float64Array.from(roundness),
     uv: uv && ofCorners("uv", uv, 2, vertices, corners),
   };

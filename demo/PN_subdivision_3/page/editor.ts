@@ -19,7 +19,7 @@ import { roundShapeThrough } from "./round_shapes";
 import { withCreases } from "./selection";
 import type { Shading } from "./shading";
 import { Surfaces, type Content, type Drawings, type Shown } from "./surfaces";
-import type { Layout, Selection, Viewer } from "./viewer";
+import { stemsOf, type Layout, type Selection, type Viewer } from "./viewer";
 
 export { messageOf };
 
@@ -86,6 +86,7 @@ export class Editor {
   normalLength = 1;
   /** That of all vertices, if it is the same. */
   roundness: number | undefined = 1;
+  meanRoundness = 1;
   verticesBelowRoundness1 = 0;
   colorEnd = 1;
   /** The most rounds for this mesh and scheme. */
@@ -196,8 +197,8 @@ export class Editor {
     this.ofFile = this.mesh.state();
     this.about = about;
     this.selection = {};
-    this.frameAll();
     this.changed();
+    this.frameAll(); // in the room that the caption leaves
     return true;
   }
 
@@ -268,7 +269,8 @@ export class Editor {
 
   /** From the usual direction, or from another one. */
   frameAll(direction?: Triple): void {
-    this.viewer.frameAll([this.shownHandles.points, this.positions], direction);
+    const tips = this.settings.showNormals ? stemsOf(this.shownHandles, this.normalLength).tips : [];
+    this.viewer.frameAll([this.shownHandles.points, this.positions], tips, direction);
   }
 
   // --- changes of the mesh ---
@@ -396,11 +398,9 @@ export class Editor {
     this.restore(version, isOther ? { ...this.settings, rounds: version.rounds } : this.settings);
     this.name = version.name;
     this.about = version.about;
-    if (isOther) {
-      this.selection = {};
-      this.frameAll();
-    }
+    if (isOther) this.selection = {};
     this.changed();
+    if (isOther) this.frameAll();
   }
 
   select(selection: Selection): void {
@@ -514,6 +514,7 @@ export class Editor {
     this.handles = this.mesh.handles();
     const roundness = shortRoundness(state);
     this.roundness = roundness.length === 1 ? roundness[0] : undefined;
+    this.meanRoundness = roundness.reduce((sum, w) => sum + w) / roundness.length;
     const vertices = this.handles.points.length / 3; // of those that can be edited
     const isBelow = (w: number | undefined, i: number): number[] => (w! < 1 ? [state.roundness!.length === vertices ? i : state.corners[i]] : []);
     this.verticesBelowRoundness1 = vertices === 0 ? 0 : new Set(Array.from(state.roundness ?? []).flatMap(isBelow)).size;

@@ -51,6 +51,13 @@ export function buttonOf(title: string, act: () => void): HTMLButtonElement {
   result.addEventListener("click", act);
   return result;
 }
+/** Whose hyphens end no line. */
+export function wordOf(text: string): HTMLElement {
+  const result = document.createElement("span");
+  result.className = "word";
+  result.textContent = text;
+  return result;
+}
 /** Takes any message away, or only this one. */
 export function silence(text?: string): void {
   const box = element("message");

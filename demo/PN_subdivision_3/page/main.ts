@@ -180,7 +180,8 @@ class Page {
       return false;
     }
     if (!this.panel.showExample(exampleOf(name), picture.settings, isFirst)) return false;
-    this.editor.frameAll(picture.direction);
+    markPicture(name);
+    this.editor.frameAll(picture.direction); // in the room that its sentence leaves
     this.takePicture(name);
     return true;
   }
@@ -354,9 +355,14 @@ class Page {
   /** Shows what the address says; false if it says nothing, or what cannot be read. */
   private async readAddress(): Promise<boolean> {
     if (location.hash.length < 2) return false;
+    const isLast = this.editor.choose();
     try {
       const [name, packed] = partsOf(location.hash);
-      return packed ? await this.unpack(name, packed) : this.showNamed(name);
+      if (!packed) return this.showNamed(name);
+      const value = await unpack(packed).catch((error) => error as Error);
+      if (!isLast()) return true;
+      if (value instanceof Error) throw value;
+      return this.showUnpacked(name, value);
     } catch (error) {
       say(`The link cannot be read: ${messageOf(error)}.`, "error");
       return false;
@@ -374,8 +380,7 @@ class Page {
     return this.panel.showExample(name, {}, isFirst);
   }
 
-  private async unpack(name: string, packed: string): Promise<boolean> {
-    const value = await unpack(packed);
+  private showUnpacked(name: string, value: object): boolean {
     requireVersion(value as Shared);
     if (name === "curve") {
       this.curve.restore(checkedCurve(value as Partial<CurveState>, this.curve.state));

@@ -58,7 +58,9 @@ const signs: Record<string, [sign: RegExp, what: string][]> = {
     [/^property (list \S+ )?\S+ (s|u|texture_u|texcoord)\r?$/m, "texture coordinates"],
     [/^element (?!vertex |face |edge )/m, "other elements"],
   ],
-  off: [[/^(ST)?C/, "colors"], [/^ST/, "texture coordinates"]],
+  // of a face they are behind its vertices
+  off: [[/^(ST)?C|^(ST)?OFF\b[^]*^[ \t]*(3([ \t]+\d+){3}|4([ \t]+\d+){4})[ \t]+[\d.]/m, "colors"], [/^ST/, "texture coordinates"]],
+  stl: [[/^[^]{0,70}COLOR=/, "colors"]],
   glb: [
     [/"materials":/, "materials"],
     [/"TEXCOORD_0":/, "texture coordinates"],
@@ -69,7 +71,7 @@ const signs: Record<string, [sign: RegExp, what: string][]> = {
 
 /** By the words of text files and of headers. */
 function lostOf(content: Uint8Array, format: string): string[] {
-  const isAllText = format === "obj";
+  const isAllText = format === "obj" || format === "off";
   const text = new TextDecoder("latin1").decode(isAllText ? content : content.subarray(0, 100_000));
   const end = format === "ply" ? text.indexOf("end_header") : -1;
   const header = end < 0 ? text : text.slice(0, end);

@@ -33,8 +33,8 @@ export const surfaceFile = (editor: Editor, format: string): string => `${stemOf
 
 const quoted = (word: string): string => (/^[\w./:-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 
-/** Makes the file that "Surface" takes with you, to the byte, of the one that "Control mesh" does; GLB is not written there. */
-export function commandFor(editor: Editor, format: string): string {
+/** Words that make the file that "Surface" takes with you, to the byte, of the one that "Control mesh" does; GLB is not written there. */
+export function commandFor(editor: Editor, format: string): string[] {
   const { settings, roundness } = editor;
   const isLinear = settings.layout === "linear";
   const words = ["pn_subdivide", "surface", controlFile(editor), surfaceFile(editor, format === "glb" ? "ply" : format),
@@ -44,7 +44,7 @@ export function commandFor(editor: Editor, format: string): string {
   if (!isLinear && roundness !== 1) words.push("--roundness", "file");
   if (editor.showsLimit) words.push("--limit", "--limit-tolerance", "1e-7", "--output-normals", "surface");
   else if (!isLinear) words.push("--output-normals", format === "stl" ? "none" : "control");
-  return words.map(quoted).join(" ");
+  return words.map(quoted);
 }
 
 /** For a mesh with normals, and their roundness where it was estimated, that has been read. */
@@ -52,17 +52,17 @@ export function programFor(editor: Editor): string {
   const { settings, roundness } = editor;
   const isLinear = settings.layout === "linear";
   const scheme = `PN::${classes[settings.scheme] ?? settings.scheme}()`;
-  let parameters = "CGAL::parameters::";
-  if (!isLinear && roundness === undefined) parameters = "PN::parameters::vertex_roundness_map(roundness).";
-  else if (!isLinear && roundness !== 1) parameters = `PN::parameters::roundness(${roundness}).`;
-  parameters += `number_of_iterations(${settings.rounds})`;
-  if (!isLinear) parameters += ".vertex_normal_map(normals)";
-  if (editor.mesh.numberOfSharpEdges() > 0) parameters += ".edge_is_constrained_map(creases)";
+  const parameters = [`number_of_iterations(${settings.rounds})`];
+  if (!isLinear && roundness === undefined) parameters.unshift("vertex_roundness_map(roundness)");
+  else if (!isLinear && roundness !== 1) parameters.unshift(`roundness(${roundness})`);
+  const first = parameters.length > 1 ? "PN::parameters::" : "CGAL::parameters::";
+  if (!isLinear) parameters.push("vertex_normal_map(normals)");
+  if (editor.mesh.numberOfSharpEdges() > 0) parameters.push("edge_is_constrained_map(creases)");
   return [
     "#include <CGAL/PN_subdivision_3.h>",
     "namespace PN = CGAL::PN_subdivision_3;",
     "// ...",
     `PN::subdivide(mesh, ${isLinear ? `PN::linear(${scheme})` : scheme},`,
-    `              ${parameters});`,
+    `              ${first}${parameters.join("\n                .")});`,
   ].join("\n");
 }

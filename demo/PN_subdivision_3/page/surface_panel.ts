@@ -8,7 +8,7 @@
 
 // The panel beside the surface.
 
-import { button, buttonOf, choose, element, fill, input, onChoice, say, select, silence } from "./elements";
+import { button, buttonOf, choose, element, fill, input, onChoice, say, select, silence, wordOf } from "./elements";
 import { format, large, messageOf, type Editor, type Settings, type Triple } from "./editor";
 import { examples } from "./examples";
 import { glbFile, objFile, plyFile, save, stlFile, valuesOfVertices, type MeshOfFile } from "./files";
@@ -235,7 +235,7 @@ export class SurfacePanel {
   }
 
   private showRecipe(): void {
-    element("recipe-command").textContent = commandFor(this.editor, select("surface-format").value);
+    element("recipe-command").replaceChildren(...commandFor(this.editor, select("surface-format").value).flatMap((word) => [wordOf(word), " "]).slice(0, -1));
     element("recipe-program").textContent = programFor(this.editor);
     element<HTMLDialogElement>("recipe-dialog").showModal();
   }
@@ -299,8 +299,8 @@ export class SurfacePanel {
   }
 
   private showRoundness(): void {
-    const { roundness } = this.editor;
-    if (roundness !== undefined) input("roundness").value = String(roundness);
+    const { roundness, meanRoundness } = this.editor;
+    input("roundness").value = String(roundness ?? meanRoundness);
     element("roundness-value").textContent = roundness === undefined ? "varies" : roundness.toFixed(2);
   }
 

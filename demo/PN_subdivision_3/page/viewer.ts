@@ -184,7 +184,7 @@ function linesOf(points: Float64Array, edges: Uint32Array, isWanted: (edge: numb
 }
 
 /** The lines from vertices to the tips of their normals, of those that have one. */
-function stemsOf(handles: Handles, length: number): { stems: Float32Array; tips: Float32Array } {
+export function stemsOf(handles: Handles, length: number): { stems: Float32Array; tips: Float32Array } {
   const { points, vertices } = handles;
   const stems = new Float32Array(6 * vertices.length);
   const tips = new Float32Array(3 * vertices.length);
@@ -329,7 +329,7 @@ export class Viewer {
   }
 
   /** Looks at everything from the usual direction, or another one. */
-  frameAll(pointLists: ArrayLike<number>[], wanted?: [number, number, number]): void {
+  frameAll(pointLists: ArrayLike<number>[], tips: ArrayLike<number>, wanted?: [number, number, number]): void {
     const box = new THREE.Box3();
     const p = new THREE.Vector3();
     for (const points of pointLists)
@@ -343,11 +343,12 @@ export class Viewer {
     const right = this.camera.up.clone().cross(direction).normalize();
     const up = direction.clone().cross(right);
     let distance = 0;
-    for (const points of pointLists)
+    // labels are above the surface; beside it tips of normals need less room than it
+    for (const points of [...pointLists, tips])
       for (let i = 0; i < points.length; i += 3) {
         p.fromArray(points, i).sub(center);
-        const sideways = Math.max(Math.abs(p.dot(right)) / (high * aspect), Math.abs(p.dot(up)) / high);
-        distance = Math.max(distance, p.dot(direction) + 1.2 * sideways);
+        const sideways = ((points === tips ? 1.05 : 1.2) * Math.abs(p.dot(right))) / (high * aspect);
+        distance = Math.max(distance, p.dot(direction) + Math.max(sideways, (1.2 * Math.abs(p.dot(up))) / high));
       }
     this.controls.target.copy(center);
     this.camera.position.copy(center).addScaledVector(direction, distance || 1);

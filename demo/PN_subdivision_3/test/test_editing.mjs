@@ -14,7 +14,7 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { deflateRawSync } from "node:zlib";
-import { withPage } from "./browser.mjs";
+import { chromiumOnly, withPage } from "./browser.mjs";
 import { download as downloadTo, drop, dropAll, frontWedge, largestDifference, loseContext, message, middleOf, points, tipOf } from "./page_actions.mjs";
 
 const file = path.resolve(process.env.PN_PAGE);
@@ -221,7 +221,7 @@ test("edges are not marked where the scheme has no creases", async () => {
   });
 });
 
-test("a second finger does not turn the view under what the first one holds", async () => {
+test("a second finger does not turn the view under what the first one holds", { skip: chromiumOnly }, async () => {
   const options = { hash: "#ring", viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
   await withPage(file, options, async (page, context) => {
     await page.check("input[name=layout][value=pn]");
@@ -390,7 +390,7 @@ test("curvature is computed once for a surface", async () => {
 });
 
 test("without WebGL curves work, and a lost context comes back", async () => {
-  await withPage(file, { args: ["--disable-3d-apis"] }, async (page) => {
+  await withPage(file, { webgl: false }, async (page) => {
     assert.match(await message(page), /WebGL/);
     assert.ok(!(await page.isHidden("#curve")));
     await page.waitForSelector("#drawing .curve", { state: "attached" });
@@ -409,7 +409,7 @@ test("without WebGL curves work, and a lost context comes back", async () => {
   });
 });
 
-test("the picture has the pixels of the screen", async () => {
+test("the picture has the pixels of the screen", { skip: chromiumOnly }, async () => {
   await withPage(file, { hash: "#ring" }, async (page, context) => {
     const width = () => page.evaluate(() => window.page.editor.viewer.canvas.width);
     const one = await width();

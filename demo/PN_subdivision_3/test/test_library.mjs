@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// The library in Node.js and in Chromium, against the command:
+// The library in Node.js and in a browser, against the command:
 //   node --test test_library.mjs      with PN_LIBRARY, its folder, and PN_SUBDIVIDE, the command, in the environment
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
@@ -16,9 +16,8 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
 import * as three from "three";
-import { executablePath, hasBrowser } from "./browser.mjs";
+import { hasBrowser, withBrowser } from "./browser.mjs";
 import { largestDifference, readPly } from "./page_actions.mjs";
 
 const library = path.resolve(process.env.PN_LIBRARY);
@@ -280,11 +279,14 @@ test("what is given is left alone, and what is wrong is named", () => {
   refuses({ roundness: [1] }, {}, /8 vertices, and the roundness of 1/);
   refuses({}, { level: 2 }, /no option 'level': it must be one of scheme, levels, /);
   refuses({ faces: undefined }, {}, /the mesh has no faces/);
+  refuses({ faces: cube.faces.flat() }, {}, /face 0 is no list of vertices/);
+  refuses({ faces: { degrees: [4] } }, {}, /corners must be a list of numbers/);
   refuses({ positions: undefined }, {}, /positions must be three numbers/);
   refuses({ positions: cube.positions.map((x) => [x, x, x]) }, {}, /positions must be three numbers for each vertex, one after the other/);
   refuses({ creases: [0, 1, 0, 7] }, {}, /no edge from vertex 0 to vertex 7/);
   refuses({ creases: [0, 99] }, {}, /no edge from vertex 0 to vertex 99/);
   refuses({ creases: [0, 1, 2] }, {}, /creases must be pairs/);
+  refuses({ creases: [[4, 5], [5, 7]] }, {}, /creases: 4,5 is no number of a vertex/);
 });
 
 test("what is drawn has the surface's vertices, those on creases for each side", async () => {
@@ -348,8 +350,7 @@ test("browsers make the same as Node.js", { skip: !hasBrowser }, async () => {
     response.end(name === undefined ? "<!doctype html>" : await readFile(name).catch(() => ""));
   });
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
-  const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
-  try {
+  await withBrowser(async (browser) => {
     const page = await browser.newPage();
     await page.goto(`http://127.0.0.1:${server.address().port}/`);
     const mesh = { ...cube, normals: normals(cube) };
@@ -369,8 +370,6 @@ test("browsers make the same as Node.js", { skip: !hasBrowser }, async () => {
       return result;
     }, mesh);
     assert.deepEqual(ofWorker, ["loop takes triangles only", 3 * 26, ours, 6 * 384]);
-  } finally {
-    await browser.close();
-    server.close();
-  }
+    await page.close();
+  }).finally(() => server.close());
 });

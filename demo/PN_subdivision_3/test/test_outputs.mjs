@@ -16,8 +16,7 @@ import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { chromium } from "playwright-core";
-import { executablePath, withPage } from "./browser.mjs";
+import { withBrowser, withPage } from "./browser.mjs";
 import { download as downloadTo, drop, largestDifference, message, points, readPly } from "./page_actions.mjs";
 
 const file = path.resolve(process.env.PN_PAGE);
@@ -259,8 +258,7 @@ test("script and style beside the page suit a strict content policy", async () =
     response.end(await readFile(path.join(path.dirname(output), name)).catch(() => ""));
   });
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
-  const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
-  try {
+  await withBrowser(async (browser) => {
     const page = await browser.newPage();
     const errors = [];
     page.on("console", (line) => line.type() === "error" && errors.push(line.text()));
@@ -269,10 +267,8 @@ test("script and style beside the page suit a strict content policy", async () =
     await page.click("#picture-waves");
     assert.ok((await points(page)).length > 1000);
     assert.deepEqual(errors, []);
-  } finally {
-    await browser.close();
-    server.close();
-  }
+    await page.close();
+  }).finally(() => server.close());
   const names = await readdir(path.dirname(output));
   assert.deepEqual(names.map((name) => path.extname(name)).sort(), [".css", ".html", ".js", ".js", ".js"]);
 });

@@ -16,7 +16,7 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { brotliCompressSync, deflateRawSync } from "node:zlib";
-import { withPage } from "./browser.mjs";
+import { chromiumOnly, withPage } from "./browser.mjs";
 import { download as downloadTo, drop, frontWedge, largestDifference, message, points, readPly, tipOf } from "./page_actions.mjs";
 
 const file = path.resolve(process.env.PN_PAGE);
@@ -259,6 +259,10 @@ test("one's own file: what it is, and what can be done", async () => {
     const square = "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\nv 0 1 0 1 0 0\nvt 0 0\n";
     assert.match(await open("square.obj", `${square}g part\nusemtl red\nf 1/1 2/1 3/1 4/1\n`),
       /^1 face\. Normals estimated from the points\. Not kept: materials, texture coordinates, groups, colors\./);
+    const off = (after) => `OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2${after}\n`;
+    assert.match(await open("colored.off", off(" 255 0 0")), /Not kept: colors\./);
+    assert.doesNotMatch(await open("plain.off", off("")), /Not kept/);
+    assert.match(await open("colored.stl", stl.replace("cube", "COLOR=red")), /Not kept: colors\./);
     const normals = "vn 0 0.6 0.8\nvn 0 0 1\nvn 0.6 0 0.8\n";
     assert.match(await open("normals.obj", `${square}${normals}f 1//1 2//2 3//3 4//1\n`), /Normals of the file\./);
   });
@@ -554,7 +558,7 @@ test("labels, names and contrast", async () => {
     });
 });
 
-test("a finger turns a normal, and the page fits a telephone", async () => {
+test("a finger turns a normal, and the page fits a telephone", { skip: chromiumOnly }, async () => {
   const options = { hash: "#ring", viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
   await withPage(file, options, async (page, context) => {
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));

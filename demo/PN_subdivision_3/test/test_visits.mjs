@@ -15,8 +15,7 @@ import { createServer } from "node:http";
 import path from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
-import { executablePath, withPage } from "./browser.mjs";
+import { chromiumOnly, withBrowser, withPage } from "./browser.mjs";
 import { drop, frontWedge, message, points, tipOf } from "./page_actions.mjs";
 
 const file = path.resolve(process.env.PN_PAGE);
@@ -135,8 +134,7 @@ test("the first surfaces are seen before the page is loaded, and no label is ove
     response.on("close", () => response.destroy());
   });
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
-  const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
-  try {
+  await withBrowser(async (browser) => {
     for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 844 }, ...lowWindows]) {
       const page = await browser.newPage({ viewport });
       await page.goto(`http://127.0.0.1:${server.address().port}/`, { waitUntil: "commit" });
@@ -160,29 +158,27 @@ test("the first surfaces are seen before the page is loaded, and no label is ove
     await page.goto(`http://127.0.0.1:${server.address().port}/#head`, { waitUntil: "commit" });
     await page.waitForFunction(() => document.querySelector("#loading p")?.textContent === "Loading …");
     assert.equal(await page.locator("#loading img").count(), 0, "it would be another surface");
-  } finally {
-    await browser.close();
+    await page.close();
+  }).finally(() => {
     server.closeAllConnections();
     server.close();
-  }
+  });
 });
 
-test("without JavaScript the page says what it needs, and does not load for ever", async () => {
-  const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
-  try {
+test("without JavaScript the page says what it needs, and does not load for ever", { skip: chromiumOnly }, async () => {
+  await withBrowser(async (browser) => {
     const context = await browser.newContext({ javaScriptEnabled: false });
     const page = await context.newPage();
     await page.goto(pathToFileURL(file).href);
     const text = await page.locator("#surface .picture").innerText();
     assert.match(text, /needs JavaScript/);
     assert.doesNotMatch(text, /Loading/);
-  } finally {
-    await browser.close();
-  }
+    await context.close();
+  });
 });
 
 test("without WebGL the surfaces' tab says so, and so does the button for a picture", async () => {
-  await withPage(file, { args: ["--disable-3d-apis"] }, async (page) => {
+  await withPage(file, { webgl: false }, async (page) => {
     await page.click("#tab-surface");
     assert.match(await page.textContent("#no-webgl"), /WebGL/);
     const isOnTop = await page.evaluate(() => {
@@ -201,7 +197,7 @@ test("without WebGL the surfaces' tab says so, and so does the button for a pict
 
 test("a normal turns by itself once, and nothing has changed then", async () => {
   const isTurning = () => window.page.turnMe.end !== undefined;
-  await withPage(file, { reducedMotion: "no-preference" }, async (page) => {
+  await withPage(file, { moves: true }, async (page) => {
     const different = await page.evaluate(async () => {
       const seen = new Set();
       while (window.page.turnMe.end !== undefined) {
@@ -220,7 +216,7 @@ test("a normal turns by itself once, and nothing has changed then", async () => 
     assert.deepEqual(await points(page), after);
   });
   // it ends when somebody does something
-  await withPage(file, { reducedMotion: "no-preference" }, async (page) => {
+  await withPage(file, { moves: true }, async (page) => {
     assert.ok(await page.evaluate(isTurning));
     await page.evaluate(() => {
       const normals = (state) => state.cornerNormals.join();
@@ -284,4 +280,37 @@ test("nothing is written over the surface on telephones, and over the picture of
         const [needed, there] = await page.$eval("#surface .panel", (panel) => [panel.scrollWidth, panel.clientWidth]);
         assert.ok(needed <= there, `the panel needs ${needed} pixels of ${there}`);
       });
+});
+
+test("normals of a file that is opened are in the picture, and under no label", async () => {
+  const cube = "OFF\n8 12 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n" + [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2],
+    [1, 3, 7, 5]].map(([a, b, c, d]) => `3 ${a} ${b} ${c}\n3 ${a} ${c} ${d}\n`).join("");
+  for (const options of [{}, telephone, ...lowWindows.map((viewport) => ({ viewport }))])
+    await withPage(file, options, async (page) => {
+      await drop(page, "cube.off", cube);
+      await page.waitForFunction(() => window.page.editor.name === "cube.off");
+      for (const wedge of await page.evaluate(() => [...window.page.editor.handles.vertices.keys()])) {
+        const { x, y } = await tipOf(page, wedge);
+        const [pane, label] = await page.evaluate(() => ["canvas", "label-pn"].map((id) => document.getElementById(id).getBoundingClientRect().toJSON()));
+        const place = JSON.stringify({ x, y, pane, label });
+        assert.ok(x > (pane.left + pane.right) / 2 + 3 && x < pane.right - 3 && y > pane.top + 3 && y < pane.bottom - 3, place);
+        assert.ok(y > label.bottom + 2 || x > label.right, place);
+      }
+    });
+});
+
+test("what is opened begins with its title, and no word of the command is broken", async () => {
+  for (const options of [{ viewport: lowWindows[0] }, telephone])
+    await withPage(file, options, async (page) => {
+      for (const [button, title] of [["recipe", "recipe-title"], ["help", "help-title"]]) {
+        await page.click(`#${button}`);
+        const [top, bottom] = await page.$eval(`#${title}`, (e) => [e.getBoundingClientRect().top - e.parentElement.getBoundingClientRect().top, e.getBoundingClientRect().bottom]);
+        assert.ok(top > 0 && bottom < options.viewport.height, `${title} at ${top}`);
+        if (button === "recipe") {
+          const heights = await page.$$eval("#recipe-command .word", (words) => words.map((word) => word.getBoundingClientRect().height));
+          assert.ok(heights.length > 8 && Math.max(...heights) < 1.5 * Math.min(...heights), `${heights}`);
+        }
+        await page.keyboard.press("Escape");
+      }
+    });
 });

@@ -260,6 +260,21 @@ test("what was chosen last is shown", async () => {
       assert.match(await nameOf(page), /^(ring|bolt|one\.off)$/);
       assert.ok(await page.isHidden("#message"), await page.textContent("#message span"));
     }
+    // a link that is still unpacked, and one that is damaged
+    await page.selectOption("#example", "torus");
+    const { hash } = new URL(await page.evaluate(() => window.page.address()), "file:///");
+    await page.selectOption("#example", "cube");
+    for (const link of [hash, hash.slice(0, -9)]) {
+      await page.evaluate((h) => new Promise((resolve) => {
+        window.addEventListener("hashchange", () => {
+          window.page.panel.showExample("ring");
+          setTimeout(resolve, 300);
+        }, { once: true });
+        location.hash = h;
+      }), link);
+      assert.equal(await nameOf(page), "ring");
+      assert.ok(await page.isHidden("#message"), await page.textContent("#message span"));
+    }
     await openMeanwhile(page, [["first.off", slow], ["second.off", `${slow}\n`], ["third.off", small]], () => {});
     assert.equal(await nameOf(page), "third.off");
     await openMeanwhile(page, [["first.off", small], ["bad.off", `${slow} x\n3 x`], ["last.off", slow]], () => {});
