@@ -83,6 +83,10 @@ foreach(component Eigen TBB)
     list(APPEND pn_components ${component})
   endif()
 endforeach()
+set(pn_libraries double,limits,recognition)
+if("Eigen" IN_LIST pn_components)
+  string(APPEND pn_libraries ,fitting)
+endif()
 list(JOIN pn_components "," pn_components)
 
 # pn_add_consumer_test(name folder program option...): configures a folder, builds a program and runs it.
@@ -100,7 +104,7 @@ endfunction()
 pn_add_consumer_test(
   install_consumer ${CMAKE_CURRENT_SOURCE_DIR}/install_consumer readme_example
   -DREADME_EXAMPLE=${pn_readme_example} -DCMAKE_PREFIX_PATH=${pn_prefix}
-  -DCOMPONENTS=${pn_components},double,limits,recognition)
+  -DCOMPONENTS=${pn_components},${pn_libraries})
 # an example that reads a mesh, without arguments and without the package's folder
 pn_add_consumer_test(
   installed_examples ${pn_prefix}/share/PN_subdivision_3/examples/PN_subdivision_3 polyhedron

@@ -20,7 +20,7 @@ install(FILES ${PROJECT_BINARY_DIR}/PN_subdivision_3Config.cmake
 
 # libraries that are compiled where they are used
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/PN_libraries.cmake DESTINATION ${pn_config_dir} ${pn_component})
-install(DIRECTORY src/PN_subdivision_3_double src/PN_subdivision_3_limits src/PN_subdivision_3_recognition
+install(DIRECTORY src/PN_subdivision_3_double src/PN_subdivision_3_fitting src/PN_subdivision_3_limits src/PN_subdivision_3_recognition
         DESTINATION ${CMAKE_INSTALL_DATADIR}/PN_subdivision_3/src ${pn_component})
 
 # found from its own place, so that the installed package can be moved

@@ -71,7 +71,7 @@ for ((i = 0; i < repetitions; ++i)); do
     [[ $chosen == "  " || $chosen == *" $name "* ]] || continue
     for kind in alone linked; do
       option=()
-      [[ $kind == alone ]] || option=(-DCGAL_PN_SUBDIVISION_3_DOUBLE -DCGAL_PN_SUBDIVISION_3_LIMITS -DCGAL_PN_SUBDIVISION_3_RECOGNITION)
+      [[ $kind == alone ]] || option=(-DCGAL_PN_SUBDIVISION_3_{DOUBLE,LIMITS,FITTING,RECOGNITION})
       read -r user memory < <(compile "$name" "$header" "$call" "${option[@]}")
       awk "BEGIN { print $user / $base, $memory / 1e6 }" >>"$work/$name.$kind"
     done

@@ -7,10 +7,11 @@
 // Author(s): PN_subdivision_3 developers
 
 #include <CGAL/PN_limit_surface_3/internal/limit/compiled_limits.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation.h>
 
 namespace CGAL::PN_subdivision_3::internal {
 
-template class Limit_evaluation<With_roundness<Loop_scheme, double>, double>;
-template class Creased_limits<With_roundness<Loop_scheme, double>, double>;
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(, Loop)
+CGAL_PN_SUBDIVISION_3_TESSELLATION(, Loop)
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -7,10 +7,11 @@
 // Author(s): PN_subdivision_3 developers
 
 #include <CGAL/PN_limit_surface_3/internal/limit/compiled_limits.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation.h>
 
 namespace CGAL::PN_subdivision_3::internal {
 
-template class Limit_evaluation<With_roundness<Scheme_on_host<PTQ_host, double>, double>, double>;
-template class Creased_limits<With_roundness<Scheme_on_host<PTQ_host, double>, double>, double>;
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(, Any_of_triangles)
+CGAL_PN_SUBDIVISION_3_TESSELLATION(, Any_of_triangles)
 
 } // namespace CGAL::PN_subdivision_3::internal

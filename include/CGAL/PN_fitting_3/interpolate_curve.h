@@ -12,10 +12,7 @@
 #include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
 
 #include <CGAL/PN_curves/subdivide_curve.h>
-#include <CGAL/PN_fitting_3/internal/Control_normal_solution.h>
 #include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
-#include <CGAL/PN_fitting_3/internal/Slide_interpolation.h>
-#include <CGAL/PN_fitting_3/internal/Strict_interpolation.h>
 #include <CGAL/PN_fitting_3/internal/interpolate_mesh.h>
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 
@@ -85,20 +82,6 @@ void set_curve_surroundings(bool is_closed, Interpolation_data<dimension>& data)
                                             : Vector(data.normals[i].unitOrthogonal()));
     }
   }
-}
-
-template <int dimension, class Options>
-Interpolation_result<dimension> interpolate_polygon(bool is_closed, const Options& options,
-                                                    Interpolation_data<dimension>& data)
-{
-  Curve_limit_functionals<dimension> source(is_closed);
-  if (options.mode == Limit_interpolation::Mode::slide)
-    return interpolate_by_sliding<dimension, 1>(data, source);
-  const bool solves = options.normals == Limit_interpolation::Normals::solved && data.takes_normals;
-  Solved_normals<dimension> normals = solved_or_given<dimension, 1>(solves, data, source);
-  auto result = Strict_interpolation<dimension, 1>(data, source)(std::move(normals.normals));
-  normals.note(result.report);
-  return result;
 }
 
 // The points of a polygon with unit normals, zero where it has none.

@@ -13,7 +13,6 @@
 
 #include <CGAL/PN_fitting_3/internal/Creased_interpolation.h>
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
-#include <CGAL/PN_fitting_3/internal/Strict_interpolation.h>
 #include <CGAL/PN_fitting_3/internal/interpolate_mesh.h>
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
@@ -207,9 +206,7 @@ interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
             "are interpolated only: give a vertex_normal_map, or take "
             "Limit_interpolation::Free::fixed");
         const Control_normal_estimate estimate = internal::normal_estimate(scheme);
-        auto result = estimates
-                        ? internal::Estimated_interpolation(level, estimate, data, source)()
-                        : internal::interpolate_mesh(level, estimate, options, data, source);
+        auto result = internal::interpolate_mesh(level, estimate, options, estimates, data, source);
         report = result.report;
         internal::multiply_by_size(data.exponent, report);
         internal::multiply_by_size<FT, 3>(data.exponent, data.points);

@@ -11,8 +11,8 @@
 
 #include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
 
-#include <CGAL/PN_fitting_3/internal/Curvature_prescription.h>
-#include <CGAL/PN_fitting_3/internal/Prescription.h>
+#include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
+#include <CGAL/PN_fitting_3/internal/interpolate_mesh.h>
 #include <CGAL/PN_fitting_3/interpolate_limit_points.h>
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
@@ -110,29 +110,6 @@ std::vector<Prescribed_form> read_prescribed_forms(const Access& access,
   return all;
 }
 
-// Without curvatures control normals stay.
-template <class Access, class Curvatures>
-Interpolation_result<3>
-prescribe(const Access& access, const Level_connectivity& level, const Interpolation_data<3>& data,
-          Surface_limits& source, std::vector<Prescribed_vertex> prescribed,
-          [[maybe_unused]] const Curvatures& curvatures, const Interpolation_options& options)
-{
-  if (const auto v = vertex_without_tangents(prescribed, data, source))
-    throw std::invalid_argument("PN_subdivision_3: a normal is prescribed at " +
-                                access.vertex_name(*v) +
-                                ", where the scheme has no tangent plane: prescribe none there");
-  if constexpr (!std::is_same_v<Curvatures, Not_given>) {
-    const auto forms = read_prescribed_forms(access, level, curvatures, data.exponent);
-    const double size = box_size(data.points);
-    if (!forms.empty())
-      return Curvature_prescription(
-        level, data, source, std::move(prescribed), forms, options.rings,
-        [&](Level_connectivity::Index v) { return access.vertex_name(v); })(
-        size > 0 ? options.curvature_tolerance / size : 0, options.max_curvature_steps);
-  }
-  return Prescription(level, data, source, std::move(prescribed), options.rings)();
-}
-
 } // namespace internal
 
 /*!
@@ -217,7 +194,7 @@ Limit_interpolation prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme
     constexpr internal::Not_given nothing;
     const auto points = internal::parameter_or<internal::prescribed_point_map_t>(np, nothing);
     const auto normals = internal::parameter_or<internal::prescribed_normal_map_t>(np, nothing);
-    const auto curvatures =
+    [[maybe_unused]] const auto curvatures =
       internal::parameter_or<internal::prescribed_curvature_map_t>(np, nothing);
     constexpr bool has_curvatures =
       internal::is_given_v<internal::prescribed_curvature_map_t, NamedParameters>;
@@ -241,10 +218,13 @@ Limit_interpolation prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme
       const internal::Rules_of<Scheme>& rules = internal::rules_of(scheme);
       internal::Mesh_limit_functionals<internal::Rules_of<Scheme>> source(
         rules, level, internal::For_chunks::with(Concurrency_tag()));
-      auto result = internal::prescribe(
-        access, level, data, source,
-        internal::read_prescribed(access, level, points, normals, data.exponent), curvatures,
-        options);
+      auto prescribed = internal::read_prescribed(access, level, points, normals, data.exponent);
+      std::vector<internal::Prescribed_form> forms;
+      if constexpr (has_curvatures)
+        forms = internal::read_prescribed_forms(access, level, curvatures, data.exponent);
+      auto result =
+        internal::prescribe(level, options, data, source, std::move(prescribed), forms,
+                            [&](Level_connectivity::Index v) { return access.vertex_name(v); });
       report = result.report;
       internal::multiply_by_size(data.exponent, report);
       internal::multiply_by_size<FT, 3>(data.exponent, data.points);

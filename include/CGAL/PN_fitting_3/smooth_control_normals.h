@@ -11,7 +11,6 @@
 
 #include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
 
-#include <CGAL/PN_fitting_3/internal/Normal_smoothing.h>
 #include <CGAL/PN_fitting_3/internal/interpolate_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
@@ -73,8 +72,23 @@ constexpr bool check_smoothing_arguments()
     return false;
 }
 
-inline Normal_smoothing_report smooth(const Level_connectivity& level,
-                                      const Interpolation_data<3>& data, Vectors<3>& smooth_normals)
+template <int dimension>
+Normal_smoothing_report smooth(const Level_connectivity& level,
+                               const Interpolation_data<dimension>& data,
+                               Vectors<dimension>& smooth_normals);
+
+} // namespace internal
+} // namespace CGAL::PN_subdivision_3
+
+#ifndef CGAL_PN_SUBDIVISION_3_FITTING // the library has it
+#  include <CGAL/PN_fitting_3/internal/Normal_smoothing.h>
+
+namespace CGAL::PN_subdivision_3::internal {
+
+template <int dimension>
+Normal_smoothing_report smooth(const Level_connectivity& level,
+                               const Interpolation_data<dimension>& data,
+                               Vectors<dimension>& smooth_normals)
 {
   Normal_smoothing smoothing(level, data.points, data.normals);
   smooth_normals = smoothing();
@@ -100,7 +114,10 @@ inline Normal_smoothing_report smooth(const Level_connectivity& level,
   return report;
 }
 
-} // namespace internal
+} // namespace CGAL::PN_subdivision_3::internal
+#endif
+
+namespace CGAL::PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -196,7 +213,7 @@ smooth_control_normals(const PolygonMesh& mesh, NormalMap normals,
       if constexpr (!internal::is_of_halfedges_v<Access, NormalMap>) {
         const auto data = internal::data_in_double<FT>(internal::read_given_values<Average>(
           access, points, normals, level.number_of_vertices()));
-        report = internal::smooth(level, data, smooth);
+        report = internal::smooth<3>(level, data, smooth);
         write(
           [&](const auto& f) {
             for (Index v = 0; v < level.number_of_vertices(); ++v) f(v, v);
@@ -220,7 +237,7 @@ smooth_control_normals(const PolygonMesh& mesh, NormalMap normals,
         internal::read_corner_normals<FT>(access, level, creases, normals, values);
         const auto data = internal::data_in_double<FT>(values);
         const internal::Cut_level<FT> cut(level, creases);
-        report = internal::smooth(cut.connectivity(), data, smooth);
+        report = internal::smooth<3>(cut.connectivity(), data, smooth);
         write([&](const auto& f) { internal::for_each_corner(level, cut.connectivity(), f); },
               internal::Halfedge_of_mesh(), data);
       }

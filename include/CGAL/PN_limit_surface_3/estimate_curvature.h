@@ -92,15 +92,17 @@ Curvature_data curvature_data(const Access& access, Point_map points, Normal_map
   Curvature_data data;
   data.level = checked_level(access);
   const Index n = data.level.number_of_vertices();
-  std::vector<Vector> p;
-  p.reserve(n);
-  for (Index v = 0; v < n; ++v) p.push_back(to_double_3(checked_point<FT>(access, points, v)));
+  std::vector<Point_normal<double, 3>> values(n);
+  for (Index v = 0; v < n; ++v) values[v].point = to_double_3(checked_point<FT>(access, points, v));
+  estimate_normals_of<double>(data.level, Control_normal_estimate::angle, values);
   data.vertices.reserve(n);
-  for (const Vector& q : p) data.vertices.push_back({vector(q), Eigen::Vector3d::Zero()});
+  for (const auto& value : values)
+    data.vertices.push_back({vector(value.point), vector(value.normal)});
   if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
     data.fits_normals = true;
     data.face_normals.resize(n);
     for (Index v = 0; v < n; ++v) {
+      data.face_normals[v] = data.vertices[v].normal;
       const Coordinates<FT, 3> m = coordinates_3<FT>(get(normals, access.vertex(v)));
       check_finite<FT, 3>(m, "normal", [&] { return access.vertex_name(v); });
       Vector unit = to_double_3(m);
@@ -108,11 +110,6 @@ Curvature_data curvature_data(const Access& access, Point_map points, Normal_map
       data.vertices[v].normal = vector(unit);
     }
   }
-  estimate_normals<double>(
-    data.level, Control_normal_estimate::angle, [&p](Index v) -> const Vector& { return p[v]; },
-    [&](Index v, const Vector& m) {
-      (data.fits_normals ? data.face_normals[v] : data.vertices[v].normal) = vector(m);
-    });
   return data;
 }
 

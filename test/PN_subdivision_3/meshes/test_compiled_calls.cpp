@@ -13,6 +13,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/PN_limit_surface_3/limit_points.h>
+#include <CGAL/PN_limit_surface_3/tessellate.h>
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/parameters/Default_visitor.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
@@ -256,6 +257,132 @@ std::vector<mesh_cases::Triple> limits_of(const mesh_cases::Soup& soup, const Sc
   PN::limit_points(mesh, scheme,
                    PN::parameters::limit_point_map(limits).edge_is_constrained_map(sharp));
   return mesh_cases::values(mesh, limits);
+}
+
+// the control values of a level with sharp edges about its first face, of which make() makes normals and tangents
+template <class Make>
+std::vector<double> control_values(const mesh_cases::Soup& soup, const Make& make)
+{
+  using Index = PN::Level_connectivity::Index;
+  CGAL::Surface_mesh<Cartesian::Point_3> mesh;
+  mesh_cases::build(soup, mesh);
+  std::vector<double> numbers;
+  PN::internal::with_mesh_access(mesh, [&](const auto& access) {
+    const auto level = PN::internal::checked_level(access);
+    const Index n = level.number_of_vertices();
+    auto creases = PN::internal::Make_creases<double>(level, PN::Border::surface)(
+      [&](Index e) { return level.face(2 * e) == 0 ? PN::internal::infinite_sharpness : 0; },
+      [](Index v) { return v == 1 ? 1.5 : 0; });
+    std::vector<PN::Point_normal<double, 3>> values(creases.number_of_slots);
+    const auto extra = PN::internal::vertices_of_extra_slots(creases, n);
+    for (Index s = 0; s < values.size(); ++s)
+      values[s].point = soup.points[s < n ? s : extra[s - n]];
+    make(level, creases, values);
+    for (const auto& value : values) {
+      numbers.insert(numbers.end(), value.normal.begin(), value.normal.end());
+      numbers.push_back(value.roundness);
+    }
+    for (const auto& e : creases.edges)
+      for (const auto& t : e.tangent_from) numbers.insert(numbers.end(), t.begin(), t.end());
+  });
+  return numbers;
+}
+
+TEST(Compiled_levels, ControlValuesAreThoseOfTheHeaders)
+{
+  using namespace PN::internal;
+  using Index = PN::Level_connectivity::Index;
+  for (const mesh_cases::Soup& soup : {mesh_cases::cube(), mesh_cases::mixed_with_border()})
+    for (const auto estimate :
+         {PN::Control_normal_estimate::coherent, PN::Control_normal_estimate::reciprocal,
+          PN::Control_normal_estimate::angle}) {
+      EXPECT_EQ(control_values(soup,
+                               [&](const auto& level, auto& creases, auto& values) {
+                                 make_control_creases(level, creases, values,
+                                                      std::vector<bool>(values.size(), false),
+                                                      estimate);
+                               }),
+                control_values(soup, [&](const auto& level, auto& creases, auto& values) {
+                  Control_creases<double>(level, creases, values,
+                                          std::vector<bool>(values.size(), false), estimate)();
+                }));
+      EXPECT_EQ(control_values(soup,
+                               [&](const auto& level, auto&, auto& values) {
+                                 values.resize(level.number_of_vertices());
+                                 estimate_normals_of(level, estimate, values);
+                               }),
+                control_values(soup, [&](const auto& level, auto&, auto& values) {
+                  values.resize(level.number_of_vertices());
+                  estimate_normals<double>(
+                    level, estimate, Vertex_sectors(level),
+                    [&](Index v) -> const auto& { return values[v].point; },
+                    [](Index) -> const mesh_cases::Triple* { return nullptr; },
+                    [&](Index v, const mesh_cases::Triple& n) { values[v].normal = n; },
+                    [&](Index v, double w) { values[v].roundness = w; });
+                }));
+    }
+}
+
+// what is refined where sharpness ends in a round, less than a round is left, or nothing is sharp
+template <class Scheme>
+std::vector<double> refined_numbers(const mesh_cases::Soup& soup, const Scheme& scheme,
+                                    double sharpness)
+{
+  CGAL::Surface_mesh<Cartesian::Point_3> mesh;
+  mesh_cases::build(soup, mesh);
+  auto sharp = mesh.add_property_map<CGAL::SM_Edge_index, double>("e:sharp", 0).first;
+  for (const auto h : halfedges_around_face(halfedge(*faces(mesh).begin(), mesh), mesh))
+    sharp[edge(h, mesh)] = sharpness;
+  PN::subdivide(mesh, scheme, params::number_of_iterations(2).edge_is_constrained_map(sharp));
+  return numbers(mesh);
+}
+
+TEST(Compiled_levels, RoundsAreThoseOfTheHeaders)
+{
+  for (const double sharpness : {0., 1.5, HUGE_VAL}) {
+    const auto quads = refined_numbers(mesh_cases::mixed_with_border(),
+                                       Of_headers_alone<PN::CatmullClark_scheme>(), sharpness);
+    EXPECT_EQ(quads, refined_numbers(mesh_cases::mixed_with_border(), PN::CatmullClark_scheme(),
+                                     sharpness));
+    EXPECT_EQ(quads, refined_numbers(mesh_cases::mixed_with_border(),
+                                     PN::Any_scheme<>(PN::CatmullClark_scheme()), sharpness));
+    const auto triangles = refined_numbers(mesh_cases::triangles_with_border(),
+                                           Of_headers_alone<PN::Loop_scheme>(), sharpness);
+    EXPECT_EQ(triangles, refined_numbers(mesh_cases::triangles_with_border(), PN::Loop_scheme(),
+                                         sharpness));
+    EXPECT_EQ(triangles, refined_numbers(mesh_cases::triangles_with_border(),
+                                         PN::Any_scheme<>(PN::Loop_scheme()), sharpness));
+  }
+}
+
+template <class Scheme>
+std::vector<double> tessellated(const mesh_cases::Soup& soup, const Scheme& scheme)
+{
+  CGAL::Surface_mesh<Cartesian::Point_3> mesh, result;
+  mesh_cases::build(soup, mesh);
+  auto sharp = mesh.add_property_map<CGAL::SM_Edge_index, bool>("e:sharp", false).first;
+  for (const auto h : halfedges_around_face(halfedge(*faces(mesh).begin(), mesh), mesh))
+    sharp[edge(h, mesh)] = true;
+  PN::tessellate(mesh, scheme, 0.01, result);
+  std::vector<double> all = numbers(result);
+  result.clear();
+  all.push_back(
+    PN::tessellate(mesh, scheme, 0.01, result, params::edge_is_constrained_map(sharp)).bound);
+  const std::vector<double> creased = numbers(result);
+  all.insert(all.end(), creased.begin(), creased.end());
+  return all;
+}
+
+TEST(Compiled_tessellation, IsThatOfTheHeaders)
+{
+  const mesh_cases::Soup quads = mesh_cases::mixed_with_border();
+  const auto of_quads = tessellated(quads, Of_headers_alone<PN::CatmullClark_scheme>());
+  EXPECT_EQ(of_quads, tessellated(quads, PN::CatmullClark_scheme()));
+  EXPECT_EQ(of_quads, tessellated(quads, PN::Any_scheme<>(PN::CatmullClark_scheme())));
+  const mesh_cases::Soup triangles = mesh_cases::triangles_with_border();
+  const auto of_triangles = tessellated(triangles, PN::Loop_scheme());
+  EXPECT_GT(of_triangles.size(), 100u);
+  EXPECT_EQ(of_triangles, tessellated(triangles, PN::Any_scheme<>(PN::Loop_scheme())));
 }
 
 TEST(Compiled_limits, AreThoseOfTheHeaders)

@@ -788,15 +788,9 @@ TEST(Coherent_normals, OtherEstimatesAreRound)
   const auto mesh = to_mesh<CGAL::Simple_cartesian<double>>(control);
   for (auto how : {Control_normal_estimate::reciprocal, Control_normal_estimate::angle})
     PN::internal::with_mesh_access(mesh, [&](const auto& access) {
-      std::size_t count = 0;
-      PN::internal::estimate_normals<double>(
-        PN::internal::checked_level(access), how,
-        [&](unsigned v) -> const Triple& { return control.points[v]; },
-        [](unsigned, const Triple&) {},
-        [&](unsigned, double w) {
-          EXPECT_EQ(w, 1);
-          ++count;
-        });
-      EXPECT_EQ(count, control.points.size());
+      std::vector<PN::Point_normal<double, 3>> values;
+      for (const Triple& p : control.points) values.push_back({p, {}, 0.5});
+      PN::internal::estimate_normals_of<double>(PN::internal::checked_level(access), how, values);
+      for (const auto& value : values) EXPECT_EQ(value.roundness, 1);
     });
 }

@@ -409,11 +409,11 @@ TEST(Normal_guards, HugeFansAndFaces)
   }
   level.set_halfedge_of_face(n, 2 * n + 1);
   level.set_halfedge_of_vertex(0, 1);
-  std::vector<Triple> normals(n + 1);
-  PN::internal::estimate_normals<double>(
-    level, Control_normal_estimate::reciprocal,
-    [&](unsigned v) -> const Triple& { return fan.points[v]; },
-    [&](unsigned v, const Triple& m) { normals[v] = m; });
+  std::vector<PN::Point_normal<double, 3>> values(n + 1);
+  for (unsigned v = 0; v <= n; ++v) values[v].point = fan.points[v];
+  PN::internal::estimate_normals_of<double>(level, Control_normal_estimate::reciprocal, values);
+  std::vector<Triple> normals;
+  for (const auto& value : values) normals.push_back(value.normal);
   EXPECT_LE(distance(normals[0], {0, 0, 1}), 1e-3);
   EXPECT_TRUE(all_are_unit_or_zero(normals));
 

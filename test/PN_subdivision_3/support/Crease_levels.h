@@ -222,7 +222,7 @@ private:
       },
       [&](Index v) { return value(control.sharp_vertices, int(v)); });
     if (is_pn && control.normals.empty())
-      internal::keep_without_fractions(level, creases, [&](internal::Creases<FT>& others) {
+      internal::keep_without_fractions<FT>(level, creases, [&](internal::Creases<FT>& others) {
         return values_of_slots(control, level, others);
       });
     const auto values = values_of_slots(control, level, creases);
@@ -255,7 +255,8 @@ private:
           values[slot].normal = {FT(m[0]), FT(m[1]), FT(m[2])};
         });
       }
-      internal::Control_creases<FT>(level, creases, values, is_given)();
+      internal::make_control_creases<FT>(level, creases, values, is_given,
+                                         Control_normal_estimate::coherent);
       if (control.has_zero_tangents)
         for (auto& e : creases.edges) e.tangent_from.fill({FT(0), FT(0), FT(0)});
     }

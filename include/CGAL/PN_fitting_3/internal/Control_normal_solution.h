@@ -10,6 +10,7 @@
 #define CGAL_PN_FITTING_3_INTERNAL_CONTROL_NORMAL_SOLUTION_H
 
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
+#include <CGAL/PN_fitting_3/internal/Limit_matrix.h>
 
 #include <Eigen/Core>
 

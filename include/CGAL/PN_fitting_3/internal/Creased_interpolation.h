@@ -18,6 +18,9 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#ifdef CGAL_PN_SUBDIVISION_3_FITTING
+#  include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
+#endif
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -59,30 +62,7 @@ public:
     , size_(box_size<3>(data.points))
   {}
 
-  Interpolation_result<3> operator()()
-  {
-    Interpolation_result<3> result;
-    result.report.tolerance = data_.tolerance;
-    const Vector wanted = of_unknowns(data_.points);
-    Vector p = wanted;
-    Vector rest = wanted - limits_at(p, &result.report);
-    result.report.residual = largest(rest);
-    while (!(result.report.residual <= data_.tolerance) && result.report.steps < most_steps()) {
-      const Vector next = p + correction(rest);
-      ++result.report.steps;
-      Limit_interpolation report = result.report;
-      const Vector next_rest = wanted - limits_at(next, &report);
-      report.residual = largest(next_rest);
-      if (!(report.residual < result.report.residual)) break;
-      p = next;
-      rest = next_rest;
-      result.report = report;
-    }
-    result.points = data_.points;
-    for (std::size_t i = 0; i < data_.vertices.size(); ++i)
-      result.points[data_.vertices[i]] = p.segment<3>(3 * Eigen::Index(i));
-    return result;
-  }
+  Interpolation_result<3> operator()();
 
 private:
   using Vector = Eigen::VectorXd;
@@ -179,6 +159,32 @@ private:
   For_chunks for_chunks_;
   double size_;
 };
+
+template <class Scheme>
+Interpolation_result<3> Creased_interpolation<Scheme>::operator()()
+{
+  Interpolation_result<3> result;
+  result.report.tolerance = data_.tolerance;
+  const Vector wanted = of_unknowns(data_.points);
+  Vector p = wanted;
+  Vector rest = wanted - limits_at(p, &result.report);
+  result.report.residual = largest(rest);
+  while (!(result.report.residual <= data_.tolerance) && result.report.steps < most_steps()) {
+    const Vector next = p + correction(rest);
+    ++result.report.steps;
+    Limit_interpolation report = result.report;
+    const Vector next_rest = wanted - limits_at(next, &report);
+    report.residual = largest(next_rest);
+    if (!(report.residual < result.report.residual)) break;
+    p = next;
+    rest = next_rest;
+    result.report = report;
+  }
+  result.points = data_.points;
+  for (std::size_t i = 0; i < data_.vertices.size(); ++i)
+    result.points[data_.vertices[i]] = p.segment<3>(3 * Eigen::Index(i));
+  return result;
+}
 
 template <class FT>
 Creases<double> in_double(const Creases<FT>& creases)
@@ -339,6 +345,13 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
   of_mesh.keep();
   return result.report;
 }
+
+#ifdef CGAL_PN_SUBDIVISION_3_FITTING // the library has it
+extern template class Creased_interpolation<compiled_once::CatmullClark>;
+extern template class Creased_interpolation<compiled_once::Loop>;
+extern template class Creased_interpolation<compiled_once::Any_of_quads>;
+extern template class Creased_interpolation<compiled_once::Any_of_triangles>;
+#endif
 
 } // namespace CGAL::PN_subdivision_3::internal
 

@@ -29,15 +29,6 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// The principal curvatures that are prescribed at a vertex, positive where the surface bends away from
-// its normal: in a direction, which may be zero if both are equal, and across.
-struct Prescribed_form
-{
-  Level_connectivity::Index vertex = 0;
-  double along = 0, across = 0;
-  Eigen_vector<3> direction = Eigen_vector<3>::Zero();
-};
-
 // Control points and control normals for prescribed curvatures, besides points and normals. In the frame
 // of the limit control normal N at the limit point, where the points of the ring are at u and their
 // normals have the slopes g, a quadratic form D is added to the surface by
@@ -284,28 +275,6 @@ private:
   std::vector<Functionals> functionals_; // at the last points and normals
   double most_missed_ = 0;
 };
-
-// The second fundamental form of a jet as a symmetric map in space, zero along the normal; positive where
-// the surface bends towards the normal of its frame. Zero if the jet is degenerate.
-inline Eigen::Matrix3d second_form(const Surface_jet<double>& jet)
-{
-  const Eigen::Vector3d e1 = to_eigen<3>(jet.frame.e1()), e2 = to_eigen<3>(jet.frame.e2()),
-                        e3 = to_eigen<3>(jet.frame.normal());
-  Eigen::Matrix<double, 3, 2> x;
-  x.col(0) = jet.u[0].a * e1 + jet.u[1].a * e2 + jet.z.a * e3;
-  x.col(1) = jet.u[0].b * e1 + jet.u[1].b * e2 + jet.z.b * e3;
-  Eigen::Vector3d n = x.col(0).cross(x.col(1));
-  if (n.dot(e3) < 0) n = -n;
-  n.normalize();
-  const auto second = [&](double u, double v, double z) { return n.dot(u * e1 + v * e2 + z * e3); };
-  Eigen::Matrix2d form;
-  form(0, 0) = second(jet.u[0].aa, jet.u[1].aa, jet.z.aa);
-  form(0, 1) = form(1, 0) = second(jet.u[0].ab, jet.u[1].ab, jet.z.ab);
-  form(1, 1) = second(jet.u[0].bb, jet.u[1].bb, jet.z.bb);
-  const Eigen::Matrix2d inverse = (x.transpose() * x).inverse();
-  const Eigen::Matrix3d result = x * inverse * form * inverse * x.transpose();
-  return result.allFinite() ? result : Eigen::Matrix3d(Eigen::Matrix3d::Zero());
-}
 
 } // namespace CGAL::PN_subdivision_3::internal
 

@@ -11,7 +11,6 @@
 
 #include <CGAL/PN_fitting_3/internal/Interpolation_options.h>
 #include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
-#include <CGAL/PN_fitting_3/internal/Limit_matrix.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
@@ -26,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -68,6 +68,23 @@ struct Interpolation_result
   Vectors<dimension> points;  // of the control net
   Vectors<dimension> normals; // its control normals
   Limit_interpolation report;
+};
+
+// What is prescribed at a vertex.
+struct Prescribed_vertex
+{
+  Level_connectivity::Index vertex = 0;
+  std::optional<Eigen_vector<3>> point;  // of the limit
+  std::optional<Eigen_vector<3>> normal; // of the surface; a unit vector
+};
+
+// The principal curvatures that are prescribed at a vertex, positive where the surface bends away from
+// its normal: in a direction, which may be zero if both are equal, and across.
+struct Prescribed_form
+{
+  Level_connectivity::Index vertex = 0;
+  double along = 0, across = 0;
+  Eigen_vector<3> direction = Eigen_vector<3>::Zero();
 };
 
 // Control values with the roundness of the data; a linear scheme is one of zero normals.
@@ -164,26 +181,6 @@ private:
   std::vector<int> number_;
 };
 
-// the factor of the matrix of the linear limit points
-template <int dimension, class Functionals>
-Limit_matrix make_limit_matrix(const Interpolation_data<dimension>& data,
-                               const std::vector<Functionals>& functionals,
-                               const Unknowns& unknowns)
-{
-  std::vector<Eigen::Triplet<double>> entries;
-  std::vector<char> is_at_border;
-  for (std::size_t i = 0; i < functionals.size(); ++i) {
-    is_at_border.push_back(data.is_at_border[data.vertices[i]]);
-    for (const auto& e : functionals[i].entries)
-      if (e.weight != 0 && unknowns[e.vertex] >= 0)
-        entries.emplace_back(static_cast<int>(i), unknowns[e.vertex], e.weight);
-  }
-  const auto n = static_cast<Eigen::Index>(functionals.size());
-  Row_matrix matrix(n, n);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return Limit_matrix(matrix, is_at_border);
-}
-
 template <class Functionals>
 void note_evaluation(const std::vector<Functionals>& functionals, Limit_interpolation& report)
 {
@@ -253,8 +250,7 @@ inline void estimate_missing_normals(const Level_connectivity& level,
   using Value = Point_normal<double, 3>;
   std::vector<Value> values;
   for (const Eigen_vector<3>& p : data.points) values.push_back({to_coordinates<3>(p), {}});
-  estimate_normals<double>(level, estimate, Point_of_value<double>{values.data()},
-                           Set_normal_of_value<double>{values.data()});
+  estimate_normals_of<double>(level, estimate, values);
   for (std::size_t v = 0; v < values.size(); ++v)
     if (is_missing(data.normals[v])) data.normals[v] = to_eigen<3>(values[v].normal);
 }
@@ -267,9 +263,7 @@ inline void estimate_all_normals(const Level_connectivity& level, Control_normal
   using Value = Point_normal<double, 3>;
   std::vector<Value> values;
   for (const Eigen_vector<3>& p : points) values.push_back({to_coordinates<3>(p), {}, 1.});
-  estimate_normals<double>(level, estimate, Point_of_value<double>{values.data()},
-                           Set_normal_of_value<double>{values.data()},
-                           Set_roundness_of_value<double>{values.data()});
+  estimate_normals_of<double>(level, estimate, values);
   if (with_roundness) data.roundness.resize(values.size());
   for (std::size_t v = 0; v < values.size(); ++v) {
     data.normals[v] = to_eigen<3>(values[v].normal);

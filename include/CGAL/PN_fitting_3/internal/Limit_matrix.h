@@ -9,6 +9,8 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_LIMIT_MATRIX_H
 #define CGAL_PN_FITTING_3_INTERNAL_LIMIT_MATRIX_H
 
+#include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
+
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -231,6 +233,26 @@ inline Eigen::VectorXd solve_limit_system(const Row_matrix& a, const Eigen::Vect
   Eigen::VectorXd x = factor.solve(b);
   if (!x.allFinite()) return {};
   return x;
+}
+
+// the factor of the matrix of the linear limit points
+template <int dimension, class Functionals>
+Limit_matrix make_limit_matrix(const Interpolation_data<dimension>& data,
+                               const std::vector<Functionals>& functionals,
+                               const Unknowns& unknowns)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<char> is_at_border;
+  for (std::size_t i = 0; i < functionals.size(); ++i) {
+    is_at_border.push_back(data.is_at_border[data.vertices[i]]);
+    for (const auto& e : functionals[i].entries)
+      if (e.weight != 0 && unknowns[e.vertex] >= 0)
+        entries.emplace_back(static_cast<int>(i), unknowns[e.vertex], e.weight);
+  }
+  const auto n = static_cast<Eigen::Index>(functionals.size());
+  Row_matrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return Limit_matrix(matrix, is_at_border);
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

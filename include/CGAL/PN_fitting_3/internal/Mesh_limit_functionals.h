@@ -9,9 +9,9 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_MESH_LIMIT_FUNCTIONALS_H
 #define CGAL_PN_FITTING_3_INTERNAL_MESH_LIMIT_FUNCTIONALS_H
 
-#include <CGAL/PN_fitting_3/internal/Curvature_prescription.h>
 #include <CGAL/PN_fitting_3/internal/Limit_distance.h>
 #include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
+#include <CGAL/PN_limit_surface_3/internal/curvature/Regular_jet.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_classes.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
@@ -22,6 +22,12 @@
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
+#ifdef CGAL_PN_SUBDIVISION_3_FITTING
+#  include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
+#endif
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +41,31 @@
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
+
+// The second fundamental form of a jet as a symmetric map in space, zero along the normal; positive where
+// the surface bends towards the normal of its frame. Zero if the jet is degenerate.
+template <class FT>
+Eigen::Matrix<FT, 3, 3> second_form(const Surface_jet<FT>& jet)
+{
+  using Vector = Eigen::Matrix<FT, 3, 1>;
+  using Matrix = Eigen::Matrix<FT, 3, 3>;
+  const Vector e1 = to_eigen<3>(jet.frame.e1()), e2 = to_eigen<3>(jet.frame.e2()),
+               e3 = to_eigen<3>(jet.frame.normal());
+  Eigen::Matrix<FT, 3, 2> x;
+  x.col(0) = jet.u[0].a * e1 + jet.u[1].a * e2 + jet.z.a * e3;
+  x.col(1) = jet.u[0].b * e1 + jet.u[1].b * e2 + jet.z.b * e3;
+  Vector n = x.col(0).cross(x.col(1));
+  if (n.dot(e3) < 0) n = -n;
+  n.normalize();
+  const auto second = [&](FT u, FT v, FT z) { return n.dot(u * e1 + v * e2 + z * e3); };
+  Eigen::Matrix<FT, 2, 2> form;
+  form(0, 0) = second(jet.u[0].aa, jet.u[1].aa, jet.z.aa);
+  form(0, 1) = form(1, 0) = second(jet.u[0].ab, jet.u[1].ab, jet.z.ab);
+  form(1, 1) = second(jet.u[0].bb, jet.u[1].bb, jet.z.bb);
+  const Eigen::Matrix<FT, 2, 2> inverse = (x.transpose() * x).inverse();
+  const Matrix result = x * inverse * form * inverse * x.transpose();
+  return result.allFinite() ? result : Matrix(Matrix::Zero());
+}
 
 // The limit functionals at vertices of a control mesh. As in Limit_evaluation, the faces around
 // vertices whose neighborhood is not settled are cut out and refined until it is; the functionals are
@@ -59,36 +90,10 @@ public:
   const Level_connectivity& level() const { return level_; }
 
   std::vector<Functionals> operator()(const Values& values, const std::vector<Index>& vertices,
-                                      const Limit_precision& precision) override
-  {
-    precision_ = precision;
-    std::vector<Functionals> result(vertices.size());
-    std::vector<std::size_t> all(vertices.size());
-    std::iota(all.begin(), all.end(), std::size_t(0));
-    evaluate(Stage{level_, values, nullptr, nullptr, nullptr}, vertices, all, 1, 0, result);
-    for (std::size_t i = 0; i < vertices.size(); ++i) result[i].center = vertices[i];
-    return result;
-  }
+                                      const Limit_precision& precision) override;
 
   Farthest_point farthest(const Values& values, const Vectors<3>& points,
-                          const std::vector<Index>& vertices, double tolerance) override
-  {
-    constexpr unsigned most_checks = 16;
-    std::vector<Foot> feet;
-    for (const Index v : vertices)
-      if (!level_.is_isolated(v)) feet.emplace_back(to_coordinates<3>(points[v]), v, v);
-    const Limit_distance<Scheme> distance(scheme_, for_chunks_);
-    Farthest_point known;
-    for (unsigned k = 0;; ++k) {
-      const Farthest_point next = distance(level_, values, feet, tolerance, known);
-      if (!(next.distance > known.distance) || k == most_checks) return next;
-      const Farthest_point nearest = about_others(distance, values, next, points, tolerance);
-      if (nearest.distance > known.distance) known = nearest;
-      if (nearest.distance == next.distance) return known;
-      feet.erase(std::find_if(feet.begin(), feet.end(),
-                              [&](const Foot& f) { return f.vertex == next.vertex; }));
-    }
-  }
+                          const std::vector<Index>& vertices, double tolerance) override;
 
 private:
   using Average = PN_average<double, 3>;
@@ -323,6 +328,50 @@ private:
   std::map<const Kind*, Ring_of_kind> rings_;
   Limit_precision precision_;
 };
+
+template <class Scheme>
+auto Mesh_limit_functionals<Scheme>::operator()(const Values& values,
+                                                const std::vector<Index>& vertices,
+                                                const Limit_precision& precision)
+  -> std::vector<Functionals>
+{
+  precision_ = precision;
+  std::vector<Functionals> result(vertices.size());
+  std::vector<std::size_t> all(vertices.size());
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  evaluate(Stage{level_, values, nullptr, nullptr, nullptr}, vertices, all, 1, 0, result);
+  for (std::size_t i = 0; i < vertices.size(); ++i) result[i].center = vertices[i];
+  return result;
+}
+
+template <class Scheme>
+Farthest_point
+Mesh_limit_functionals<Scheme>::farthest(const Values& values, const Vectors<3>& points,
+                                         const std::vector<Index>& vertices, double tolerance)
+{
+  constexpr unsigned most_checks = 16;
+  std::vector<Foot> feet;
+  for (const Index v : vertices)
+    if (!level_.is_isolated(v)) feet.emplace_back(to_coordinates<3>(points[v]), v, v);
+  const Limit_distance<Scheme> distance(scheme_, for_chunks_);
+  Farthest_point known;
+  for (unsigned k = 0;; ++k) {
+    const Farthest_point next = distance(level_, values, feet, tolerance, known);
+    if (!(next.distance > known.distance) || k == most_checks) return next;
+    const Farthest_point nearest = about_others(distance, values, next, points, tolerance);
+    if (nearest.distance > known.distance) known = nearest;
+    if (nearest.distance == next.distance) return known;
+    feet.erase(std::find_if(feet.begin(), feet.end(),
+                            [&](const Foot& f) { return f.vertex == next.vertex; }));
+  }
+}
+
+#ifdef CGAL_PN_SUBDIVISION_3_FITTING // the library has it
+extern template class Mesh_limit_functionals<CatmullClark_scheme>;
+extern template class Mesh_limit_functionals<Loop_scheme>;
+extern template class Mesh_limit_functionals<Scheme_on_host<PQQ_host, double>>;
+extern template class Mesh_limit_functionals<Scheme_on_host<PTQ_host, double>>;
+#endif
 
 } // namespace CGAL::PN_subdivision_3::internal
 

@@ -21,14 +21,6 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// What is prescribed at a vertex.
-struct Prescribed_vertex
-{
-  Level_connectivity::Index vertex = 0;
-  std::optional<Eigen_vector<3>> point;  // of the limit
-  std::optional<Eigen_vector<3>> normal; // of the surface; a unit vector
-};
-
 // Control points for prescribed limit points and surface normals, with the control normals as they are:
 // limit points and tangents are linear in the control points, so that one system of conditions is
 // solved, together with the smoothest change.

@@ -9,13 +9,10 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_INTERPOLATE_MESH_H
 #define CGAL_PN_FITTING_3_INTERNAL_INTERPOLATE_MESH_H
 
-#include <CGAL/PN_fitting_3/internal/Control_normal_solution.h>
 #include <CGAL/PN_fitting_3/internal/Functional_tower.h>
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
+#include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
 #include <CGAL/PN_fitting_3/internal/Mesh_limit_functionals.h>
-#include <CGAL/PN_fitting_3/internal/Prescription.h>
-#include <CGAL/PN_fitting_3/internal/Slide_interpolation.h>
-#include <CGAL/PN_fitting_3/internal/Strict_interpolation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
@@ -30,6 +27,7 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -104,7 +102,11 @@ std::vector<double> read_roundness_of_vertices(const Access& access, std::size_t
   return roundness;
 }
 
-// puts the normals that Natural_normals finds from those of the data
+// replaces the normals of the data, which are first estimates, by those of the surface that slides along them
+template <int dimension>
+void find_natural_normals(Interpolation_data<dimension>& data, Limit_source<dimension, 2>& source);
+
+// puts the natural normals that are found from those of the data
 template <class FT, class Scheme, class New_normals>
 void put_natural_normals(const Scheme& scheme, const Level_connectivity& level,
                          const For_chunks& for_chunks, Interpolation_data<3> data,
@@ -116,8 +118,7 @@ void put_natural_normals(const Scheme& scheme, const Level_connectivity& level,
   data.tolerance = 1e-9 * box_size(data.points);
   const Rules_of<Scheme>& rules = rules_of(scheme);
   Mesh_limit_functionals<Rules_of<Scheme>> source(rules, level, for_chunks);
-  Natural_normals natural(data, source);
-  natural();
+  find_natural_normals(data, source);
   for (Level_connectivity::Index v = 0; v < n; ++v)
     new_normals.change_vector(v, coordinates_of<FT>(data.normals[v]));
 }
@@ -145,40 +146,32 @@ Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme
   return data;
 }
 
-// all control points move, as smoothly as they can
-inline Interpolation_result<3> interpolate_smoothly(const Level_connectivity& level,
-                                                    Interpolation_data<3> data,
-                                                    Surface_limits& source,
-                                                    Vectors<3> control_normals)
-{
-  std::vector<Prescribed_vertex> prescribed;
-  for (const auto v : data.vertices) {
-    prescribed.emplace_back().vertex = v;
-    prescribed.back().point = data.points[v];
-  }
-  data.normals = std::move(control_normals);
-  return Prescription(level, data, source, std::move(prescribed),
-                      (std::numeric_limits<unsigned>::max)())();
-}
-
+// The control net of data that have been read: their normals are control normals, or are found. If they are estimated they
+// follow the control points.
 template <class Options>
 Interpolation_result<3> interpolate_mesh(const Level_connectivity& level,
                                          Control_normal_estimate estimate, const Options& options,
-                                         Interpolation_data<3>& data, Surface_limits& source)
-{
-  if (options.mode == Limit_interpolation::Mode::slide) {
-    estimate_missing_normals(level, estimate, data);
-    return interpolate_by_sliding<3, 2>(data, source);
-  }
-  const bool solves = options.normals == Limit_interpolation::Normals::solved && data.takes_normals;
-  Solved_normals<3> control_normals = solved_or_given<3, 2>(solves, data, source);
-  auto result = options.free == Limit_interpolation::Free::smooth
-                  ? interpolate_smoothly(level, data, source, std::move(control_normals.normals))
-                  : Strict_interpolation<3, 2>(data, source)(std::move(control_normals.normals));
-  control_normals.note(result.report);
-  return result;
-}
+                                         bool are_estimated, Interpolation_data<3>& data,
+                                         Surface_limits& source);
+
+// The control net for limit points, normals and curvatures. Without curvatures control normals stay.
+template <int dimension, class Options>
+Interpolation_result<dimension>
+prescribe(const Level_connectivity& level, const Options& options,
+          const Interpolation_data<dimension>& data, Limit_source<dimension, 2>& source,
+          std::vector<Prescribed_vertex> prescribed, const std::vector<Prescribed_form>& forms,
+          Function_ref<std::string(Level_connectivity::Index)> names);
+
+// of a polygon
+template <int dimension, class Options>
+Interpolation_result<dimension> interpolate_polygon(bool is_closed, const Options& options,
+                                                    Interpolation_data<dimension>& data);
 
 } // namespace CGAL::PN_subdivision_3::internal
+
+// The library CGAL::PN_subdivision_3_fitting has it (src/PN_subdivision_3_fitting).
+#ifndef CGAL_PN_SUBDIVISION_3_FITTING
+#  include <CGAL/PN_fitting_3/internal/find_control_net.h>
+#endif
 
 #endif // CGAL_PN_FITTING_3_INTERNAL_INTERPOLATE_MESH_H

@@ -8,32 +8,24 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_COMPILED_LIMITS_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_COMPILED_LIMITS_H
 
-// The limits of a level are the same for all meshes, maps and kernels of a number type. For double and the usual schemes the library
-// CGAL::PN_subdivision_3_limits has them (src/PN_subdivision_3_limits), and what is linked to it does not compile them again.
-// Where it is linked to TBB it does: classes differ.
+// The limits of levels of double, which the library CGAL::PN_subdivision_3_limits has, see
+// PN_subdivision_3/internal/meshes/compiled_levels.h.
 
 #include <CGAL/PN_limit_surface_3/internal/limit/Creased_limits.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Scheme_on_host.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
-#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
 
-#if defined(CGAL_PN_SUBDIVISION_3_LIMITS) && !defined(CGAL_LINKED_WITH_TBB)
+#define CGAL_PN_SUBDIVISION_3_LIMITS_OF(EXTERN, SCHEME)                                            \
+  EXTERN template class Limit_evaluation<compiled_once::SCHEME, double>;                           \
+  EXTERN template class Creased_limits<compiled_once::SCHEME, double>;
+
+#ifdef CGAL_PN_SUBDIVISION_3_LIMITS
 namespace CGAL::PN_subdivision_3::internal {
 
-extern template class Limit_evaluation<With_roundness<CatmullClark_scheme, double>, double>;
-extern template class Creased_limits<With_roundness<CatmullClark_scheme, double>, double>;
-extern template class Limit_evaluation<With_roundness<Loop_scheme, double>, double>;
-extern template class Creased_limits<With_roundness<Loop_scheme, double>, double>;
-extern template class Limit_evaluation<With_roundness<Scheme_on_host<PQQ_host, double>, double>,
-                                       double>;
-extern template class Creased_limits<With_roundness<Scheme_on_host<PQQ_host, double>, double>,
-                                     double>;
-extern template class Limit_evaluation<With_roundness<Scheme_on_host<PTQ_host, double>, double>,
-                                       double>;
-extern template class Creased_limits<With_roundness<Scheme_on_host<PTQ_host, double>, double>,
-                                     double>;
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, CatmullClark)
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Loop)
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Any_of_quads)
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Any_of_triangles)
 
 } // namespace CGAL::PN_subdivision_3::internal
 #endif

@@ -13,7 +13,6 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Creased_limits.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_writer.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/compiled_limits.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
@@ -25,6 +24,9 @@
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#ifdef CGAL_PN_SUBDIVISION_3_LIMITS
+#  include <CGAL/PN_limit_surface_3/internal/limit/compiled_limits.h>
+#endif
 
 #include <algorithm>
 #include <cmath>

@@ -86,7 +86,7 @@ public:
 
   // before: the nodes of an earlier refinement of the same mesh; some of these nodes have to be split now
   void operator()(Valued_level<Value>&& control, Level_creases&& creases,
-                  const typename Attributes::Data& attributes = {},
+                  const Tessellation_data& attributes = {},
                   std::deque<Tessellation_node>&& before = {})
   {
     before_ = std::move(before);
@@ -190,7 +190,7 @@ private:
 
   // \name Levels
   Level first_level(Valued_level<Value>&& control, Level_creases&& creases,
-                    const typename Attributes::Data& attributes)
+                    const Tessellation_data& attributes)
   {
     Level level{std::move(control), std::move(creases), {}, {}, {}};
     attributes_.read(attributes, level);

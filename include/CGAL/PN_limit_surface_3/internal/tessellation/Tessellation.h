@@ -39,24 +39,6 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// A control mesh that has been read, with what is asked for.
-template <class Scheme, class FT, class Level_creases, bool may_be_proven>
-struct Tessellation_data
-{
-  using Refinement = Adaptive_refinement<Scheme, FT, Level_creases, may_be_proven>;
-  using Attributes = typename Refinement::Attributes::Data;
-
-  Tessellation_demand demand;
-  Valued_level<typename Refinement::Value> control;
-  Level_creases creases;
-  Attributes attributes;
-
-  Refinement refinement(const Scheme& scheme, const For_chunks& for_chunks) const
-  {
-    return Refinement(scheme, demand, for_chunks);
-  }
-};
-
 // The runs of a tessellation. Finer neighbors put vertices on the sides of a leaf, whose triangles may then miss the
 // tolerance: it is split in another run.
 template <class FT>
@@ -149,6 +131,56 @@ std::vector<bool> used_vertices(const Split_edges<FT>& all, const Leaf_triangles
   return used;
 }
 
+// One run on a control mesh that has been read. The last one calls build(all, mesh).
+template <class FT, bool may_be_proven, class Scheme, class Level, class Level_creases>
+bool run_tessellation(
+  const Scheme& scheme, const Tessellation_demand& demand, const For_chunks& for_chunks,
+  const Tessellation_table& table, Level& control, Level_creases& creases,
+  Tessellation_runs<FT>& runs, Tessellation_result& report,
+  Function_ref<void(const Split_edges<FT>&, const Tessellation_mesh<FT>&)> build)
+{
+  using Index = Level_connectivity::Index;
+  const Index control_vertices = control.level.number_of_vertices();
+  const Tessellation_data attributes = table.read(control.level);
+  Adaptive_refinement<Scheme, FT, Level_creases, may_be_proven> refinement(scheme, demand,
+                                                                           for_chunks);
+  refinement(std::move(control), std::move(creases), attributes, runs.take_nodes());
+  const Leaf_triangles<FT> triangles = runs.triangles(refinement, table.dimension_of_corners());
+  if (runs.go_on(refinement, triangles)) return true;
+  std::vector<bool> used = used_vertices(refinement.all(), triangles);
+  std::fill_n(used.begin(), control_vertices, true);
+  refinement.remove_unused(used);
+  const Tessellation_mesh<FT> mesh(refinement.all(), triangles);
+  Attribute_table carried;
+  if (table.any())
+    carried = table.of_result(refinement, triangles, attributes, first_indices(control_vertices));
+  build(refinement.all(), mesh);
+  table.set(std::move(carried));
+  runs.report(refinement, triangles, report);
+  report.number_of_vertices = mesh.level().number_of_vertices();
+  report.number_of_triangles = mesh.level().number_of_faces();
+  return false;
+}
+
+// for the library CGAL::PN_subdivision_3_limits, see limit/compiled_limits.h
+#define CGAL_PN_SUBDIVISION_3_TESSELLATION(EXTERN, SCHEME)                                         \
+  EXTERN template bool run_tessellation<double, false>(                                            \
+    const compiled_once::SCHEME&, const Tessellation_demand&, const For_chunks&,                   \
+    const Tessellation_table&, Valued_level<Point_normal<double, 3>>&, No_creases&,                \
+    Tessellation_runs<double>&, Tessellation_result&,                                              \
+    Function_ref<void(const Split_edges<double>&, const Tessellation_mesh<double>&)>);             \
+  EXTERN template bool run_tessellation<double, false>(                                            \
+    const compiled_once::SCHEME&, const Tessellation_demand&, const For_chunks&,                   \
+    const Tessellation_table&, Valued_level<Point_normal<double, 3>>&, Creases<double>&,           \
+    Tessellation_runs<double>&, Tessellation_result&,                                              \
+    Function_ref<void(const Split_edges<double>&, const Tessellation_mesh<double>&)>);
+#ifdef CGAL_PN_SUBDIVISION_3_LIMITS
+CGAL_PN_SUBDIVISION_3_TESSELLATION(extern, CatmullClark)
+CGAL_PN_SUBDIVISION_3_TESSELLATION(extern, Loop)
+CGAL_PN_SUBDIVISION_3_TESSELLATION(extern, Any_of_quads)
+CGAL_PN_SUBDIVISION_3_TESSELLATION(extern, Any_of_triangles)
+#endif
+
 // A call of tessellate(): reads the control mesh, refines it adaptively, and builds the mesh of the triangles.
 template <class Concurrency_tag, class FaceGraph, class NamedParameters>
 class Tessellation
@@ -173,33 +205,17 @@ public:
     require_empty(out_access);
     Tessellation_result report;
     Tessellation_runs<FT> runs(most_runs);
+    const auto build_out = [&](const Split_edges<FT>& all, const Tessellation_mesh<FT>& mesh) {
+      using Out = Surface_parameters<OutputMesh, Out_parameters>;
+      build(all, mesh, out_access, Out::point_map(out, np_out), Out::normal_map(np_out));
+    };
     const auto run = [&](const auto& s) {
       bool goes_on = false;
-      read(access, s, Parameters::const_point_map(control, np_), [&](auto&& data) {
-        const auto& rules = rules_of(s);
-        auto refinement = data.refinement(rules, for_chunks_);
-        refinement(std::move(data.control), std::move(data.creases), data.attributes,
-                   runs.take_nodes());
-        const Leaf_triangles<FT> triangles =
-          runs.triangles(refinement, table_.dimension_of_corners());
-        goes_on = runs.go_on(refinement, triangles);
-        if (goes_on) return;
-        std::vector<bool> used = used_vertices(refinement.all(), triangles);
-        std::fill_n(used.begin(), access.size().vertices, true);
-        refinement.remove_unused(used);
-        const Tessellation_mesh<FT> mesh(refinement.all(), triangles);
-        using Out = Surface_parameters<OutputMesh, Out_parameters>;
-        Attribute_table carried;
-        if (table_.any())
-          carried = table_.of_result(refinement, triangles, data.attributes,
-                                     first_indices(access.size().vertices));
-        build(refinement.all(), mesh, out_access, Out::point_map(out, np_out),
-              Out::normal_map(np_out));
-        table_.set(std::move(carried));
-        runs.report(refinement, triangles, report);
-        report.number_of_vertices = mesh.level().number_of_vertices();
-        report.number_of_triangles = mesh.level().number_of_faces();
-      });
+      read(access, s, Parameters::const_point_map(control, np_),
+           [&](const Tessellation_demand& demand, auto& level, auto& creases) {
+             goes_on = run_tessellation<FT, may_be_proven>(rules_of(s), demand, for_chunks_, table_,
+                                                           level, creases, runs, report, build_out);
+           });
       return goes_on;
     };
     with_roundness_of_call<Parameters>(access, scheme, np_, [&](const auto& s) {
@@ -210,24 +226,24 @@ public:
   }
 
 private:
-  // calls sink(Tessellation_data)
+  static constexpr bool may_be_proven =
+    is_given_v<proven_bound_t, NamedParameters> && std::is_same_v<FT, double>;
+
+  // calls sink(demand, level, creases)
   template <class Access, class Scheme, class Point_map, class Sink>
   void read(const Access& access, const Scheme& scheme, Point_map points, const Sink& sink) const
   {
     const auto take = [&](auto& control, auto& creases, const auto&) {
-      using Level = std::decay_t<decltype(control)>;
-      using Level_creases = std::decay_t<decltype(creases)>;
       const Tessellation_demand demand = this->demand(box_size(control));
-      constexpr bool may_be_proven =
-        is_given_v<proven_bound_t, NamedParameters> && std::is_same_v<FT, double>;
-      if constexpr (may_be_proven)
+      if constexpr (may_be_proven) {
+        using Level = std::decay_t<decltype(control)>;
+        using Level_creases = std::decay_t<decltype(creases)>;
         if (demand.is_proven)
           require_proof_of_all(Limit_cells<Rules_of<Scheme>, Level_creases>(
                                  rules_of(scheme), Level(control), Level_creases(creases)),
                                chord_error_);
-      using Data = Tessellation_data<Rules_of<Scheme>, FT, Level_creases, may_be_proven>;
-      auto attributes = table_.template read<typename Data::Attributes>(control.level);
-      sink(Data{demand, std::move(control), std::move(creases), std::move(attributes)});
+      }
+      sink(demand, control, creases);
     };
     with_slot_level<FT>(
       access, scheme, points, normal_map<Scheme>(), Parameters::edge_constraint_map(np_),

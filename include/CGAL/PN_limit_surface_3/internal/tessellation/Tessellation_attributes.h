@@ -27,6 +27,16 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
+// `of_vertices` numbers for each vertex of the control mesh and `of_corners` for each half-edge
+struct Tessellation_data
+{
+  std::size_t of_vertices = 0, of_corners = 0;
+  std::vector<double> vertices, corners;
+  std::vector<double> largest{}; // of each number of vertices, in the whole control mesh
+  // the corners of the control faces, where there are labels
+  std::vector<Level_connectivity::Index> first_corner{}, corner_vertices{};
+};
+
 // What an adaptive refinement carries besides the points: attributes of vertices as points without normals, three numbers
 // a plane, which go to their limits; those of corners linear inside the faces of the control mesh.
 template <class Scheme, class FT, class Level_creases>
@@ -39,16 +49,6 @@ public:
   using Result = typename Limit_evaluation<Scheme, FT>::Result;
   using Results = std::vector<Result>;
 
-  // `of_vertices` numbers for each vertex of the control mesh and `of_corners` for each half-edge
-  struct Data
-  {
-    std::size_t of_vertices = 0, of_corners = 0;
-    std::vector<double> vertices, corners;
-    std::vector<double> largest{}; // of each number of vertices, in the whole control mesh
-    // the corners of the control faces, where there are labels
-    std::vector<Index> first_corner{}, corner_vertices{};
-  };
-
   // With the tolerance of the points.
   Tessellation_attributes(const Scheme& scheme, const Limit_demand& demand,
                           const For_chunks& for_chunks)
@@ -59,7 +59,7 @@ public:
   {}
 
   // Columns are scaled by powers of 2 to the size of the points, whose tolerance they then have.
-  void read(const Data& attributes, Level& level)
+  void read(const Tessellation_data& attributes, Level& level)
   {
     const auto& connectivity = level.level.level;
     const std::size_t n = attributes.of_vertices, m = attributes.of_corners;

@@ -12,6 +12,7 @@
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Flatness.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Leaf_triangles.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Split_edges.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation_attributes.h>
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
@@ -150,10 +151,9 @@ public:
     return n + (has_labels() ? dimension_of_places : 0);
   }
 
-  template <class Data>
-  Data read(const Level_connectivity& level) const
+  Tessellation_data read(const Level_connectivity& level) const
   {
-    Data result;
+    Tessellation_data result;
     if (table_ == nullptr) return result;
     if (!table_->edges.empty())
       throw std::invalid_argument("PN_subdivision_3: there is an attribute of edges, but the edges "
@@ -177,9 +177,9 @@ public:
 
   // The arrays of the result; half-edges have the numbers that the level of the triangles gives them. `data` are those of
   // read(), and `vertices` the control vertices that the first ones of the result are.
-  template <class Refinement, class FT, class Data>
+  template <class Refinement, class FT>
   Attribute_table of_result(const Refinement& refinement, const Leaf_triangles<FT>& triangles,
-                            const Data& data, std::vector<Index> vertices) const
+                            const Tessellation_data& data, std::vector<Index> vertices) const
   {
     if (has_labels()) set_nearest(refinement, triangles, data, vertices);
     Attribute_table result;
@@ -244,8 +244,7 @@ private:
     return {std::cos(angle), std::sin(angle)};
   }
 
-  template <class Data>
-  static void add_places(const Level_connectivity& level, Data& data)
+  static void add_places(const Level_connectivity& level, Tessellation_data& data)
   {
     const std::size_t old = data.of_corners, all = old + dimension_of_places;
     std::vector<double> corners(all * level.number_of_halfedges());
@@ -269,9 +268,9 @@ private:
   }
 
   // of each vertex of the result, where there are triangles
-  template <class Refinement, class FT, class Data>
+  template <class Refinement, class FT>
   void set_nearest(const Refinement& refinement, const Leaf_triangles<FT>& triangles,
-                   const Data& data, std::vector<Index>& vertices) const
+                   const Tessellation_data& data, std::vector<Index>& vertices) const
   {
     vertices.resize(refinement.all().number_of_vertices(), 0);
     const std::size_t all = dimension_of_corners();
@@ -284,8 +283,7 @@ private:
   }
 
   // of several the first one
-  template <class Data>
-  static Index nearest_corner(const Data& data, Index face, const double* p)
+  static Index nearest_corner(const Tessellation_data& data, Index face, const double* p)
   {
     constexpr double rounding = 1e-9;
     const Index first = data.first_corner[face];

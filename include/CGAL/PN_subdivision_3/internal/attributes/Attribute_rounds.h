@@ -42,7 +42,7 @@ namespace CGAL::PN_subdivision_3::internal {
 enum class Kind_of_round { inner, last_put_at_once, last_put_later };
 
 // Attributes through the rounds of a call: begin_round(), the rows() and the child() of the round, end_round();
-// after the last one put().
+// after the last one put(). What is defined behind the class may be compiled once.
 template <class FT, class Host>
 class Attribute_rounds
 {
@@ -59,105 +59,22 @@ public:
   // that a visitor asks for
   Attribute_rounds(Carried_attributes<FT>&& carried, Kinds visited, const Level_connectivity& level,
                    const std::vector<Index>& extra_slots, const Control_sharpness& sharpness,
-                   const Element_names& names, const For_chunks& for_chunks)
-    : carried_(std::move(carried))
-    , for_chunks_(for_chunks)
-  {
-    std::vector<Index> slot_vertices = first_indices(level.number_of_vertices());
-    slot_vertices.insert(slot_vertices.end(), extra_slots.begin(), extra_slots.end());
-    for (auto& values : carried_.vertices) {
-      values->begin(slot_vertices);
-      by_rows_.push_back({values.get(), {}, true});
-    }
-    for (auto& corner : carried_.corners)
-      begin_corners(corner, level, slot_vertices, sharpness, names);
-    wanted_ = carried_.needed_origins();
-    wanted_.vertices = wanted_.vertices || visited.vertices;
-    wanted_.edges = wanted_.edges || visited.edges;
-    wanted_.faces = wanted_.faces || visited.faces;
-    if constexpr (!Splits_edges<Host>::value) {
-      if (!carried_.edges.empty()) refuse("there is an attribute of edges, but the");
-      if (wanted_.faces) control_faces_ = std::make_shared<Control_faces>(level);
-    }
-  }
+                   const Element_names& names, const For_chunks& for_chunks);
   // Those of a part of a level between two rounds, whose slots in the whole are given. `whole` must stay, and so must
   // `corner_slots`, see slots_of_charts().
   Attribute_rounds(const Attribute_rounds& whole, const Level_part& part, const Indices& slot_ids,
-                   const Chart_slots& chart_slots)
-    : for_chunks_(whole.for_chunks_)
-    , wanted_(whole.wanted_)
-    , control_faces_(whole.control_faces_)
-  {
-    for (const auto& values : whole.carried_.vertices) {
-      carried_.vertices.push_back(values->part(slot_ids));
-      by_rows_.push_back({carried_.vertices.back().get(), {}, true});
-    }
-    std::size_t rank_by_rows = whole.carried_.vertices.size();
-    for (std::size_t i = 0; i < whole.carried_.corners.size(); ++i) {
-      const auto& corner = whole.carried_.corners[i];
-      const auto [kind, rank] = whole.corner_kinds_[i];
-      const auto add = [&](const Indices& sources) -> Row_values<FT>& {
-        carried_.corners.push_back({corner.values->part(sources), corner.rule});
-        return *carried_.corners.back().values;
-      };
-      corner_kinds_.push_back({kind, rank});
-      if (kind == Corner_kind::linear)
-        linear_.push_back(&add(part.corners()));
-      else if (kind == Corner_kind::by_rows)
-        by_rows_.push_back(
-          {&add(slot_ids), kept_in(part, whole.by_rows_[rank_by_rows++].kept_vertices), false});
-      else {
-        const Smooth_corners<FT>& smooth = whole.smooth_[rank];
-        Creases<FT> creases = part.creases(smooth.creases());
-        Row_values<FT>& values = add(part.slot_origins(creases, chart_slots[rank]));
-        smooth_.emplace_back(values, std::move(creases), smooth);
-      }
-    }
-    carried_.take_parts_of_copied(whole.carried_);
-    if (wanted_.any())
-      origins_ = Level_origins::of_child(Origins_of_part{whole.origins_, part}, part.level.size(),
-                                         Level_origins::needed<Host>(wanted_), for_chunks_);
-  }
+                   const Chart_slots& chart_slots);
   Attribute_rounds(const Attribute_rounds&) = delete;
   Attribute_rounds& operator=(const Attribute_rounds&) = delete;
 
   template <class Scheme, class One_round>
   void begin_round(const Scheme& scheme, const One_round& round, const Level_connectivity& level,
-                   Kind_of_round kind)
-  {
-    using Mask = std::decay_t<decltype(round.mask())>;
-    begin(scheme, round, level, std::shared_ptr<const Mask>(),
-          static_cast<std::size_t>(round.refined_size().vertices), kind);
-  }
+                   Kind_of_round kind);
   // `level` is the whole one; it stays until the round ends
   template <class Scheme, class Crease_round>
   void begin_creased_round(const Scheme& scheme, const Crease_round& round,
                            Level_connectivity& level, const Creases<FT>& creases,
-                           Kind_of_round kind)
-  {
-    using Mask = std::decay_t<decltype(round.round().mask())>;
-    std::shared_ptr<const Mask> smooth_mask;
-    if (round.needs_smooth_rules(true)) {
-      count_valences(level, creases);
-      smooth_mask =
-        std::make_shared<const Mask>(scheme.template mask<FT>(level, round.round().number()));
-    }
-    const auto& refined = round.refined();
-    charts_take_rows_ = false; // rows are of slots of the creases
-    begin(scheme, round.round(), level, smooth_mask, refined.creases.number_of_slots, kind);
-    crease_rows_.clear();
-    copies_.clear();
-    if (by_rows_.empty()) return;
-    const Cut_level<FT> cut(level, creases);
-    Crease_rows<FT, Mask> rows(level, cut, creases, refined, round.round().mask(),
-                               smooth_mask.get());
-    rows.for_each([&](Index slot, const Entry_row<FT>& row) {
-      if (slot < round.number_of_vertices()) crease_rows_.emplace_back(slot, row);
-    });
-    for (const Crease_star& star : refined.creases.stars)
-      for (Index w = 1; w < star.number_of_wedges; ++w)
-        copies_.emplace_back(star.vertex, star.slot(w));
-  }
+                           Kind_of_round kind);
 
   // null if there is nothing to do with the rows, or the child, of a round
   const Rows_sink* rows() const
@@ -171,19 +88,7 @@ public:
   // whether put() needs the refined level
   bool needs_refined_level() const { return !carried_.corners.empty(); }
 
-  void end_round()
-  {
-    for (const By_rows& by_rows : by_rows_) {
-      for (const auto& [slot, row] : crease_rows_)
-        by_rows.values->evaluate(slot, row.begin(), row.end());
-      for (const auto& [from, to] : copies_) by_rows.values->copy(from, to);
-      Smooth_corners<FT>::keep_values(*by_rows.values, by_rows.kept_vertices);
-      by_rows.values->end_round();
-    }
-    for (Row_values<FT>* values : linear_) values->end_round();
-    if (refined_origins_) origins_ = std::move(*refined_origins_);
-    refined_origins_.reset();
-  }
+  void end_round();
 
   // where the elements of the last round come from
   template <class One_round>
@@ -195,17 +100,7 @@ public:
   // puts everything for the elements of the refined mesh, which has been made large enough
   template <class Origin_of_element>
   void put(const Level_size& size, const Level_connectivity* refined,
-           const Origin_of_element& rules)
-  {
-    for (auto& values : carried_.vertices) values->put_all(static_cast<Index>(size.vertices));
-    for (std::size_t i = 0; i < carried_.corners.size(); ++i)
-      carried_.corners[i].values->put(values_of_corners(i, *refined));
-    if (!carried_.edges.empty()) put_edges(size, rules);
-    if (!carried_.faces.empty()) put_faces(size, rules);
-    put_origins(carried_.vertex_origins, size.vertices, [&](Index v) { return rules.vertex(v); });
-    put_origins(carried_.edge_origins, size.edges, [&](Index e) { return rules.edge(e); });
-    put_origins(carried_.face_origins, size.faces, [&](Index f) { return rules.face(f); });
-  }
+           const Origin_of_element& rules);
   void keep() noexcept { carried_.keep(); }
 
   // of a part after all rounds; what has been put there is taken from the result
@@ -433,6 +328,143 @@ private:
   const Rows_sink rows_sink_{on_rows_};
   const Child_sink child_sink_{on_child_};
 };
+
+template <class FT, class Host>
+Attribute_rounds<FT, Host>::Attribute_rounds(Carried_attributes<FT>&& carried, Kinds visited,
+                                             const Level_connectivity& level,
+                                             const std::vector<Index>& extra_slots,
+                                             const Control_sharpness& sharpness,
+                                             const Element_names& names,
+                                             const For_chunks& for_chunks)
+  : carried_(std::move(carried))
+  , for_chunks_(for_chunks)
+{
+  std::vector<Index> slot_vertices = first_indices(level.number_of_vertices());
+  slot_vertices.insert(slot_vertices.end(), extra_slots.begin(), extra_slots.end());
+  for (auto& values : carried_.vertices) {
+    values->begin(slot_vertices);
+    by_rows_.push_back({values.get(), {}, true});
+  }
+  for (auto& corner : carried_.corners)
+    begin_corners(corner, level, slot_vertices, sharpness, names);
+  wanted_ = carried_.needed_origins();
+  wanted_.vertices = wanted_.vertices || visited.vertices;
+  wanted_.edges = wanted_.edges || visited.edges;
+  wanted_.faces = wanted_.faces || visited.faces;
+  if constexpr (!Splits_edges<Host>::value) {
+    if (!carried_.edges.empty()) refuse("there is an attribute of edges, but the");
+    if (wanted_.faces) control_faces_ = std::make_shared<Control_faces>(level);
+  }
+}
+
+template <class FT, class Host>
+Attribute_rounds<FT, Host>::Attribute_rounds(const Attribute_rounds& whole, const Level_part& part,
+                                             const Indices& slot_ids,
+                                             const Chart_slots& chart_slots)
+  : for_chunks_(whole.for_chunks_)
+  , wanted_(whole.wanted_)
+  , control_faces_(whole.control_faces_)
+{
+  for (const auto& values : whole.carried_.vertices) {
+    carried_.vertices.push_back(values->part(slot_ids));
+    by_rows_.push_back({carried_.vertices.back().get(), {}, true});
+  }
+  std::size_t rank_by_rows = whole.carried_.vertices.size();
+  for (std::size_t i = 0; i < whole.carried_.corners.size(); ++i) {
+    const auto& corner = whole.carried_.corners[i];
+    const auto [kind, rank] = whole.corner_kinds_[i];
+    const auto add = [&](const Indices& sources) -> Row_values<FT>& {
+      carried_.corners.push_back({corner.values->part(sources), corner.rule});
+      return *carried_.corners.back().values;
+    };
+    corner_kinds_.push_back({kind, rank});
+    if (kind == Corner_kind::linear)
+      linear_.push_back(&add(part.corners()));
+    else if (kind == Corner_kind::by_rows)
+      by_rows_.push_back(
+        {&add(slot_ids), kept_in(part, whole.by_rows_[rank_by_rows++].kept_vertices), false});
+    else {
+      const Smooth_corners<FT>& smooth = whole.smooth_[rank];
+      Creases<FT> creases = part.creases(smooth.creases());
+      Row_values<FT>& values = add(part.slot_origins(creases, chart_slots[rank]));
+      smooth_.emplace_back(values, std::move(creases), smooth);
+    }
+  }
+  carried_.take_parts_of_copied(whole.carried_);
+  if (wanted_.any())
+    origins_ = Level_origins::of_child(Origins_of_part{whole.origins_, part}, part.level.size(),
+                                       Level_origins::needed<Host>(wanted_), for_chunks_);
+}
+
+template <class FT, class Host>
+template <class Scheme, class One_round>
+void Attribute_rounds<FT, Host>::begin_round(const Scheme& scheme, const One_round& round,
+                                             const Level_connectivity& level, Kind_of_round kind)
+{
+  using Mask = std::decay_t<decltype(round.mask())>;
+  begin(scheme, round, level, std::shared_ptr<const Mask>(),
+        static_cast<std::size_t>(round.refined_size().vertices), kind);
+}
+
+template <class FT, class Host>
+template <class Scheme, class Crease_round>
+void Attribute_rounds<FT, Host>::begin_creased_round(const Scheme& scheme,
+                                                     const Crease_round& round,
+                                                     Level_connectivity& level,
+                                                     const Creases<FT>& creases, Kind_of_round kind)
+{
+  using Mask = std::decay_t<decltype(round.round().mask())>;
+  std::shared_ptr<const Mask> smooth_mask;
+  if (round.needs_smooth_rules(true)) {
+    count_valences(level, creases);
+    smooth_mask =
+      std::make_shared<const Mask>(scheme.template mask<FT>(level, round.round().number()));
+  }
+  const auto& refined = round.refined();
+  charts_take_rows_ = false; // rows are of slots of the creases
+  begin(scheme, round.round(), level, smooth_mask, refined.creases.number_of_slots, kind);
+  crease_rows_.clear();
+  copies_.clear();
+  if (by_rows_.empty()) return;
+  const Cut_level<FT> cut(level, creases);
+  Crease_rows<FT, Mask> rows(level, cut, creases, refined, round.round().mask(), smooth_mask.get());
+  rows.for_each([&](Index slot, const Entry_row<FT>& row) {
+    if (slot < round.number_of_vertices()) crease_rows_.emplace_back(slot, row);
+  });
+  for (const Crease_star& star : refined.creases.stars)
+    for (Index w = 1; w < star.number_of_wedges; ++w)
+      copies_.emplace_back(star.vertex, star.slot(w));
+}
+
+template <class FT, class Host>
+void Attribute_rounds<FT, Host>::end_round()
+{
+  for (const By_rows& by_rows : by_rows_) {
+    for (const auto& [slot, row] : crease_rows_)
+      by_rows.values->evaluate(slot, row.begin(), row.end());
+    for (const auto& [from, to] : copies_) by_rows.values->copy(from, to);
+    Smooth_corners<FT>::keep_values(*by_rows.values, by_rows.kept_vertices);
+    by_rows.values->end_round();
+  }
+  for (Row_values<FT>* values : linear_) values->end_round();
+  if (refined_origins_) origins_ = std::move(*refined_origins_);
+  refined_origins_.reset();
+}
+
+template <class FT, class Host>
+template <class Origin_of_element>
+void Attribute_rounds<FT, Host>::put(const Level_size& size, const Level_connectivity* refined,
+                                     const Origin_of_element& rules)
+{
+  for (auto& values : carried_.vertices) values->put_all(static_cast<Index>(size.vertices));
+  for (std::size_t i = 0; i < carried_.corners.size(); ++i)
+    carried_.corners[i].values->put(values_of_corners(i, *refined));
+  if (!carried_.edges.empty()) put_edges(size, rules);
+  if (!carried_.faces.empty()) put_faces(size, rules);
+  put_origins(carried_.vertex_origins, size.vertices, [&](Index v) { return rules.vertex(v); });
+  put_origins(carried_.edge_origins, size.edges, [&](Index e) { return rules.edge(e); });
+  put_origins(carried_.face_origins, size.faces, [&](Index f) { return rules.face(f); });
+}
 
 } // namespace CGAL::PN_subdivision_3::internal
 

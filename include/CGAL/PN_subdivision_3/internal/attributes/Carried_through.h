@@ -14,6 +14,9 @@
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
+#  include <CGAL/PN_subdivision_3/internal/attributes/compiled_attributes.h>
+#endif
 
 #include <cstddef>
 #include <memory>

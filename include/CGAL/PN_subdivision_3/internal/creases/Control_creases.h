@@ -248,8 +248,7 @@ public:
 
   // values[slot] has the point; its normal if is_given[slot]
   Control_creases(const Level_connectivity& level, Creases<FT>& creases, std::vector<Value>& values,
-                  std::vector<bool> is_given,
-                  Control_normal_estimate estimate = Control_normal_estimate::coherent)
+                  std::vector<bool> is_given, Control_normal_estimate estimate)
     : level_(level)
     , creases_(creases)
     , values_(values)
@@ -368,6 +367,14 @@ private:
   const std::vector<bool> is_given_;
   const Control_normal_estimate estimate_;
 };
+
+template <class FT>
+void make_control_creases(const Level_connectivity& level, Creases<FT>& creases,
+                          std::vector<Point_normal<FT, 3>>& values, std::vector<bool> is_given,
+                          Control_normal_estimate estimate)
+{
+  Control_creases<FT>(level, creases, values, std::move(is_given), estimate)();
+}
 
 } // namespace CGAL::PN_subdivision_3::internal
 

@@ -247,7 +247,7 @@ class Gone_round;
 // these edges get the roundness 0. Edges of the sharpness 0 < s < 1 are sharp in this round as a whole. Another round is made
 // without them, and rows that reach them are blended, see Gone_round.
 //
-// Where nothing can be sharp it is an ordinary round.
+// Where nothing can be sharp it is an ordinary round. What is defined behind the class may be compiled once.
 template <class Scheme, class Average, class Level_creases>
 class Crease_round
 {
@@ -267,25 +267,7 @@ public:
   }
   // without values, until read() is called
   Crease_round(const Scheme& scheme, Level_connectivity& level, const Creases<FT>& creases,
-               unsigned number)
-    : scheme_(scheme)
-    , level_(level)
-    , creases_(creases)
-    , refined_size_(Host::refined_size(level.size(), number))
-    , refined_(creases, level, number_of_vertices())
-  {
-    if (needs_smooth_rules()) make_smooth_rows(number);
-    if constexpr (is_pn)
-      if (std::any_of(creases.edges.begin(), creases.edges.end(), ends))
-        ended_ = slots_at_ended(Host(level, number), level, creases, refined_);
-    if constexpr (is_pn)
-      if (has_fractions(creases))
-        gone_ = std::make_unique<Gone_round<Scheme, Average>>(scheme, level, creases, number);
-    round_.emplace(scheme, level, number, [&] { cut_.emplace(level, creases); });
-    const std::vector<Index> on_creases = vertices_on_creases();
-    find_others(on_creases);
-    if constexpr (!std::is_floating_point_v<FT>) round_->set_vertices_of_others(on_creases);
-  }
+               unsigned number);
 
   Crease_round(const Crease_round&) = delete;
   Crease_round& operator=(const Crease_round&) = delete;
@@ -308,23 +290,7 @@ public:
                                       [](const Crease_edge<FT>& e) { return e.sharpness < 1; }));
   }
   // the values on the creases, for each of their slots, and beside them where creases end
-  std::vector<Slot_value> crease_values(const For_chunks& for_chunks)
-  {
-    const auto pointer = [](const auto& rows) { return rows ? &*rows : nullptr; };
-    const typename Crease_pass<Scheme, Average>::Data data{
-      scheme_, level_, creases_, *round_, pointer(smooth_rows_), pointer(smooth_normal_rows_),
-      old_};
-    std::vector<Slot_value> values = Crease_pass<Scheme, Average>(data, refined_)(for_chunks);
-    if (!others_.empty())
-      values = with_others(values, values_of_rows(*round_, others_, old_, for_chunks));
-    if constexpr (is_pn)
-      if (!ended_.empty())
-        for (Slot_value& v : values)
-          if (std::binary_search(ended_.begin(), ended_.end(), v.first)) v.second.roundness = FT(0);
-    if constexpr (is_pn)
-      if (gone_) gone_->blend(creases_, old_, refined_, values, for_chunks);
-    return values;
-  }
+  std::vector<Slot_value> crease_values(const For_chunks& for_chunks);
 
   // calls f(slot) for what the smooth rule of a dart reads
   template <class Function>
@@ -441,6 +407,49 @@ private:
   std::vector<Index> others_; // new vertices, by their numbers
   std::unique_ptr<Gone_round<Scheme, Average>> gone_;
 };
+
+template <class Scheme, class Average, class Level_creases>
+Crease_round<Scheme, Average, Level_creases>::Crease_round(const Scheme& scheme,
+                                                           Level_connectivity& level,
+                                                           const Creases<FT>& creases,
+                                                           unsigned number)
+  : scheme_(scheme)
+  , level_(level)
+  , creases_(creases)
+  , refined_size_(Host::refined_size(level.size(), number))
+  , refined_(creases, level, number_of_vertices())
+{
+  if (needs_smooth_rules()) make_smooth_rows(number);
+  if constexpr (is_pn)
+    if (std::any_of(creases.edges.begin(), creases.edges.end(), ends))
+      ended_ = slots_at_ended(Host(level, number), level, creases, refined_);
+  if constexpr (is_pn)
+    if (has_fractions(creases))
+      gone_ = std::make_unique<Gone_round<Scheme, Average>>(scheme, level, creases, number);
+  round_.emplace(scheme, level, number, [&] { cut_.emplace(level, creases); });
+  const std::vector<Index> on_creases = vertices_on_creases();
+  find_others(on_creases);
+  if constexpr (!std::is_floating_point_v<FT>) round_->set_vertices_of_others(on_creases);
+}
+
+template <class Scheme, class Average, class Level_creases>
+auto Crease_round<Scheme, Average, Level_creases>::crease_values(const For_chunks& for_chunks)
+  -> std::vector<Slot_value>
+{
+  const auto pointer = [](const auto& rows) { return rows ? &*rows : nullptr; };
+  const typename Crease_pass<Scheme, Average>::Data data{
+    scheme_, level_, creases_, *round_, pointer(smooth_rows_), pointer(smooth_normal_rows_), old_};
+  std::vector<Slot_value> values = Crease_pass<Scheme, Average>(data, refined_)(for_chunks);
+  if (!others_.empty())
+    values = with_others(values, values_of_rows(*round_, others_, old_, for_chunks));
+  if constexpr (is_pn)
+    if (!ended_.empty())
+      for (Slot_value& v : values)
+        if (std::binary_search(ended_.begin(), ended_.end(), v.first)) v.second.roundness = FT(0);
+  if constexpr (is_pn)
+    if (gone_) gone_->blend(creases_, old_, refined_, values, for_chunks);
+  return values;
+}
 
 template <class Scheme, class Average>
 class Crease_round<Scheme, Average, No_creases> : public Round<Scheme, Average>

@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -235,9 +236,9 @@ private:
 
 // Keeps with control creases the level without edges and vertices whose sharpness is less than 1: values(creases) are the
 // values of its slots, and complete its creases.
-template <class FT, class Values>
+template <class FT>
 void keep_without_fractions(const Level_connectivity& level, Creases<FT>& creases,
-                            const Values& values)
+                            Function_ref<std::vector<Point_normal<FT, 3>>(Creases<FT>&)> values)
 {
   if (!has_fractions(creases)) return;
   auto without = std::make_shared<Control_without_fractions<FT>>();

@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -44,23 +45,9 @@ public:
     creases_.has_fixed_border = border == Border::fixed;
   }
 
-  // edge_sharpness(e), vertex_sharpness(v) are numbers >= 0
-  template <class Edge_sharpness, class Vertex_sharpness>
-  Creases<FT> operator()(const Edge_sharpness& edge_sharpness,
-                         const Vertex_sharpness& vertex_sharpness)
-  {
-    for (Index e = 0; e < level_.number_of_edges(); ++e) add_edge(e, edge_sharpness(e));
-    collect_ends();
-    std::size_t first = 0;
-    for (Index v = 0; v < level_.number_of_vertices(); ++v) {
-      std::size_t end = first;
-      while (end < sorted_.size() && level_.target(sorted_[end].halfedge) == v) ++end;
-      const double sharpness = sharpness_of_vertex(v, vertex_sharpness(v));
-      if (end != first || sharpness > 0) add_star(v, sharpness, first, end);
-      first = end;
-    }
-    return std::move(creases_);
-  }
+  // of edges and of vertices, numbers >= 0
+  using Sharpness = Function_ref<double(Index)>;
+  Creases<FT> operator()(Sharpness edge_sharpness, Sharpness vertex_sharpness);
 
 private:
   struct Sorted_end
@@ -128,6 +115,22 @@ private:
   Creases<FT> creases_;
   std::vector<Sorted_end> sorted_;
 };
+
+template <class FT>
+Creases<FT> Make_creases<FT>::operator()(Sharpness edge_sharpness, Sharpness vertex_sharpness)
+{
+  for (Index e = 0; e < level_.number_of_edges(); ++e) add_edge(e, edge_sharpness(e));
+  collect_ends();
+  std::size_t first = 0;
+  for (Index v = 0; v < level_.number_of_vertices(); ++v) {
+    std::size_t end = first;
+    while (end < sorted_.size() && level_.target(sorted_[end].halfedge) == v) ++end;
+    const double sharpness = sharpness_of_vertex(v, vertex_sharpness(v));
+    if (end != first || sharpness > 0) add_star(v, sharpness, first, end);
+    first = end;
+  }
+  return std::move(creases_);
+}
 
 // The creases of some faces of a level as a level of their own, with their tangents. Its rim, but not the border
 // of the whole, has the rules of a smooth border. The origins are the numbers in the whole; edges keep their

@@ -101,7 +101,8 @@ private:
 };
 
 // Calls f(begin, end) for pieces that cover [0, n), in this thread or in several. Every element has
-// one owner, so that the result does not depend on the pieces nor on the number of threads.
+// one owner, so that the result does not depend on the pieces nor on the number of threads. The class is the same with TBB and
+// without, so that libraries serve both.
 class For_chunks
 {
 public:
@@ -111,28 +112,9 @@ public:
   For_chunks() = default;
 
   template <class Concurrency_tag>
-  static For_chunks with(Concurrency_tag)
-  {
-    static_assert(std::is_convertible_v<Concurrency_tag, Sequential_tag> ||
-                    is_parallel_v<Concurrency_tag>,
-                  "PN_subdivision_3: the concurrency tag is Sequential_tag, Parallel_tag or "
-                  "Parallel_if_available_tag");
-    For_chunks for_chunks;
-#ifdef CGAL_LINKED_WITH_TBB
-    if constexpr (is_parallel_v<Concurrency_tag>) for_chunks.run_ = &run_in_parallel<>;
-#else
-    static_assert(
-      !is_parallel_v<Concurrency_tag>,
-      "PN_subdivision_3: Parallel_tag needs TBB: link CGAL::PN_subdivision_3_TBB, or take "
-      "Parallel_if_available_tag");
-#endif
-    return for_chunks;
-  }
+  static For_chunks with(Concurrency_tag);
 
-  void operator()(Index n, Function f) const
-  {
-    run_(n, f);
-  }
+  void operator()(Index n, Function f) const { run_(n, f); }
   // where new numbers get the caller's precision
   template <class FT>
   void in_precision(Index n, Function f) const
@@ -143,10 +125,7 @@ public:
       f(begin, end);
     });
   }
-  bool has_threads() const
-  {
-    return run_ != &run;
-  }
+  bool has_threads() const { return run_ != &run; }
 
 private:
   static void run(Index n, Function f)
@@ -154,22 +133,42 @@ private:
     if (n != 0) f(0, n);
   }
 
-#ifdef CGAL_LINKED_WITH_TBB
-  template <int = 0> // compiled where it is used only
-  static void run_in_parallel(Index n, Function f)
-  {
-    constexpr Index grain = 2048; // a multiple of the block of the averages
-    const Index chunks = n / grain + (n % grain != 0);
-    tbb::task_group_context context(task_kind, task_traits);
-    const auto do_chunks = [&](const auto& range) {
-      f(range.begin() * grain, range.end() == chunks ? n : range.end() * grain);
-    };
-    tbb::parallel_for(tbb::blocked_range<Index>(0, chunks), do_chunks, context);
-  }
-#endif
-
   void (*run_)(Index, Function) = &run;
 };
+
+#ifdef CGAL_LINKED_WITH_TBB
+template <int = 0> // compiled where it is used only
+void run_in_parallel(For_chunks::Index n, For_chunks::Function f)
+{
+  using Index = For_chunks::Index;
+  constexpr Index grain = 2048; // a multiple of the block of the averages
+  const Index chunks = n / grain + (n % grain != 0);
+  tbb::task_group_context context(task_kind, task_traits);
+  const auto do_chunks = [&](const auto& range) {
+    f(range.begin() * grain, range.end() == chunks ? n : range.end() * grain);
+  };
+  tbb::parallel_for(tbb::blocked_range<Index>(0, chunks), do_chunks, context);
+}
+#endif
+
+template <class Concurrency_tag>
+For_chunks For_chunks::with(Concurrency_tag)
+{
+  static_assert(std::is_convertible_v<Concurrency_tag, Sequential_tag> ||
+                  is_parallel_v<Concurrency_tag>,
+                "PN_subdivision_3: the concurrency tag is Sequential_tag, Parallel_tag or "
+                "Parallel_if_available_tag");
+  For_chunks for_chunks;
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (is_parallel_v<Concurrency_tag>) for_chunks.run_ = &run_in_parallel<>;
+#else
+  static_assert(
+    !is_parallel_v<Concurrency_tag>,
+    "PN_subdivision_3: Parallel_tag needs TBB: link CGAL::PN_subdivision_3_TBB, or take "
+    "Parallel_if_available_tag");
+#endif
+  return for_chunks;
+}
 
 // Calls f() and g(), which do not touch the same data, in any order or at the same time; f() in the
 // calling thread: memory that a mesh gets from another thread's arena costs page faults in every call.

@@ -23,6 +23,9 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
+#  include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
+#endif
 
 #include <algorithm>
 #include <cstddef>
@@ -153,7 +156,7 @@ public:
   {
     if constexpr (is_pn_v<Scheme>)
       if (!is_of_halfedges_v<Access, Normal_map> || !goes_on(creases))
-        keep_without_fractions(level, creases, [&](Creases<FT>& others) {
+        keep_without_fractions<FT>(level, creases, [&](Creases<FT>& others) {
           return values_of_slots(level, points, normals_without_fractions(normals), others);
         });
     return values_of_slots(level, points, normals, creases);
@@ -252,7 +255,7 @@ private:
           if (star.number_of_wedges > 1) is_given[star.vertex] = false;
         read_vertex_normals(normals, is_given, n, values);
       }
-      Control_creases<FT>(level, creases, values, is_given, normal_estimate(scheme_))();
+      make_control_creases<FT>(level, creases, values, is_given, normal_estimate(scheme_));
       if constexpr (!goes_with_roundness_v<Normal_map>)
         put_given_roundness(scheme_, n, values, &is_given, extra);
     }

@@ -37,8 +37,8 @@ namespace internal {
 
 // The usual calls of subdivide() are compiled once, in the library PN_subdivision_3_double
 // (src/PN_subdivision_3_double). What is linked to it has this macro, and leaves them to it; all others are compiled
-// where they are, and so is what is linked to TBB, which the library is not: classes differ.
-#if defined(CGAL_PN_SUBDIVISION_3_DOUBLE) && !defined(CGAL_LINKED_WITH_TBB)
+// where they are.
+#ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
 constexpr bool has_compiled_calls = true;
 #else
 constexpr bool has_compiled_calls = false;

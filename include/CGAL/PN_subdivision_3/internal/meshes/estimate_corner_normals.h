@@ -74,7 +74,8 @@ void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
   const std::vector<Index> extra = vertices_of_extra_slots(creases, n);
   for (Index slot = 0; slot < values.size(); ++slot)
     point_of(values[slot]) = checked_point<FT>(access, points, slot < n ? slot : extra[slot - n]);
-  Control_creases<FT>(level, creases, values, std::vector<bool>(values.size(), false), estimate)();
+  make_control_creases<FT>(level, creases, values, std::vector<bool>(values.size(), false),
+                           estimate);
   const Cut_level<FT> cut(level, creases);
   for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
     const Coordinates<FT, 3>& m = values[slot].normal;

@@ -95,23 +95,6 @@ void read_normals(const Access& access, Normal_map normals, std::vector<Value>& 
   }
 }
 
-// Types with names, so that the estimation is compiled once for a number type.
-template <class FT>
-struct Point_of_value
-{
-  const auto& operator()(Level_connectivity::Index v) const { return values[v].point; }
-  const Point_normal<FT, 3>* values;
-};
-template <class FT>
-struct Set_normal_of_value
-{
-  void operator()(Level_connectivity::Index v, const Coordinates<FT, 3>& n) const
-  {
-    values[v].normal = n;
-  }
-  Point_normal<FT, 3>* values;
-};
-
 // The points of a mesh and, of values that have them, the control normals, zero if there is no map of
 // them.
 template <class Average, class Access, class Point_map, class Normal_map>
@@ -143,9 +126,7 @@ read_values(const Access& access, const Level_connectivity& level, Point_map poi
   auto values = read_given_values<Average>(access, points, normals, level.number_of_vertices());
   using Value = typename Average::Value;
   if constexpr (has_normal_v<Value> && std::is_same_v<Normal_map, No_normal_map>)
-    estimate_normals<FT>(level, estimate, Point_of_value<FT>{values.data()},
-                         Set_normal_of_value<FT>{values.data()},
-                         Set_roundness_of_value<FT>{values.data()});
+    estimate_normals_of<FT>(level, estimate, values);
   return values;
 }
 

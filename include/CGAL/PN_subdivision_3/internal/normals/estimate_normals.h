@@ -18,6 +18,8 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
+#include <vector>
+
 namespace CGAL::PN_subdivision_3::internal {
 
 struct Ignore_roundness
@@ -31,12 +33,6 @@ struct Set_roundness_of_value
 {
   void operator()(Level_connectivity::Index s, double w) const { values[s].roundness = w; }
   Point_normal<FT, 3>* values;
-};
-
-template <class FT>
-struct No_given_normals
-{
-  const Coordinates<FT, 3>* operator()(Level_connectivity::Index) const { return nullptr; }
 };
 
 template <class FT, class Sectors, class Point_of, class Given, class Set_normal>
@@ -80,15 +76,21 @@ void estimate_normals(const Level_connectivity& level, Control_normal_estimate e
     [] { return "whether an estimated control normal vanishes"; });
 }
 
-// the same for whole vertices, none of them given
-template <class FT, class Point_of, class Set_normal, class Set_roundness = Ignore_roundness>
-void estimate_normals(const Level_connectivity& level, Control_normal_estimate estimate,
-                      const Point_of& point, const Set_normal& set_normal,
-                      const Set_roundness& set_roundness = Set_roundness())
+// Estimates normals and roundness of the vertices of a level from the points in their values; where is_given is, the
+// normals of others stay.
+template <class FT>
+void estimate_normals_of(const Level_connectivity& level, Control_normal_estimate estimate,
+                         std::vector<Point_normal<FT, 3>>& values,
+                         const std::vector<bool>* is_given = nullptr)
 {
-  const Vertex_sectors sectors(level);
-  estimate_normals<FT>(level, estimate, sectors, point, No_given_normals<FT>(), set_normal,
-                       set_roundness);
+  using Index = Level_connectivity::Index;
+  using Vector = Coordinates<FT, 3>;
+  estimate_normals<FT>(
+    level, estimate, Vertex_sectors(level),
+    [&](Index v) -> const Vector& { return values[v].point; },
+    [&](Index v) { return is_given && (*is_given)[v] ? &values[v].normal : nullptr; },
+    [&](Index v, const Vector& n) { values[v].normal = n; },
+    Set_roundness_of_value<FT>{values.data()});
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -83,7 +83,7 @@ void evaluate_round(Level_round& round, const Value* old, const For_chunks& for_
 // rounds of a scheme on them. It knows neither a mesh nor its maps.
 //
 // refine() replaces the level by its child. A round that is not to be stored is a next_round():
-// its values go to a sink, its connectivity to any child of a host.
+// its values go to a sink, its connectivity to any child of a host. What is defined behind the class may be compiled once.
 template <class Scheme, class Average, class Level_creases = No_creases>
 class Level_refiner
 {
@@ -113,7 +113,7 @@ public:
   {}
   Level_refiner(const Scheme& scheme, Level_connectivity&& level, Values&& values,
                 const For_chunks& for_chunks = For_chunks(), unsigned rounds_done = 0)
-    : Level_refiner(scheme, std::move(level), No_creases(level.number_of_vertices()),
+    : Level_refiner(scheme, std::move(level), Level_creases(level.number_of_vertices()),
                     std::move(values), for_chunks, rounds_done)
   {}
 
@@ -134,24 +134,10 @@ public:
     refine(round);
   }
   void refine(One_round& round, const Rows_sink* rows_sink = nullptr,
-              const Child_sink* child_sink = nullptr)
-  {
-    Values values = refined_values(round, rows_sink);
-    Level_connectivity child = this->child(round, round.refined_creases());
-    if (child_sink != nullptr) (*child_sink)(child);
-    creases_ = std::move(round.refined_creases());
-    level_ = std::move(child);
-    values_ = std::move(values);
-    ++rounds_done_;
-  }
+              const Child_sink* child_sink = nullptr);
 
   // those of the slots; makes the level of the round whole again
-  Values refined_values(One_round& round, const Rows_sink* rows_sink = nullptr) const
-  {
-    Values refined(round.refined_creases().number_of_slots, boost::container::default_init);
-    evaluate_round(round, values_.data(), for_chunks_, refined, rows_sink);
-    return refined;
-  }
+  Values refined_values(One_round& round, const Rows_sink* rows_sink = nullptr) const;
 
   // to be found once for each round
   Transfers transfers(const Rows& round) const
@@ -174,10 +160,7 @@ public:
   }
 
   // with room to be cut open
-  Level_connectivity child(const One_round& round, const Level_creases& creases) const
-  {
-    return child_level(round, creases, for_chunks_);
-  }
+  Level_connectivity child(const One_round& round, const Level_creases& creases) const;
 
 private:
   const Scheme& scheme_;
@@ -187,6 +170,38 @@ private:
   unsigned rounds_done_;
   For_chunks for_chunks_;
 };
+
+template <class Scheme, class Average, class Level_creases>
+void Level_refiner<Scheme, Average, Level_creases>::refine(One_round& round,
+                                                           const Rows_sink* rows_sink,
+                                                           const Child_sink* child_sink)
+{
+  Values values = refined_values(round, rows_sink);
+  Level_connectivity child = this->child(round, round.refined_creases());
+  if (child_sink != nullptr) (*child_sink)(child);
+  creases_ = std::move(round.refined_creases());
+  level_ = std::move(child);
+  values_ = std::move(values);
+  ++rounds_done_;
+}
+
+template <class Scheme, class Average, class Level_creases>
+auto Level_refiner<Scheme, Average, Level_creases>::refined_values(One_round& round,
+                                                                   const Rows_sink* rows_sink) const
+  -> Values
+{
+  Values refined(round.refined_creases().number_of_slots, boost::container::default_init);
+  evaluate_round(round, values_.data(), for_chunks_, refined, rows_sink);
+  return refined;
+}
+
+template <class Scheme, class Average, class Level_creases>
+Level_connectivity
+Level_refiner<Scheme, Average, Level_creases>::child(const One_round& round,
+                                                     const Level_creases& creases) const
+{
+  return child_level(round, creases, for_chunks_);
+}
 
 } // namespace CGAL::PN_subdivision_3::internal
 

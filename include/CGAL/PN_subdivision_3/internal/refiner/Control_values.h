@@ -102,12 +102,8 @@ public:
   {
     if constexpr (has_normals) {
       if (!is_estimated_ || !is_any_changed_) return;
-      const Vertex_sectors sectors(level);
       std::vector<Value> estimated = values_;
-      estimate_normals<FT>(
-        level, estimate_, sectors, Point_of_value<FT>{values_.data()},
-        [&](Index v) { return is_given_[v] ? &values_[v].normal : nullptr; },
-        Set_normal_of_value<FT>{estimated.data()}, Set_roundness_of_value<FT>{estimated.data()});
+      estimate_normals_of<FT>(level, estimate_, estimated, &is_given_);
       for (Index v = 0; v < values_.size(); ++v) {
         if (is_given_[v]) continue;
         if (has_given_roundness_) estimated[v].roundness = values_[v].roundness;

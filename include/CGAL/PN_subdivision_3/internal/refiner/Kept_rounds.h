@@ -270,7 +270,7 @@ private:
   std::vector<Value> values_of_slots(Control& control)
   {
     if constexpr (Control::has_normals)
-      keep_without_fractions(*whole_control_, creases_, [&](Creases<FT>& others) {
+      keep_without_fractions<FT>(*whole_control_, creases_, [&](Creases<FT>& others) {
         return values_of_slots(control, control.slots_without_fractions(), others);
       });
     const std::vector<Value> values = values_of_slots(control, control.given_slots(), creases_);
@@ -312,7 +312,8 @@ private:
       if (!given_slots.values.empty())
         make_control_tangents(*whole_control_, creases, values, given_slots.tell_of_tangents,
                               normal_estimate(scheme_) == Control_normal_estimate::coherent);
-      Control_creases<FT>(*whole_control_, creases, values, is_given, normal_estimate(scheme_))();
+      make_control_creases<FT>(*whole_control_, creases, values, is_given,
+                               normal_estimate(scheme_));
       for (Index s = 0; s < values.size(); ++s) {
         const Index v = s < n ? s : extra[s - n];
         if (control.has_given_roundness(v)) values[s].roundness = control[v].roundness;

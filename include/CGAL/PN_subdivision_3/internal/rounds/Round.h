@@ -31,7 +31,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// One round of a scheme: its host on a level, its mask, and the average of the rows. The mask may
+// One round of a scheme (what is defined behind the class may be compiled once): its host on a level, its mask, and the average of the rows. The mask may
 // see another level than the host; the old values are those of the mask's level.
 template <class Scheme, class Average>
 class Round
@@ -82,44 +82,15 @@ public:
   // What stands in place of the normals of the rows, where the scheme transfers curvature; found from
   // the old values, before the round is evaluated.
   using Transfers = std::conditional_t<has_transfers, Transferred_normals<FT>, No_transfers>;
-  Transfers transfers(const Value* old, [[maybe_unused]] const For_chunks& for_chunks) const
-  {
-    if constexpr (has_transfers)
-      return Transferred_normals<FT>(mask_level_, host_, mask_.separated_vertices(),
-                                     Host::refined_degree, for_chunks,
-                                     [&](const Index* vertices, Index number, Value* values) {
-                                       evaluate(vertices, vertices + number, old,
-                                                [&](const Index* first, const Value* v, Index n) {
-                                                  std::copy(v, v + n, values + (first - vertices));
-                                                });
-                                     });
-    else {
-      (void)old;
-      return {};
-    }
-  }
+  Transfers transfers(const Value* old, const For_chunks& for_chunks) const;
 
   // Computes the new vertices [begin, end) from the old values, and hands them to the sink block by
   // block. Whoever averages something else, too, gets the rows of the blocks.
   void evaluate(Index begin, Index end, const Value* old, const Transfers& transfers, Sink sink,
-                const Rows_sink* rows_sink = nullptr) const
-  {
-    evaluate_blocks(
-      begin, end, old, [](Index i) { return i; },
-      [&](Index first, Value* values, Index n) {
-        transfers.put(first, n, values);
-        sink(first, values, n);
-      },
-      rows_sink);
-  }
+                const Rows_sink* rows_sink = nullptr) const;
 
   // the new vertices that are listed, to the same bits; as the rows have them, without transfers
-  void evaluate(const Index* begin, const Index* end, const Value* old, List_sink sink) const
-  {
-    evaluate_blocks(
-      0, static_cast<Index>(end - begin), old, [&](Index i) { return begin[i]; },
-      [&](Index first, const Value* values, Index n) { sink(begin + first, values, n); });
-  }
+  void evaluate(const Index* begin, const Index* end, const Value* old, List_sink sink) const;
 
   // calls f(vertex) for every entry of the rows of a new vertex
   template <class Function>
@@ -259,6 +230,49 @@ private:
   unsigned number_;
   std::vector<Index> of_others_;
 };
+
+template <class Scheme, class Average>
+auto Round<Scheme, Average>::transfers(const Value* old,
+                                       [[maybe_unused]] const For_chunks& for_chunks) const
+  -> Transfers
+{
+  if constexpr (has_transfers)
+    return Transferred_normals<FT>(mask_level_, host_, mask_.separated_vertices(),
+                                   Host::refined_degree, for_chunks,
+                                   [&](const Index* vertices, Index number, Value* values) {
+                                     evaluate(vertices, vertices + number, old,
+                                              [&](const Index* first, const Value* v, Index n) {
+                                                std::copy(v, v + n, values + (first - vertices));
+                                              });
+                                   });
+  else {
+    (void)old;
+    return {};
+  }
+}
+
+template <class Scheme, class Average>
+void Round<Scheme, Average>::evaluate(Index begin, Index end, const Value* old,
+                                      const Transfers& transfers, Sink sink,
+                                      const Rows_sink* rows_sink) const
+{
+  evaluate_blocks(
+    begin, end, old, [](Index i) { return i; },
+    [&](Index first, Value* values, Index n) {
+      transfers.put(first, n, values);
+      sink(first, values, n);
+    },
+    rows_sink);
+}
+
+template <class Scheme, class Average>
+void Round<Scheme, Average>::evaluate(const Index* begin, const Index* end, const Value* old,
+                                      List_sink sink) const
+{
+  evaluate_blocks(
+    0, static_cast<Index>(end - begin), old, [&](Index i) { return begin[i]; },
+    [&](Index first, const Value* values, Index n) { sink(begin + first, values, n); });
+}
 
 // The new vertices [begin, end) of a round, by chunks. The sink gets a few neighboring ones with every call, which come from
 // several threads if for_chunks does.

@@ -20,20 +20,77 @@
 // crash (MinGW).
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(_WIN32) && !defined(__CYGWIN__) &&        \
   !defined(CGAL_PN_SUBDIVISION_3_NO_AVX2)
-#  include <immintrin.h>
 #  define CGAL_PN_SUBDIVISION_3_HAS_AVX2_FUNCTIONS
+#  ifndef CGAL_PN_SUBDIVISION_3_DOUBLE // the library has the code; the header of the processor is long
+#    define CGAL_PN_SUBDIVISION_3_DEFINES_AVX2_FUNCTIONS
+#    include <immintrin.h>
+#  endif
 #endif
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// The numbers of an AVX2 register, and what the wide averages do with them besides arithmetic.
+// how many numbers an AVX2 register has, if there are functions for it
 template <class FT>
-struct Avx2_lanes
+constexpr std::size_t number_of_lanes_v = 0;
+#ifdef CGAL_PN_SUBDIVISION_3_HAS_AVX2_FUNCTIONS
+template <>
+inline constexpr std::size_t number_of_lanes_v<double> = 4;
+template <>
+inline constexpr std::size_t number_of_lanes_v<float> = 8;
+#endif
+
+// What a row's fast forms are good for: a 1/|N| below greatest_scale(), which is far from vanishing
+// for any mask that is of use, and no d_j below fade_begin(). Both are limited before something is
+// divided by them, so that rows left to PN_average divide by zero nowhere: programs may trap that.
+template <class FT>
+constexpr FT greatest_scale()
 {
-  static constexpr std::size_t width = 0; // there are none
+  return FT(4);
+}
+template <class FT>
+constexpr FT least_squared_length() // of a normal that is too short
+{
+  return FT(1) / FT(64);
+}
+
+// The PN averages of rows of the same length side by side in the lanes of wide registers. For this
+// number type and compiler there are none.
+template <class FT, int dimension, bool has_lanes = (number_of_lanes_v<FT> > 0)>
+struct Wide_PN_average
+{
+  static constexpr std::size_t maximum_length = 0;
 };
 
 #ifdef CGAL_PN_SUBDIVISION_3_HAS_AVX2_FUNCTIONS
+// Whether the processor has AVX2 is asked at run time, so that programs built for any x86-64 gain a
+// third. Every row is summed in the order of Staged_PN_average_block: the results are the same bit by
+// bit, unless the whole program is built for processors with FMA and the compiler fuses operations as
+// it likes.
+template <class FT, int dimension>
+struct Wide_PN_average<FT, dimension, true>
+{
+  using Entry = typename Stencil_block<FT>::Entry;
+  using Value = Point_normal<FT, dimension>;
+
+  static constexpr std::size_t maximum_length = 32;
+  // four registers of rows hide the latency of square root and division
+  static constexpr std::size_t maximum_number_of_rows = 4 * number_of_lanes_v<FT>;
+
+  static bool is_available() { return __builtin_cpu_supports("avx2"); }
+
+  // Averages rows that lie one after another. Bit r of what is returned is set where result[r] does
+  // not hold: entries of the row fade, or its normal may vanish. A value is the numbers of its point,
+  // its normal and its roundness; `roundness` is that of all values, if it is one.
+  static std::uint32_t average(const Entry* rows, std::size_t length, std::size_t number,
+                               const Value* old, const FT* roundness, Value* result);
+};
+#endif
+
+#ifdef CGAL_PN_SUBDIVISION_3_DEFINES_AVX2_FUNCTIONS
+// The numbers of an AVX2 register, and what the wide averages do with them besides arithmetic.
+template <class FT>
+struct Avx2_lanes;
+
 #  define CGAL_PN_SUBDIVISION_3_AVX2_INLINE                                                        \
     [[gnu::target("avx2"), gnu::always_inline]] static inline
 
@@ -41,7 +98,7 @@ template <>
 struct Avx2_lanes<double>
 {
   using Packed = __m256d;
-  static constexpr std::size_t width = 4;
+  static constexpr std::size_t width = number_of_lanes_v<double>;
   // the first numbers of some pairs, and the second ones
   struct Pairs
   {
@@ -89,7 +146,7 @@ template <>
 struct Avx2_lanes<float>
 {
   using Packed = __m256;
-  static constexpr std::size_t width = 8;
+  static constexpr std::size_t width = number_of_lanes_v<float>;
   // the first numbers of some pairs, and the second ones
   struct Pairs
   {
@@ -138,55 +195,22 @@ private:
     return bits;
   }
 };
-#endif
 
-// What a row's fast forms are good for: a 1/|N| below greatest_scale(), which is far from vanishing
-// for any mask that is of use, and no d_j below fade_begin(). Both are limited before something is
-// divided by them, so that rows left to PN_average divide by zero nowhere: programs may trap that.
-template <class FT>
-constexpr FT greatest_scale()
-{
-  return FT(4);
-}
-template <class FT>
-constexpr FT least_squared_length() // of a normal that is too short
-{
-  return FT(1) / FT(64);
-}
-
-// The PN averages of rows of the same length side by side in the lanes of wide registers. For this
-// number type and compiler there are none.
-template <class FT, int dimension, bool has_lanes = (Avx2_lanes<FT>::width > 0)>
-struct Wide_PN_average
-{
-  static constexpr std::size_t maximum_length = 0;
-};
-
-#ifdef CGAL_PN_SUBDIVISION_3_HAS_AVX2_FUNCTIONS
-// Whether the processor has AVX2 is asked at run time, so that programs built for any x86-64 gain a
-// third. Every row is summed in the order of Staged_PN_average_block: the results are the same bit by
-// bit, unless the whole program is built for processors with FMA and the compiler fuses operations as
-// it likes.
 template <class FT, int dimension>
-class Wide_PN_average<FT, dimension, true>
+class Avx2_PN_average
 {
   using Lanes = Avx2_lanes<FT>;
   using Packed = typename Lanes::Packed;
   static constexpr std::size_t width = Lanes::width;
 
+  using Wide = Wide_PN_average<FT, dimension>;
+  static constexpr std::size_t maximum_length = Wide::maximum_length;
+  static constexpr std::size_t maximum_number_of_rows = Wide::maximum_number_of_rows;
+
 public:
-  using Entry = typename Stencil_block<FT>::Entry;
-  using Value = Point_normal<FT, dimension>;
+  using Entry = typename Wide::Entry;
+  using Value = typename Wide::Value;
 
-  static constexpr std::size_t maximum_length = 32;
-  // four registers of rows hide the latency of square root and division
-  static constexpr std::size_t maximum_number_of_rows = 4 * width;
-
-  static bool is_available() { return __builtin_cpu_supports("avx2"); }
-
-  // Averages rows that lie one after another. Bit r of what is returned is set where result[r] does
-  // not hold: entries of the row fade, or its normal may vanish. A value is the numbers of its point,
-  // its normal and its roundness; `roundness` is that of all values, if it is one.
   [[gnu::target("avx2")]] static std::uint32_t average(const Entry* rows, std::size_t length,
                                                        std::size_t number, const Value* old,
                                                        const FT* roundness, Value* result)
@@ -322,6 +346,14 @@ private:
     return entry.weight * (numerator / Lanes::greater(denominator, Lanes::all(fade_begin<FT>())));
   }
 };
+
+template <class FT, int dimension>
+std::uint32_t Wide_PN_average<FT, dimension, true>::average(const Entry* rows, std::size_t length,
+                                                            std::size_t number, const Value* old,
+                                                            const FT* roundness, Value* result)
+{
+  return Avx2_PN_average<FT, dimension>::average(rows, length, number, old, roundness, result);
+}
 #  undef CGAL_PN_SUBDIVISION_3_AVX2_INLINE
 #endif
 

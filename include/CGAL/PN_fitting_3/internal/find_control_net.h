@@ -1,0 +1,104 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+#ifndef CGAL_PN_FITTING_3_INTERNAL_FIND_CONTROL_NET_H
+#define CGAL_PN_FITTING_3_INTERNAL_FIND_CONTROL_NET_H
+
+#include <CGAL/PN_fitting_3/internal/Control_normal_solution.h>
+#include <CGAL/PN_fitting_3/internal/Curvature_prescription.h>
+#include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
+#include <CGAL/PN_fitting_3/internal/Prescription.h>
+#include <CGAL/PN_fitting_3/internal/Slide_interpolation.h>
+#include <CGAL/PN_fitting_3/internal/Strict_interpolation.h>
+#include <CGAL/PN_fitting_3/internal/interpolate_mesh.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::PN_subdivision_3::internal {
+
+// all control points move, as smoothly as they can
+inline Interpolation_result<3> interpolate_smoothly(const Level_connectivity& level,
+                                                    Interpolation_data<3> data,
+                                                    Surface_limits& source,
+                                                    Vectors<3> control_normals)
+{
+  std::vector<Prescribed_vertex> prescribed;
+  for (const auto v : data.vertices) {
+    prescribed.emplace_back().vertex = v;
+    prescribed.back().point = data.points[v];
+  }
+  data.normals = std::move(control_normals);
+  return Prescription(level, data, source, std::move(prescribed),
+                      (std::numeric_limits<unsigned>::max)())();
+}
+
+template <class Options>
+Interpolation_result<3> interpolate_mesh(const Level_connectivity& level,
+                                         Control_normal_estimate estimate, const Options& options,
+                                         bool are_estimated, Interpolation_data<3>& data,
+                                         Surface_limits& source)
+{
+  if (are_estimated) return Estimated_interpolation(level, estimate, data, source)();
+  if (options.mode == Limit_interpolation::Mode::slide) {
+    estimate_missing_normals(level, estimate, data);
+    return interpolate_by_sliding<3, 2>(data, source);
+  }
+  const bool solves = options.normals == Limit_interpolation::Normals::solved && data.takes_normals;
+  Solved_normals<3> control_normals = solved_or_given<3, 2>(solves, data, source);
+  auto result = options.free == Limit_interpolation::Free::smooth
+                  ? interpolate_smoothly(level, data, source, std::move(control_normals.normals))
+                  : Strict_interpolation<3, 2>(data, source)(std::move(control_normals.normals));
+  control_normals.note(result.report);
+  return result;
+}
+
+template <int dimension>
+void find_natural_normals(Interpolation_data<dimension>& data, Limit_source<dimension, 2>& source)
+{
+  Natural_normals(data, source)();
+}
+
+template <int dimension, class Options>
+Interpolation_result<dimension>
+prescribe(const Level_connectivity& level, const Options& options,
+          const Interpolation_data<dimension>& data, Limit_source<dimension, 2>& source,
+          std::vector<Prescribed_vertex> prescribed, const std::vector<Prescribed_form>& forms,
+          Function_ref<std::string(Level_connectivity::Index)> names)
+{
+  if (const auto v = vertex_without_tangents(prescribed, data, source))
+    throw std::invalid_argument("PN_subdivision_3: a normal is prescribed at " + names(*v) +
+                                ", where the scheme has no tangent plane: prescribe none there");
+  if (forms.empty())
+    return Prescription(level, data, source, std::move(prescribed), options.rings)();
+  const double size = box_size(data.points);
+  return Curvature_prescription(level, data, source, std::move(prescribed), forms, options.rings,
+                                names)(size > 0 ? options.curvature_tolerance / size : 0,
+                                       options.max_curvature_steps);
+}
+
+template <int dimension, class Options>
+Interpolation_result<dimension> interpolate_polygon(bool is_closed, const Options& options,
+                                                    Interpolation_data<dimension>& data)
+{
+  Curve_limit_functionals<dimension> source(is_closed);
+  if (options.mode == Limit_interpolation::Mode::slide)
+    return interpolate_by_sliding<dimension, 1>(data, source);
+  const bool solves = options.normals == Limit_interpolation::Normals::solved && data.takes_normals;
+  Solved_normals<dimension> normals = solved_or_given<dimension, 1>(solves, data, source);
+  auto result = Strict_interpolation<dimension, 1>(data, source)(std::move(normals.normals));
+  normals.note(result.report);
+  return result;
+}
+
+} // namespace CGAL::PN_subdivision_3::internal
+
+#endif // CGAL_PN_FITTING_3_INTERNAL_FIND_CONTROL_NET_H

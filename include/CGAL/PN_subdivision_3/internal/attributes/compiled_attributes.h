@@ -1,0 +1,49 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_COMPILED_ATTRIBUTES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_COMPILED_ATTRIBUTES_H
+
+// The rounds of attributes of double, see meshes/compiled_levels.h.
+
+#include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
+
+#define CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, HOST)                                             \
+  EXTERN template class Attribute_rounds<double, HOST>;                                            \
+  EXTERN template void Attribute_rounds<double, HOST>::put(                                        \
+    const Level_size&, const Level_connectivity*, const Origin_rules<HOST>&);
+#define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, HOST, SCHEME)                           \
+  EXTERN template void Attribute_rounds<double, HOST>::begin_round(                                \
+    const compiled_once::SCHEME&, const Round<compiled_once::SCHEME, PN_average<double, 3>>&,      \
+    const Level_connectivity&, Kind_of_round);
+#define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, HOST, SCHEME)                          \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, HOST, SCHEME)                                 \
+  EXTERN template void Attribute_rounds<double, HOST>::begin_creased_round(                        \
+    const compiled_once::SCHEME&,                                                                  \
+    const Crease_round<compiled_once::SCHEME, PN_average<double, 3>, Creases<double>>&,            \
+    Level_connectivity&, const Creases<double>&, Kind_of_round);
+
+#ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
+namespace CGAL::PN_subdivision_3::internal {
+
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES(extern, PQQ_host)
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(extern, PQQ_host, CatmullClark)
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(extern, PQQ_host, Any_of_quads)
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES(extern, PTQ_host)
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(extern, PTQ_host, Loop)
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(extern, PTQ_host, Any_of_triangles)
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES(extern, DQQ_host)
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(extern, DQQ_host, Any_of_corners)
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES(extern, Sqrt3_host)
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(extern, Sqrt3_host, Any_of_sqrt3)
+
+} // namespace CGAL::PN_subdivision_3::internal
+#endif
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_COMPILED_ATTRIBUTES_H

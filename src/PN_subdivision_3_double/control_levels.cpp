@@ -1,0 +1,22 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Wide_PN_average.h>
+
+namespace CGAL::PN_subdivision_3::internal {
+
+CGAL_PN_SUBDIVISION_3_CONTROL_LEVELS()
+#ifdef CGAL_PN_SUBDIVISION_3_HAS_AVX2_FUNCTIONS
+template struct Wide_PN_average<double, 2>;
+template struct Wide_PN_average<double, 3>;
+template struct Wide_PN_average<float, 2>;
+template struct Wide_PN_average<float, 3>;
+#endif
+
+} // namespace CGAL::PN_subdivision_3::internal
