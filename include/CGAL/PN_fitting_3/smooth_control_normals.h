@@ -65,9 +65,7 @@ constexpr bool check_smoothing_arguments()
                 "give a map of the corners, whose keys are half-edges");
   if constexpr (has_wedges)
     return check_estimation_arguments<Mesh, Normal_map, NamedParameters,
-                                      boost::read_write_property_map_tag>() &&
-           Check_map<internal_np::edge_is_constrained_t>::check<Edge_map, Mesh, Parameters,
-                                                                Readable>();
+                                      boost::read_write_property_map_tag>();
   else
     return false;
 }

@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_file.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
@@ -271,17 +272,14 @@ auto read_control_mesh(const std::string& file_name, PolygonMesh& mesh,
     internal::with_mesh_access(mesh, [&](auto& access) {
       internal::build_mesh(access, level, Parameters::point_map(mesh, np), points,
                            internal::No_normal_map(), std::vector<char>(), [] {});
-      try {
-        internal::put_constraints(Parameters::edge_constraint_map(np), sharpness,
-                                  [&](auto e) { return access.edge_at(e); });
-        internal::put_constraints(Parameters::vertex_constraint_map(np), corners,
-                                  [&](auto v) { return access.vertex(v); });
-        normals = estimate_control_normals(mesh, np);
-        internal::put_normals(access, file, level, sharpness, normals);
-      } catch (...) {
-        access.shrink();
-        throw;
-      }
+      internal::Growth growth(access);
+      internal::put_constraints(Parameters::edge_constraint_map(np), sharpness,
+                                [&](auto e) { return access.edge_at(e); });
+      internal::put_constraints(Parameters::vertex_constraint_map(np), corners,
+                                [&](auto v) { return access.vertex(v); });
+      normals = estimate_control_normals(mesh, np);
+      internal::put_normals(access, file, level, sharpness, normals);
+      growth.keep();
     });
   }
   return normals;

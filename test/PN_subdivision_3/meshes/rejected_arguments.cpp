@@ -101,6 +101,9 @@ void reject(Mesh& mesh)
   PN::CatmullClark_subdivision(mesh, params::edge_is_constrained_map(mesh.points()));
   // expected: edge_is_constrained_map is not a property map of the mesh's edges
 
+  PN::estimate_control_normals(mesh, params::vertex_is_constrained_map(creases));
+  // expected: vertex_is_constrained_map is not a property map of the mesh's vertices
+
   PN::subdivide(mesh, PN::Loop_scheme(), PN::parameters::crease_tangent_map(creases));
   // expected: crease_tangent_map is not a property map of the mesh's half-edges
 

@@ -143,17 +143,16 @@ struct Cartesian_dimension<T, std::void_t<typename Kernel_traits<T>::Kernel::Vec
                                                                                                : 0;
 };
 
-template <class T, class = void>
-struct Eigen_size
-{
-  static constexpr int value = 0;
-};
-template <class T>
-struct Eigen_size<T, std::void_t<typename T::Scalar, decltype(T::SizeAtCompileTime)>>
-{
-  static constexpr int value =
-    std::is_arithmetic_v<typename T::Scalar> ? int(T::SizeAtCompileTime) : 0; // below 0 if dynamic
-};
+// of how many numbers a std::array is, or a vector or matrix of Eigen, of which the size is below 0 if it is dynamic
+template <class T, class FT, class = void>
+constexpr int size_of_data_v = 0;
+template <class T, std::size_t n, class FT>
+inline constexpr int
+  size_of_data_v<std::array<T, n>, FT, std::enable_if_t<is_component_v<T, FT>>> = int(n);
+template <class T, class FT>
+inline constexpr int
+  size_of_data_v<T, FT, std::void_t<typename T::Scalar, decltype(T::SizeAtCompileTime)>> =
+    std::is_arithmetic_v<typename T::Scalar> ? int(T::SizeAtCompileTime) : 0;
 
 template <class T, class = void>
 struct Is_color : std::false_type
@@ -226,31 +225,12 @@ struct Attribute_traits<T, FT, std::enable_if_t<internal::is_component_v<T, FT>>
   static T to_value(const Sum& s) { return internal::component_from_ft<T, FT>(s[0]); }
 };
 
-template <class T, std::size_t n, class FT>
-struct Attribute_traits<std::array<T, n>, FT, std::enable_if_t<internal::is_component_v<T, FT>>>
-  : internal::Components<FT, n>
-{
-  using Sum = typename internal::Components<FT, n>::Sum;
-  static Sum to_sum(const std::array<T, n>& t)
-  {
-    Sum s;
-    for (std::size_t c = 0; c < n; ++c) s[c] = internal::component_to_ft<T, FT>(t[c]);
-    return s;
-  }
-  static std::array<T, n> to_value(const Sum& s)
-  {
-    std::array<T, n> t;
-    for (std::size_t c = 0; c < n; ++c) t[c] = internal::component_from_ft<T, FT>(s[c]);
-    return t;
-  }
-};
-
 template <class T, class FT>
-struct Attribute_traits<T, FT, std::enable_if_t<(internal::Eigen_size<T>::value > 0)>>
-  : internal::Components<FT, std::size_t(internal::Eigen_size<T>::value)>
+struct Attribute_traits<T, FT, std::enable_if_t<(internal::size_of_data_v<T, FT> > 0)>>
+  : internal::Components<FT, std::size_t(internal::size_of_data_v<T, FT>)>
 {
-  using Scalar = typename T::Scalar;
-  static constexpr auto n = std::size_t(internal::Eigen_size<T>::value);
+  using Scalar = std::decay_t<decltype(*std::declval<T&>().data())>;
+  static constexpr auto n = std::size_t(internal::size_of_data_v<T, FT>);
   using Sum = typename internal::Components<FT, n>::Sum;
   static Sum to_sum(const T& t)
   {

@@ -68,20 +68,16 @@ struct Corner_attribute_values
   Corner_rule rule;
 };
 
-// What a call carries, read from the mesh and its maps before the first round.
-template <class FT>
-struct Carried_attributes
+// What a call carries without rows, of which all parts have the whole.
+struct Carried_copies
 {
   template <class T>
   using List = std::vector<std::unique_ptr<T>>;
 
-  List<Row_values<FT>> vertices;
-  std::vector<Corner_attribute_values<FT>> corners;
   List<Copied_values> edges, faces;
   List<Origin_values> vertex_origins, edge_origins, face_origins;
 
-  // what has no rows, of which all parts have the whole
-  void take_parts_of_copied(const Carried_attributes& whole)
+  void take_parts_of_copied(const Carried_copies& whole)
   {
     const auto take = [](auto& parts, const auto& list) {
       for (const auto& values : list) parts.push_back(values->part());
@@ -101,16 +97,28 @@ struct Carried_attributes
 
   void keep() noexcept
   {
-    const auto keep_all = [](auto& list) {
-      for (auto& values : list) values->keep();
+    const auto keep_all = [](auto&... lists) {
+      const auto keep = [](auto& list) {
+        for (auto& values : list) values->keep();
+      };
+      (keep(lists), ...);
     };
-    keep_all(vertices);
-    for (Corner_attribute_values<FT>& corner : corners) corner.values->keep();
-    keep_all(edges);
-    keep_all(faces);
-    keep_all(vertex_origins);
-    keep_all(edge_origins);
-    keep_all(face_origins);
+    keep_all(edges, faces, vertex_origins, edge_origins, face_origins);
+  }
+};
+
+// What a call carries, read from the mesh and its maps before the first round.
+template <class FT>
+struct Carried_attributes : Carried_copies
+{
+  List<Row_values<FT>> vertices;
+  std::vector<Corner_attribute_values<FT>> corners;
+
+  void keep() noexcept
+  {
+    for (auto& values : vertices) values->keep();
+    for (auto& corner : corners) corner.values->keep();
+    Carried_copies::keep();
   }
 };
 
@@ -217,11 +225,14 @@ public:
   void evaluate(Index first, const Stencil_block<FT>& rows) override
   {
     for (std::size_t r = 0; r < rows.number_of_rows(); ++r)
-      set(first + r, rows.begin(r), rows.end(r));
+      Array_values::evaluate(first + Index(r), rows.begin(r), rows.end(r));
   }
   void evaluate(Index value, const Entry* begin, const Entry* end) override
   {
-    set(value, begin, end);
+    component_average<FT>(
+      begin, end, dimension_,
+      [&](std::size_t v, std::size_t c) -> const FT& { return old_[v * dimension_ + c]; },
+      [&](std::size_t c, const FT& x) { new_[value * dimension_ + c] = x; });
   }
   void copy(Index from, Index to) override
   {
@@ -261,15 +272,6 @@ private:
     for (std::size_t i = 0; i < sources.size(); ++i)
       for (std::size_t c = 0; sources[i] != null && c < dimension_; ++c)
         old_[first + i * dimension_ + c] = from[sources[i] * dimension_ + c];
-  }
-
-  template <class Any_entry>
-  void set(std::size_t value, const Any_entry* begin, const Any_entry* end)
-  {
-    component_average<FT>(
-      begin, end, dimension_,
-      [&](std::size_t v, std::size_t c) -> const FT& { return old_[v * dimension_ + c]; },
-      [&](std::size_t c, const FT& x) { new_[value * dimension_ + c] = x; });
   }
 
   Attribute_array own_; // of a part

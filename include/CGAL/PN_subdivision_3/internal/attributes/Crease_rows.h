@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CREASE_ROWS_H
 
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Crease_rules.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
@@ -164,15 +164,11 @@ private:
   {
     row_.clear();
     mask_.vertex(star.vertex, row_); // its weights are those of any crease
-    FT own(0);
-    std::array<FT, 2> along{FT(0), FT(0)};
-    std::size_t next = 0;
-    for (const Entry* e = row_.begin(); e != row_.end(); ++e)
-      (e->vertex == star.vertex ? own : along[(std::min)(next++, std::size_t(1))]) += e->weight;
+    const std::array<FT, 3> weights = crease_weights(row_, star.vertex);
     row_.clear();
-    row_.add(a, along[0]);
-    row_.add(b, along[1]);
-    row_.add(slot, own);
+    row_.add(a, weights[0]);
+    row_.add(b, weights[1]);
+    row_.add(slot, weights[2]);
   }
 
   template <class Function>

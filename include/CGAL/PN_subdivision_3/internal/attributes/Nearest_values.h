@@ -98,11 +98,17 @@ public:
   void evaluate(Index first, const Stencil_block<FT>& rows) override
   {
     for (std::size_t r = 0; r < rows.number_of_rows(); ++r)
-      set(first + Index(r), rows.begin(r), rows.end(r));
+      Nearest_values::evaluate(first + Index(r), rows.begin(r), rows.end(r));
   }
   void evaluate(Index value, const Entry* begin, const Entry* end) override
   {
-    set(value, begin, end);
+    double largest = 0;
+    for (const Entry* e = begin; e != end; ++e) largest = (std::max)(largest, weight(e->weight));
+    const auto is_main = [&](const Entry& e) { return weight(e.weight) > largest / 2; };
+    const auto number = std::count_if(begin, end, is_main);
+    Control_shares& shares = new_[value] = {};
+    for (const Entry* e = begin; e != end; ++e)
+      if (is_main(*e)) shares.add(old_[e->vertex], 1 / float(number));
   }
   void copy(Index from, Index to) override { new_[to] = new_[from]; }
   void end_round() override
@@ -129,19 +135,6 @@ public:
 
 private:
   static double weight(const FT& w) { return double(CGAL::to_double(w)); }
-
-  template <class Any_entry>
-  void set(Index value, const Any_entry* begin, const Any_entry* end)
-  {
-    double largest = 0;
-    for (const Any_entry* e = begin; e != end; ++e)
-      largest = (std::max)(largest, weight(e->weight));
-    const auto is_main = [&](const Any_entry& e) { return weight(e.weight) > largest / 2; };
-    const auto number = std::count_if(begin, end, is_main);
-    Control_shares& shares = new_[value] = {};
-    for (const Any_entry* e = begin; e != end; ++e)
-      if (is_main(*e)) shares.add(old_[e->vertex], 1 / float(number));
-  }
 
   void take(const std::vector<Control_shares>& from, const std::vector<Index>& sources)
   {

@@ -183,8 +183,8 @@ struct Corner_attribute
   Corner_rule rule;
 };
 
-// The others have no rows. `list_of` tells in which list they are.
-template <class Map, class Keys_, template <class, class, class> class Values, const auto& list_of>
+// The others have no rows, and are in a list of copies.
+template <class Map, class Keys_, template <class, class, class> class Values, auto copies>
 struct Item_without_rows
 {
   using Keys = Keys_;
@@ -192,7 +192,7 @@ struct Item_without_rows
   template <class FT>
   static auto& list(Carried_attributes<FT>& c)
   {
-    return list_of(c);
+    return c.*copies;
   }
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
@@ -203,41 +203,23 @@ struct Item_without_rows
   Map map;
 };
 
-inline constexpr auto edge_list = [](auto& c) -> auto&
-{
-  return c.edges;
-};
-inline constexpr auto face_list = [](auto& c) -> auto&
-{
-  return c.faces;
-};
-inline constexpr auto vertex_origin_list = [](auto& c) -> auto&
-{
-  return c.vertex_origins;
-};
-inline constexpr auto edge_origin_list = [](auto& c) -> auto&
-{
-  return c.edge_origins;
-};
-inline constexpr auto face_origin_list = [](auto& c) -> auto&
-{
-  return c.face_origins;
-};
-
 template <class Map>
-struct Edge_attribute : Item_without_rows<Map, Edge_of_mesh, Copied_map, edge_list>
+struct Edge_attribute : Item_without_rows<Map, Edge_of_mesh, Copied_map, &Carried_copies::edges>
 {};
 template <class Map>
-struct Face_attribute : Item_without_rows<Map, Face_of_mesh, Copied_map, face_list>
+struct Face_attribute : Item_without_rows<Map, Face_of_mesh, Copied_map, &Carried_copies::faces>
 {};
 template <class Map>
-struct Face_parents : Item_without_rows<Map, Face_of_mesh, Origin_map, face_origin_list>
+struct Face_parents
+  : Item_without_rows<Map, Face_of_mesh, Origin_map, &Carried_copies::face_origins>
 {};
 template <class Map>
-struct Vertex_parents : Item_without_rows<Map, Vertex_of_mesh, Origin_map, vertex_origin_list>
+struct Vertex_parents
+  : Item_without_rows<Map, Vertex_of_mesh, Origin_map, &Carried_copies::vertex_origins>
 {};
 template <class Map>
-struct Edge_parents : Item_without_rows<Map, Edge_of_mesh, Origin_map, edge_origin_list>
+struct Edge_parents
+  : Item_without_rows<Map, Edge_of_mesh, Origin_map, &Carried_copies::edge_origins>
 {};
 
 // the result of attributes()

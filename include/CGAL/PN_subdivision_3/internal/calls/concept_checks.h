@@ -191,7 +191,17 @@ constexpr bool check_points_and_normals()
                                             Access_tag>();
 }
 
-// the maps of a call that say what is sharp and how round it is
+// the maps of a call that say what is sharp
+template <class Mesh, class Parameters>
+constexpr bool check_sharpness()
+{
+  return Check_map<internal_np::edge_is_constrained_t>::check<
+           typename Parameters::Edge_constraint_map, Mesh, Parameters, Readable>() &&
+         Check_map<internal_np::vertex_is_constrained_t>::check<
+           typename Parameters::Vertex_constraint_map, Mesh, Parameters, Readable>();
+}
+
+// the same, and how round it is
 template <class Mesh, class Parameters>
 constexpr bool check_sharpness_and_roundness()
 {
@@ -202,11 +212,7 @@ constexpr bool check_sharpness_and_roundness()
   constexpr bool is_number = !is_given || is_roundness_v<Roundness, Parameters>;
   static_assert(is_one, "PN_subdivision_3: roundness and vertex_roundness_map are both given");
   static_assert(is_number, "PN_subdivision_3: the roundness is no number");
-  return is_one && is_number &&
-         Check_map<internal_np::edge_is_constrained_t>::check<
-           typename Parameters::Edge_constraint_map, Mesh, Parameters, Readable>() &&
-         Check_map<internal_np::vertex_is_constrained_t>::check<
-           typename Parameters::Vertex_constraint_map, Mesh, Parameters, Readable>() &&
+  return is_one && is_number && check_sharpness<Mesh, Parameters>() &&
          Check_map<vertex_roundness_map_t>::check<Roundness_map, Mesh, Parameters, Readable>();
 }
 
@@ -394,7 +400,7 @@ constexpr bool check_creased_limit_arguments()
     return false;
 }
 
-// points that are read, and a map of normals of vertices or corners
+// points and sharpness that are read, and a map of normals of vertices or corners
 template <class Mesh, class Normal_map, class NamedParameters, class Access_tag = Writable>
 constexpr bool check_estimation_arguments()
 {
@@ -402,7 +408,8 @@ constexpr bool check_estimation_arguments()
     using Parameters = Surface_parameters<Mesh, NamedParameters>;
     return Check_map<internal_np::vertex_point_t>::check<typename Parameters::Point_map, Mesh,
                                                          Parameters, Readable>() &&
-           Check_map<Normals_of_corners>::check<Normal_map, Mesh, Parameters, Access_tag>();
+           Check_map<Normals_of_corners>::check<Normal_map, Mesh, Parameters, Access_tag>() &&
+           check_sharpness<Mesh, Parameters>();
   } else
     return false;
 }

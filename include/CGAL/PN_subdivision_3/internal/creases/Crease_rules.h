@@ -41,6 +41,17 @@ struct Crease_value
   std::vector<FT> roundness; // of the wedges, if there are normals
 };
 
+// Of the row of a vertex on a crease: of the neighbors along it, in their order, and of the vertex itself.
+template <class FT>
+std::array<FT, 3> crease_weights(const Entry_row<FT>& row, Level_connectivity::Index v)
+{
+  std::array<FT, 3> weights{FT(0), FT(0), FT(0)};
+  std::size_t next = 0;
+  for (const auto* e = row.begin(); e != row.end(); ++e)
+    weights[e->vertex == v ? 2 : (std::min)(next++, std::size_t(1))] += e->weight;
+  return weights;
+}
+
 // What the rules of a round read: the level cut open, its creases and the values of the slots.
 template <class Scheme, class Average>
 struct Crease_round_data
@@ -242,16 +253,11 @@ private:
     }
   }
 
-  // of the neighbors along the crease and of the vertex itself
   std::array<FT, 3> crease_weights(Index v)
   {
     row_.clear();
     data_.round.mask().vertex(v, row_);
-    std::array<FT, 3> weights{FT(0), FT(0), FT(0)};
-    std::size_t next = 0;
-    for (const auto* e = row_.begin(); e != row_.end(); ++e)
-      weights[e->vertex == v ? 2 : (std::min)(next++, std::size_t(1))] += e->weight;
-    return weights;
+    return internal::crease_weights(row_, v);
   }
 
   // row_of(rows) is the row of the rule

@@ -69,19 +69,6 @@ struct Wedge_join
   bool has_inner_end = false;
 };
 
-template <class FT>
-Wedge_join keep_all(const Creases<FT>& creases, const Crease_star& star)
-{
-  Wedge_join join;
-  for (Wedge_join::Index i = 0; i < star.number_of_ends; ++i) {
-    join.ends.push_back(i);
-    join.has_inner_end = join.has_inner_end || creases.is_inner(creases.end(star, i));
-  }
-  for (Wedge_join::Index w = 0; w < star.number_of_wedges; ++w) join.wedge.push_back(w);
-  join.number_of_wedges = star.number_of_wedges;
-  return join;
-}
-
 // numbers the wedges as Creases::add_star() numbers those of the ends that remain(end)
 template <class FT, class Remains>
 Wedge_join keep(const Creases<FT>& creases, const Crease_star& star, const Remains& remains)

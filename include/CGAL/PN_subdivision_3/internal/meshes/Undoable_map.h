@@ -55,11 +55,6 @@ struct Halfedge_of_mesh
   {
     return access.halfedge_at(h);
   }
-  template <class Access>
-  static std::string name(const Access& access, Index h)
-  {
-    return access.halfedge_name(h);
-  }
 };
 
 struct Edge_of_mesh

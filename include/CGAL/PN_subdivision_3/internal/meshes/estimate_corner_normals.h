@@ -44,31 +44,18 @@ void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
   using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
   using FT = typename Parameters::FT;
   using Index = Level_connectivity::Index;
-  using Vertex_map = typename Parameters::Vertex_constraint_map;
   using Normal = typename boost::property_traits<HalfedgeNormalMap>::value_type;
   const auto points = Parameters::const_point_map(mesh, np);
   const Control_normal_estimate estimate =
     parameter_or<control_normal_estimate_t>(np, Control_normal_estimate::coherent);
-  using Edge_map = typename Parameters::Edge_constraint_map;
-  const Edge_map edge_map = Parameters::edge_constraint_map(np);
-  const Vertex_map vertex_map = Parameters::vertex_constraint_map(np);
   const Level_connectivity level = checked_level(access);
   const Index n = level.number_of_vertices();
+  const Edge_constraints<Access, typename Parameters::Edge_constraint_map> edges(
+    access, Parameters::edge_constraint_map(np), level.number_of_edges());
+  const Vertex_constraints<Access, typename Parameters::Vertex_constraint_map> vertices(
+    access, Parameters::vertex_constraint_map(np), n);
   Creases<FT> creases = Make_creases<FT>(level, parameter_or<border_t>(np, Border::surface))(
-    [&](Index e) {
-      if constexpr (is_constraint_map_v<Edge_map>)
-        return checked_sharpness(sharpness_in(edge_map, access.edge_at(e)),
-                                 [&] { return Edge_of_mesh::name(access, e); });
-      else
-        return 0.;
-    },
-    [&](Index v) {
-      if constexpr (is_constraint_map_v<Vertex_map>)
-        return checked_sharpness(sharpness_in(vertex_map, access.vertex(v)),
-                                 [&] { return access.vertex_name(v); });
-      else
-        return 0.;
-    });
+    [&](Index e) { return edges.sharpness(e); }, [&](Index v) { return vertices.sharpness(v); });
   using Value = Point_normal<FT, 3>;
   std::vector<Value> values(creases.number_of_slots);
   const std::vector<Index> extra = vertices_of_extra_slots(creases, n);

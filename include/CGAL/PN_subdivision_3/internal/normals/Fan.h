@@ -60,12 +60,7 @@ template <class Function>
 void for_each_halfedge_to(const Level_connectivity& level, Level_connectivity::Index v,
                           const Function& function)
 {
-  const Level_connectivity::Index first = level.halfedge_of_vertex(v);
-  Level_connectivity::Index h = first;
-  do {
-    function(h);
-    h = level.next_around_target(h);
-  } while (h != first);
+  for (const auto h : halfedges_around_target(level, level.halfedge_of_vertex(v))) function(h);
 }
 
 // calls function(half-edge) for the half-edges of a face

@@ -78,12 +78,7 @@ class Entry_row
 {
 public:
   using Index = Level_connectivity::Index;
-
-  struct Entry
-  {
-    Index vertex;
-    FT weight;
-  };
+  using Entry = typename Stencil<FT>::Entry;
 
   void add(Index vertex, const FT& weight) { entries_.push_back({vertex, weight}); }
   void add_rest(Index vertex)
