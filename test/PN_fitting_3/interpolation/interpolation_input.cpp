@@ -11,12 +11,16 @@
 #include "Extent.h"
 #include "Interpolation_cases.h"
 #include "Mesh_files.h"
+#include "Surface_checks.h"
 
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/centroid.h>
 
 #include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
 
 namespace {
 
@@ -127,13 +131,15 @@ TEST(Interpolation_input, TheCubeHasASolutionWithNormals)
   expect_finite(cube);
 }
 
-// The largest length of an edge at a vertex.
-double longest_edge(const Surface_mesh& mesh, Surface_mesh::Vertex_index v)
+// No vertex of `net` is farther from where it was than the longest edge at it.
+void expect_within_an_edge(const Surface_mesh& net, const Surface_mesh& before)
 {
-  double longest = 0;
-  for (auto w : mesh.vertices_around_target(mesh.halfedge(v)))
-    longest = (std::max)(longest, CGAL::squared_distance(mesh.point(v), mesh.point(w)));
-  return std::sqrt(longest);
+  for (auto v : before.vertices()) {
+    double longest = 0;
+    for (auto w : before.vertices_around_target(before.halfedge(v)))
+      longest = (std::max)(longest, CGAL::squared_distance(before.point(v), before.point(w)));
+    EXPECT_LE(CGAL::squared_distance(net.point(v), before.point(v)), 1.002 * longest) << v;
+  }
 }
 
 // Vertices between faces that are turned by up to 180 degrees: there limits are far from control points, and arcs tell little.
@@ -168,11 +174,9 @@ TEST(Interpolation_input, SlideStaysWithinAnEdge)
   PN::estimate_control_normals(mesh, normal_map(mesh));
   Surface_mesh net = mesh;
   const Report report = Runs::interpolate(net, scheme, Options());
+  expect_within_an_edge(net, mesh);
   double left = 0, before = 0;
   for (auto v : mesh.vertices()) {
-    EXPECT_LE(CGAL::squared_distance(net.point(v), mesh.point(v)),
-              std::pow(1.001 * longest_edge(mesh, v), 2))
-      << v;
     const Vector p = limit_cases::to_vector(mesh.point(v));
     const auto distance = [&](Surface_mesh& m) {
       return Distance_runs<PN::CatmullClark_scheme>::from_limit(m, scheme, p, v.idx());
@@ -183,6 +187,24 @@ TEST(Interpolation_input, SlideStaysWithinAnEdge)
   EXPECT_NEAR(report.residual, left, 0.03 * left);
   EXPECT_LE(left, 1.01 * before);
   EXPECT_FALSE(report.is_within_tolerance());
+}
+
+// The largest distance of some points from the triangles between limits of three rounds more.
+double farthest_from_limit(Surface_mesh net, const std::vector<Kernel::Point_3>& points)
+{
+  const Limits all = Limit_runs<PN::Loop_scheme::Tuned>::refined(net, scheme_of_triangles, 3);
+  for (auto v : net.vertices()) net.point(v) = all.at[v].point;
+  const surface_checks::Fine_triangles fine(net, 0.);
+  double farthest = 0;
+  for (const auto& p : points) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& q : fine.points) least = (std::min)(least, CGAL::squared_distance(p, q));
+    if (least <= farthest) continue;
+    for (const auto& [a, b, c] : fine.triangles)
+      least = (std::min)(least, CGAL::squared_distance(p, Kernel::Triangle_3(a, b, c)));
+    farthest = (std::max)(farthest, least);
+  }
+  return std::sqrt(farthest);
 }
 
 TEST(Interpolation_input, RealMeshes)
@@ -200,9 +222,7 @@ TEST(Interpolation_input, RealMeshes)
       if (mode == PN::Limit_interpolation::Mode::strict) {
         EXPECT_TRUE(report.is_within_tolerance()) << file << " " << report.residual;
       } else
-        for (auto v : mesh.vertices())
-          EXPECT_LE(CGAL::squared_distance(net.point(v), mesh.point(v)),
-                    std::pow(longest_edge(mesh, v), 2));
+        expect_within_an_edge(net, mesh);
       expect_finite(net);
     }
     // in triangles, too coarse for their normals
@@ -212,13 +232,14 @@ TEST(Interpolation_input, RealMeshes)
         CGAL::Euler::split_face(h, mesh.next(mesh.next(h)), mesh);
     }
     PN::estimate_control_normals(mesh, normal_map(mesh));
-    double box = 0;
-    for (auto v : mesh.vertices())
-      for (int k = 0; k < 3; ++k)
-        box = (std::max)(box, std::abs(mesh.point(v)[k] - mesh.point(*mesh.vertices_begin())[k]));
+    const Surface_mesh before = mesh;
+    const std::vector<Kernel::Point_3> points(mesh.points().begin(), mesh.points().end());
     const Report report =
       Interpolation_runs<PN::Loop_scheme::Tuned>::interpolate(mesh, scheme_of_triangles, Options());
-    EXPECT_LE(report.residual, 0.05 * box) << file;
+    expect_within_an_edge(mesh, before);
+    const double farthest = farthest_from_limit(mesh, points);
+    EXPECT_NEAR(report.residual, farthest, 0.04 * farthest) << file;
+    EXPECT_LE(farthest, 1.01 * farthest_from_limit(before, points)) << file;
     EXPECT_FALSE(report.is_within_tolerance()) << file;
   }
 }

@@ -83,33 +83,6 @@ TEST(LimitSurfaceQueries, SpheresOfTriangles)
   expect_sphere(test_meshes::bipyramid(5), PN::Loop_scheme());
 }
 
-// No sample of the surface is closer.
-TEST(LimitSurfaceQueries, NoPointIsCloser)
-{
-  Control_mesh shape = test_meshes::grid(3, 3, false, false, test_meshes::Cells::quads);
-  test_meshes::set_uneven_normals(shape, 8);
-  Surface_mesh mesh = to_surface_mesh(shape);
-  PN::Limit_surface surface(mesh, PN::linear(PN::CatmullClark_scheme()));
-  const PN::Limit_surface_queries queries(surface);
-  constexpr int n = 30;
-  std::vector<PN::Limit_surface<Surface_mesh>::Location> places;
-  for (auto f : mesh.faces())
-    for (int i = 0; i <= n; ++i)
-      for (int j = 0; j <= n; ++j) places.push_back({f, double(i) / n, double(j) / n});
-  const auto samples = surface.evaluate(places);
-  const Point center = samples[samples.size() / 2].point;
-  for (const Vector& d : directions())
-    for (const double r : {0.3, 1.5}) {
-      const Point p = center + r * d;
-      double least = 1e9;
-      for (const auto& s : samples) least = (std::min)(least, length(s.point - p));
-      const auto c = queries.closest_point(p);
-      EXPECT_LE(c.distance, least + 1e-9);
-      EXPECT_GE(c.distance, least - 0.05);
-      EXPECT_NEAR(length(c.point - p), c.distance, 1e-12);
-    }
-}
-
 // Faces of three corners become three pieces, and Newton's method ends at their sides.
 TEST(LimitSurfaceQueries, PiecesOfPolygons)
 {

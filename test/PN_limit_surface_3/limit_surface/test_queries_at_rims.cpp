@@ -9,18 +9,24 @@
 // Queries at creases of a part whose surface is known; derivatives, rays and closest points of all schemes in all kinds of faces.
 
 #include "Crease_shapes.h"
+#include "Extent.h"
 #include "Named_shapes.h"
 #include "Scheme_runs.h"
 #include "Surface_checks.h"
 #include "Tagged_meshes.h"
 
 #include <CGAL/PN_limit_surface_3/Limit_surface_queries.h>
+#include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <stdexcept>
 #include <string>
 
 namespace {
@@ -71,73 +77,142 @@ TEST(LimitSurfaceQueries, RimsOfACylinder)
 // \name All schemes, in all kinds of faces, at borders and creases
 
 using Surface = PN::Limit_surface<Surface_mesh, Kernel>;
+using Face = Surface_mesh::Face_index;
 using test_meshes::Cells;
 using test_meshes::Control_mesh;
 
-// so many sides of the first face are sharp
-struct Sharp
+enum class Creases { none, darts, corners, finite };
+
+struct Combination
 {
-  int edges;
+  std::string scheme;
+  int corners; // of faces, or how many triangles or quads meet
+  bool is_open;
+  Creases creases;
+  double roundness, tolerance;
+
+  bool is_spline() const { return scheme != "kobbelt" && scheme != "butterfly"; }
 };
 
-void expect_surface(const std::string& scheme, Control_mesh shape, Sharp sharp, double roundness,
-                    double tolerance, const surface_checks::Derivative_bounds& bounds)
+// Open grids have a regular face, and vertices of all kinds.
+Control_mesh shape(const Combination& c)
 {
-  SCOPED_TRACE(scheme + ", " + shape.name + ", " + std::to_string(sharp.edges) +
-               " sharp edges, roundness " + std::to_string(roundness) + ", tolerance " +
-               std::to_string(-std::log10(tolerance)) + " digits");
-  test_meshes::set_uneven_normals(shape, 5);
-  Surface_mesh mesh = to_surface_mesh(shape);
-  const auto is_sharp =
-    mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", false).first;
-  auto h = mesh.halfedge(Surface_mesh::Face_index(0));
-  for (int i = 0; i < sharp.edges; ++i, h = mesh.next(h)) is_sharp[mesh.edge(h)] = true;
-  const Surface surface(mesh, PN::any_scheme(scheme),
-                        PN::parameters::roundness(roundness)
-                          .tolerance(tolerance)
-                          .vertex_normal_map(normal_map(mesh))
-                          .edge_is_constrained_map(is_sharp));
+  using namespace named_shapes;
+  const int n = c.corners;
+  const bool is_triangular = c.scheme == "butterfly" || c.scheme.find("loop") != std::string::npos;
+  const Cells cells = is_triangular ? Cells::triangles : Cells::quads;
+  if (c.is_open && n == (is_triangular ? 6 : 4)) return grid(3, 3, false, false, cells);
+  if (is_triangular) return c.is_open ? star(n, 1, cells) : bipyramid(n);
+  if (!c.is_spline()) return c.is_open ? star(n, 1, cells) : quads_between_poles(n);
+  return c.is_open ? single_polygon(n) : prism(n);
+}
+
+// A mesh with creases along sides of a face in its middle: some end, some meet.
+struct Tagged_control
+{
+  explicit Tagged_control(const Combination& c)
+  {
+    Control_mesh control = shape(c);
+    test_meshes::set_uneven_normals(control, 5);
+    mesh = to_surface_mesh(control);
+    sharp = mesh.add_property_map<Surface_mesh::Edge_index, double>("e:sharp", 0).first;
+    corners = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:sharp", 0).first;
+    if (c.creases == Creases::none) return;
+    const double infinity = std::numeric_limits<double>::infinity(),
+                 sharpness = c.creases == Creases::finite ? 0.7 : infinity;
+    const auto first = mesh.halfedge(Face(mesh.number_of_faces() / 2));
+    sharp[mesh.edge(first)] = sharp[mesh.edge(mesh.next(first))] = sharpness;
+    if (c.creases == Creases::darts) return;
+    for (auto h : mesh.halfedges_around_face(first)) sharp[mesh.edge(h)] = sharpness;
+    sharp[mesh.edge(mesh.next(mesh.opposite(first)))] = sharpness;
+    if (c.creases == Creases::corners) corners[mesh.target(first)] = infinity;
+  }
+
+  // a round, after which nothing is sharp that is not for ever
+  template <class Scheme>
+  void refine(const Scheme& scheme)
+  {
+    PN::subdivide(mesh, scheme,
+                  CGAL::parameters::number_of_iterations(1)
+                    .vertex_normal_map(normal_map(mesh))
+                    .edge_is_constrained_map(sharp));
+  }
+
+  auto parameters(const Combination& c)
+  {
+    return PN::parameters::roundness(c.roundness)
+      .vertex_normal_map(normal_map(mesh))
+      .edge_is_constrained_map(sharp)
+      .vertex_is_constrained_map(corners);
+  }
+
+  bool is_at_curve(Face f) const
+  {
+    for (auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      for (auto h : mesh.halfedges_around_target(mesh.halfedge(v)))
+        if (std::isinf(sharp[mesh.edge(h)]) || mesh.is_border(mesh.edge(h))) return true;
+    return false;
+  }
+
+  Surface_mesh mesh;
+  Surface_mesh::Property_map<Surface_mesh::Edge_index, double> sharp;
+  Surface_mesh::Property_map<Surface_mesh::Vertex_index, double> corners;
+};
+
+// Limit points of the mesh that is refined as a whole are on the surface.
+void expect_surface(const Combination& c, int number)
+{
+  SCOPED_TRACE(testing::Message() << c.scheme << (c.is_open ? ", open" : ", closed") << ", creases "
+                                  << int(c.creases) << ", roundness " << c.roundness
+                                  << ", tolerance " << c.tolerance);
+  Tagged_control control(c);
+  const PN::Any_scheme<double> scheme = PN::any_scheme(c.scheme);
+  if (c.creases == Creases::finite) {
+    EXPECT_THROW(Surface(control.mesh, scheme, control.parameters(c)), std::invalid_argument);
+    if (CGAL::is_triangle_mesh(control.mesh))
+      control.refine(PN::Loop_scheme());
+    else
+      control.refine(PN::CatmullClark_scheme());
+  }
+  const Surface surface(control.mesh, scheme, control.parameters(c).tolerance(c.tolerance));
+  // on curves of point-normal schemes second derivatives across are not those of the limit
+  const auto bounds = [&](Face f) {
+    if (!c.is_spline()) return surface_checks::Derivative_bounds{1, 0.05, 0};
+    if (c.roundness == 0 || !control.is_at_curve(f))
+      return surface_checks::Derivative_bounds{2, 1e-3, 5e-2};
+    return surface_checks::Derivative_bounds{2, 5e-3, std::numeric_limits<double>::infinity()};
+  };
+  const surface_checks::Some_places some{tests_are_full ? 1U : 9U, std::size_t(number)};
   surface_checks::expect_derivatives(
-    surface, [&](Surface_mesh::Face_index f) { return mesh.degree(f); }, bounds);
-  const surface_checks::Fine_triangles fine(surface, 4);
+    surface, [&](Face f) { return control.mesh.degree(f); }, bounds, some);
   const Queries queries(surface, 2);
-  surface_checks::expect_rays(surface, queries, fine, 4);
-  surface_checks::expect_closest_points(surface, queries, fine, 2);
+  PN::subdivide_to_limit(control.mesh, scheme,
+                         control.parameters(c).tolerance(1e-10).number_of_iterations(2));
+  const surface_checks::Fine_triangles triangles(control.mesh, 1e-9);
+  const int queried = tests_are_full ? 12 : 4;
+  surface_checks::expect_rays(surface, queries, triangles, queried, number);
+  surface_checks::expect_closest_points(surface, queries, triangles, queried, number);
 }
 
-// the linear surfaces
-TEST(LimitSurfaceQueries, SplinesOfAllSchemes)
+// All combinations, of which one in 27 has nearly all pairs.
+TEST(LimitSurfaceQueries, AllKindsOfSurfaces)
 {
-  const surface_checks::Derivative_bounds bounds{2, 1e-4, 1e-2};
-  for (const std::string scheme : {"catmull-clark", "modified-catmull-clark", "ct-catmull-clark",
-                                   "loop", "modified-loop", "ct-loop"}) {
-    const bool is_loop = scheme.find("loop") != std::string::npos;
-    const Control_mesh other = is_loop ? test_meshes::bipyramid(7) : named_shapes::prism(5),
-                       open = is_loop ? test_meshes::star(5, 1, Cells::triangles)
-                                      : test_meshes::single_polygon(6);
-    for (const int edges : {0, 3})
-      expect_surface(scheme, named_shapes::tetrahedron(), {edges}, 0, 1e-12, bounds);
-    expect_surface(scheme, other, {2}, 0, 1e-7, bounds);
-    expect_surface(scheme, open, {0}, 0, 1e-9, bounds);
+  constexpr const char* schemes[] = {"catmull-clark",
+                                     "loop",
+                                     "modified-catmull-clark",
+                                     "modified-loop",
+                                     "ct-catmull-clark",
+                                     "ct-loop",
+                                     "kobbelt",
+                                     "butterfly"};
+  constexpr double tolerances[] = {1e-12, 1e-9, 1e-6};
+  int number = 0;
+  for (int k = 0; k < 512; k += tests_are_full ? 1 : 27) {
+    Combination c{schemes[k % 8],      3 + k / 8 % 4, k / 32 % 2 != 0,
+                  Creases(k / 64 % 4), k / 256 * 1.,  tolerances[++number % 3]};
+    if (!c.is_spline()) c.creases = Creases::none, c.tolerance = 1e-4;
+    expect_surface(c, number);
   }
-}
-
-// On creases and borders second derivatives across are not those of the limit.
-TEST(LimitSurfaceQueries, RoundSurfaces)
-{
-  const double infinity = std::numeric_limits<double>::infinity();
-  for (const std::string scheme : {"catmull-clark", "loop"}) {
-    expect_surface(scheme, named_shapes::tetrahedron(), {0}, 1, 1e-9, {2, 1e-3, 5e-2});
-    expect_surface(scheme, named_shapes::tetrahedron(), {3}, 1, 1e-7, {2, 5e-3, infinity});
-  }
-}
-
-// between the limits of a level that is fine enough there are patches
-TEST(LimitSurfaceQueries, PatchesOfAllSchemes)
-{
-  for (const std::string scheme : {"kobbelt", "butterfly"})
-    expect_surface(scheme, scheme == "kobbelt" ? named_shapes::cube() : named_shapes::tetrahedron(),
-                   {0}, 1, 1e-7, {1, 0.02, 0});
 }
 
 } // namespace

@@ -59,30 +59,39 @@ struct Differences
   }
 };
 
-// inside, on sides, beside them and beside corners
-inline std::vector<std::array<double, 2>> places(bool is_triangular)
-{
-  std::vector<std::array<double, 2>> all = {{0.37, 0.41}, {0.61, 0.17}, {0.05, 0.03},
-                                            {0.31, 0},    {0, 0.57},    {0.02, 0.93}};
-  if (!is_triangular) all.insert(all.end(), {{0.97, 0.96}, {1, 0.3}, {0.6, 1}});
-  return all;
-}
-
 struct Derivative_bounds
 {
   unsigned order;       // up to which there are some
   double first, second; // in parts of 1 and of the length
 };
 
+// Every so many of the places in a piece, from some on.
+struct Some_places
+{
+  std::size_t every = 1, next = 0;
+};
+
+// inside, on sides, beside them and beside corners
+inline std::vector<std::array<double, 2>> places(bool is_triangular, Some_places& some)
+{
+  std::vector<std::array<double, 2>> all = {{0.37, 0.41}, {0.61, 0.17}, {0.05, 0.03},
+                                            {0.31, 0},    {0, 0.57},    {0.02, 0.93}};
+  if (!is_triangular) all.insert(all.end(), {{0.97, 0.96}, {1, 0.3}, {0.6, 1}});
+  std::vector<std::array<double, 2>> result;
+  for (const auto& place : all)
+    if (some.next++ % some.every == 0) result.push_back(place);
+  return result;
+}
+
 template <class Surface>
 void expect_derivatives(const Surface& surface, typename Surface::Face f, std::size_t piece,
-                        const Derivative_bounds& bounds)
+                        const Derivative_bounds& bounds, Some_places& some)
 {
   constexpr double h = 1e-3;
   using Key = std::array<int, 3>; // number of the place, steps
   std::map<Key, std::size_t> at;
   std::vector<typename Surface::Location> locations;
-  const auto all = places(surface.is_triangular());
+  const auto all = places(surface.is_triangular(), some);
   const auto need = [&](int n, int i, int j) {
     if (!at.emplace(Key{n, i, j}, locations.size()).second) return;
     locations.push_back({f, 2. * double(piece) + all[n][0] + i * h, all[n][1] + j * h});
@@ -126,29 +135,37 @@ void expect_derivatives(const Surface& surface, typename Surface::Face f, std::s
   }
 }
 
-// of two pieces of the first face of every kind, and of the last face
-template <class Surface, class Degree>
-void expect_derivatives(const Surface& surface, const Degree& degree,
-                        const Derivative_bounds& bounds)
+// of two pieces of the first face of every kind, and of the last face; bounds(f) are those of a face
+template <class Surface, class Degree, class Bounds>
+void expect_derivatives(const Surface& surface, const Degree& degree, const Bounds& bounds,
+                        Some_places some = {})
 {
   std::map<std::size_t, int> seen;
   for (const auto f : surface.faces())
     if (seen[degree(f)]++ == 0 || f == surface.faces().back())
       for (std::size_t piece = 0; piece < (std::min<std::size_t>)(2, surface.number_of_pieces(f));
            ++piece)
-        expect_derivatives(surface, f, piece, bounds);
+        expect_derivatives(surface, f, piece, bounds(f), some);
+}
+
+template <class Surface, class Degree>
+void expect_derivatives(const Surface& surface, const Degree& degree,
+                        const Derivative_bounds& bounds)
+{
+  expect_derivatives(surface, degree, [&](const auto&) { return bounds; });
 }
 
 // \name Rays and closest points
 
-// points of all pieces, n to a side, and the triangles between them
-template <class Surface>
 struct Fine_triangles
 {
-  std::vector<typename Surface::Surface_point> points;
+  std::vector<Point> points;
+  double error = 0; // of the points
   std::vector<std::array<Point, 3>> triangles;
   CGAL::Bbox_3 box;
 
+  // points of all pieces, n to a side, and the triangles between them
+  template <class Surface>
   Fine_triangles(const Surface& surface, int n)
   {
     for (const auto f : surface.faces())
@@ -160,10 +177,10 @@ struct Fine_triangles
             at[{i, j}] = points.size() + locations.size();
             locations.push_back({f, 2. * double(piece) + double(i) / n, double(j) / n});
           }
-        for (const auto& s : surface.evaluate(locations)) points.push_back(s);
+        for (const auto& s : surface.evaluate(locations)) points.push_back(s.point);
         const auto add = [&](std::array<int, 2> a, std::array<int, 2> b, std::array<int, 2> c) {
           if (at.count(a) && at.count(b) && at.count(c))
-            triangles.push_back({points[at[a]].point, points[at[b]].point, points[at[c]].point});
+            triangles.push_back({points[at[a]], points[at[b]], points[at[c]]});
         };
         for (int i = 0; i < n; ++i)
           for (int j = 0; j < n; ++j) {
@@ -171,7 +188,22 @@ struct Fine_triangles
             add({i + 1, j}, {i + 1, j + 1}, {i, j + 1});
           }
       }
-    for (const auto& s : points) box += s.point.bbox();
+    for (const Point& p : points) box += p.bbox();
+  }
+
+  // of a mesh with limit points
+  template <class Mesh>
+  Fine_triangles(const Mesh& mesh, double error_of_points)
+    : points(mesh.points().begin(), mesh.points().end())
+    , error(error_of_points)
+  {
+    for (const auto f : mesh.faces()) {
+      const auto first = mesh.halfedge(f);
+      for (auto h = mesh.next(first); mesh.next(h) != first; h = mesh.next(h))
+        triangles.push_back({mesh.point(mesh.target(first)), mesh.point(mesh.target(h)),
+                             mesh.point(mesh.target(mesh.next(h)))});
+    }
+    for (const Point& p : points) box += p.bbox();
   }
 
   double size() const
@@ -196,12 +228,12 @@ struct Fine_triangles
   }
 };
 
-// rays from outside and inside to places of all kinds, beside sides and corners of pieces too
+// rays from outside and inside to places of all kinds, beside sides and corners of pieces too; `from` is the first one's number
 template <class Surface, class Queries>
-void expect_rays(const Surface& surface, const Queries& queries,
-                 const Fine_triangles<Surface>& fine, int number)
+void expect_rays(const Surface& surface, const Queries& queries, const Fine_triangles& fine,
+                 int number, int from = 0)
 {
-  std::mt19937 random(7);
+  std::mt19937 random(7U + unsigned(from));
   const auto any = [&] { return double(random()) / 4294967296.; };
   const auto any_vector = [&] { return Vector(any() - 0.5, any() - 0.5, any() - 0.5); };
   const double size = fine.size(), off = 4 * surface.tolerance() + 1e-13 * size;
@@ -209,7 +241,7 @@ void expect_rays(const Surface& surface, const Queries& queries,
                      (fine.box.ymin() + fine.box.ymax()) / 2,
                      (fine.box.zmin() + fine.box.zmax()) / 2);
   const auto& faces = surface.faces();
-  for (int k = 0; k < number; ++k) {
+  for (int k = from; k < from + number; ++k) {
     const auto f = faces[random() % faces.size()];
     const auto piece = double(random() % surface.number_of_pieces(f));
     const double x = k % 3 == 0 ? any() : std::pow(10., -4 * any()), y = any();
@@ -237,17 +269,16 @@ void expect_rays(const Surface& surface, const Queries& queries,
 
 template <class Surface, class Queries>
 void expect_closest_points(const Surface& surface, const Queries& queries,
-                           const Fine_triangles<Surface>& fine, int number)
+                           const Fine_triangles& fine, int number, int from = 0)
 {
-  std::mt19937 random(8);
+  std::mt19937 random(8U + unsigned(from));
   const auto any = [&] { return double(random()) / 4294967296. - 0.5; };
-  const double off = 4 * surface.tolerance() + 1e-13 * fine.size();
-  for (int k = 0; k < number; ++k) {
-    const auto& s = fine.points[random() % fine.points.size()];
-    const Point p =
-      s.point + fine.size() * std::pow(10., -double(k % 4)) * Vector(any(), any(), any());
+  const double off = 4 * surface.tolerance() + 1e-13 * fine.size() + fine.error;
+  for (int k = from; k < from + number; ++k) {
+    const double away = k % 4 == 0 ? 0 : fine.size() * std::pow(10., 1 - k % 4);
+    const Point p = fine.points[random() % fine.points.size()] + away * Vector(any(), any(), any());
     double least = std::numeric_limits<double>::infinity();
-    for (const auto& other : fine.points) least = (std::min)(least, length(other.point - p));
+    for (const Point& other : fine.points) least = (std::min)(least, length(other - p));
     const auto c = queries.closest_point(p);
     EXPECT_LE(c.distance, least + off) << p;
     EXPECT_NEAR(length(c.point - p), c.distance, 1e-13 * fine.size());
