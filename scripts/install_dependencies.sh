@@ -18,7 +18,7 @@ set -euo pipefail
 
 compiling=(g++ cmake ninja-build make libcgal-dev) # make: what CMake takes where no generator is named
 drawing=(python3-vtk9 python3-numpy xvfb)
-of_python=(python3-dev pybind11-dev python3-numpy python3-pytest python3-mesonpy python3-pip)
+of_python=(python3-dev pybind11-dev python3-numpy python3-pytest python3-mesonpy python3-pip mypy)
 required=("${compiling[@]}" libeigen3-dev libboost-dev libgmp-dev libmpfr-dev libgtest-dev)
 optional=(libtbb-dev libcli11-dev nlohmann-json3-dev libbenchmark-dev libopenmesh-dev libosd-dev libcgal-demo libmpfi-dev python3
           clang lld libopenmpi-dev openmpi-bin pkgconf "${drawing[@]}" xauth)

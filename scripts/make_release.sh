@@ -131,7 +131,7 @@ pack "$files/$folder.tar.xz" "$folder"
 
 echo "Wheel"
 # without TBB, hence with one thread: it needs nothing but the libraries of C and C++
-/usr/bin/python3 -m pip wheel --quiet --no-index --no-deps --no-build-isolation --config-settings=setup-args=-Dtbb=disabled -w "$files" python \
+/usr/bin/python3 -m pip wheel --quiet --no-index --no-deps --no-build-isolation --config-settings=setup-args=-Dtbb=disabled -w "$files" ./python \
   >"$work/log.txt" 2>&1 || {
   tail -n 40 "$work/log.txt" >&2
   fail "the wheel could not be built"

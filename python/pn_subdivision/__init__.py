@@ -31,13 +31,14 @@ Options of all functions that take a control mesh:
   threads     how many there may be, by default 1; the result is the same, bit for bit
 """
 
+import dataclasses
 import functools
 
 import numpy as np
 
 from . import _core
-from ._mesh import Mesh, choice, control_mesh, integers, integers_and_reals, reals
 
+__all__ = ["KINDS", "Limit_surface", "Mesh", "Refiner", "curve", "estimate_normals", "limit", "recognize", "subdivide", "tessellate"]
 __version__ = _core.version
 KINDS = ("unknown", "plane", "cylinder", "cone", "sphere", "torus")
 # as the structures of C++, aligned
@@ -47,13 +48,221 @@ _HIT = np.dtype([("face", np.int32), ("uv", float, 2), ("point", float, 3), ("no
                 align=True)
 
 
+def reals(name, values, columns=None):
+    """An array; with columns one of so many."""
+    try:
+        rows = np.ascontiguousarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{name} must be numbers: {error}") from None
+    if columns and (rows.ndim != 2 or rows.shape[1] != columns):
+        raise ValueError(f"{name} must have the shape (n, {columns}), not {rows.shape}")
+    return rows
+
+
+def integers(name, values, most):
+    """One-dimensional, from 0 to most - 1."""
+    array = np.asarray(values)
+    if array.size and array.dtype.kind not in "iu":
+        raise ValueError(f"{name} must be integers, not {array.dtype}")
+    array = np.ascontiguousarray(array.reshape(-1), dtype=np.int64)
+    wrong = np.flatnonzero((array < 0) | (array >= most))
+    if wrong.size:
+        raise ValueError(f"{name}: {array[wrong[0]]} is not from 0 to {most - 1}")
+    return array
+
+
+def integers_and_reals(name, numbers, most, name_of_rows, rows, columns):
+    """As many of both."""
+    numbers, rows = integers(name, numbers, most), reals(name_of_rows, np.atleast_2d(rows), columns)
+    if len(numbers) != len(rows):
+        raise ValueError(f"{len(numbers)} {name} do not go with {len(rows)} {name_of_rows}")
+    return numbers, rows
+
+
+def choice(name, value, words):
+    if value not in words:
+        raise ValueError(f"{name} '{value}': it must be one of {', '.join(words)}")
+    return words.index(value)
+
+
+def sharp(name, given, columns, vertices):
+    """Vertices and numbers of what is sharp: given alone, for ever, or as a tuple with the numbers of rounds."""
+    is_tuple = isinstance(given, tuple) and len(given) == 2 and np.ndim(given[0]) == columns
+    elements, rounds = given if is_tuple else (() if given is None else given, None)
+    elements = integers(name, elements, vertices)
+    rounds = np.full(len(elements) // columns, np.inf) if rounds is None else reals(f"the sharpness of {name}", rounds)
+    if (columns * len(rounds), *rounds.shape[1:]) != elements.shape:
+        raise ValueError(f"{name} must have the shape (k{', 2' * (columns - 1)}), and their sharpness the shape (k,)")
+    return elements, rounds
+
+
+@dataclasses.dataclass(eq=False)
+class Mesh:
+    """A polygon mesh with what is known of it; with creases normals and roundness are of corners. What is None is not known."""
+
+    points: np.ndarray  # (n, 3)
+    offsets: np.ndarray  # (m + 1,): the corners of face i are those from offsets[i] to offsets[i + 1]
+    indices: np.ndarray  # (c,): the vertex of each corner
+    normals: np.ndarray = None  # (n, 3) or (c, 3)
+    roundness: np.ndarray = None  # (n,) or (c,)
+    creases: np.ndarray = None  # (k, 2)
+    crease_sharpness: np.ndarray = None  # (k,) rounds
+    corners: np.ndarray = None  # (l,)
+    corner_sharpness: np.ndarray = None  # (l,)
+    uv: np.ndarray = None  # (n, 2) or (c, 2)
+    attributes: dict = dataclasses.field(default_factory=dict)
+    face_parents: np.ndarray = None  # (m,): the control face that each face comes from
+    report: np.void = None  # what was reached, of limits and tessellations
+
+    @property
+    def faces(self):
+        """An array (m, d) if all faces have d corners, else a list of arrays."""
+        degrees = np.diff(self.offsets)
+        if len(degrees) and (degrees == degrees[0]).all():
+            return self.indices.reshape(-1, degrees[0])
+        return np.split(self.indices, self.offsets[1:-1]) if len(degrees) else np.empty((0, 3), np.int64)
+
+    def triangles(self):
+        """(t, 3): the faces as fans of triangles."""
+        degrees = np.diff(self.offsets) - 2
+        first = np.repeat(self.offsets[:-1], degrees)
+        second = first + 1 + np.arange(len(first)) - np.repeat(np.cumsum(degrees) - degrees, degrees)
+        return self.indices[np.stack([first, second, second + 1], axis=1)]
+
+    def to_trimesh(self):
+        """A trimesh.Trimesh of triangles(), with normals if they are of vertices."""
+        import trimesh
+        return trimesh.Trimesh(self.points, self.triangles(), process=False,
+                               vertex_normals=self.normals if np.shape(self.normals) == self.points.shape else None)
+
+    def to_pyvista(self):
+        """A pyvista.PolyData."""
+        import pyvista
+        return pyvista.PolyData(self.points, np.insert(self.indices, self.offsets[:-1], np.diff(self.offsets)))
+
+    def to_meshio(self):
+        """A meshio.Mesh."""
+        import meshio
+        degrees = np.diff(self.offsets)
+        return meshio.Mesh(self.points, [({3: "triangle", 4: "quad"}.get(d, "polygon"),
+                                          self.indices[self.offsets[:-1][degrees == d][:, None] + np.arange(d)])
+                                         for d in np.unique(degrees)])
+
+    def _options(self):
+        """What functions take besides points and faces."""
+        given = {"creases": (self.creases, self.crease_sharpness), "corners": (self.corners, self.corner_sharpness)}
+        given = {name: sharp for name, sharp in given.items() if sharp[0] is not None}
+        names = ("normals", "roundness", "uv", "attributes")
+        return {**given, **{name: getattr(self, name) for name in names if getattr(self, name) is not None}}
+
+
+def polygons(faces):
+    """Offsets and indices of an array (m, d), of a tuple (offsets, indices), or of a list of polygons."""
+    if isinstance(faces, tuple) and len(faces) == 2:
+        return faces
+    if isinstance(faces, np.ndarray) and faces.ndim == 2:
+        return np.arange(len(faces) + 1) * faces.shape[1], faces
+    try:
+        return np.cumsum([0, *map(len, faces)]), np.concatenate(faces) if len(faces) else ()
+    except (TypeError, ValueError):
+        raise ValueError("faces must have the shape (m, 3) or (m, 4), or be a list of polygons or a tuple (offsets, indices)") from None
+
+
+def unpadded(flat):
+    """The polygons of an array with the size of each before its vertices."""
+    while len(flat):
+        yield flat[1:flat[0] + 1]
+        flat = flat[flat[0] + 1:]
+
+
+OTHER_MESHES = {  # what they have, and points and faces of it: those of trimesh, meshio and pyvista
+    ("vertices", "faces"): lambda mesh: (mesh.vertices, np.asarray(mesh.faces)),
+    ("points", "cells"): lambda mesh: (mesh.points, [face for block in mesh.cells for face in block.data
+                                                     if block.type in ("triangle", "quad") or block.type.startswith("polygon")]),
+    ("points", "faces"): lambda mesh: (mesh.points, list(unpadded(np.asarray(mesh.faces))))}
+
+
+def control_mesh(mesh, faces, options):
+    """Of points and faces, of a Mesh with what it has unless something else is given, or of a mesh of another library."""
+    if faces is not None:
+        return Control(mesh, faces, **options)
+    if isinstance(mesh, Mesh):
+        return Control(mesh.points, (mesh.offsets, mesh.indices), **{**mesh._options(), **options})
+    for names, parts in OTHER_MESHES.items():
+        if all(hasattr(mesh, name) for name in names):
+            return Control(*parts(mesh), **options)
+    raise ValueError("points need faces, unless they are a mesh: one of this module, trimesh, pyvista or meshio")
+
+
+class Control(_core.Control):
+    """A control mesh with all that is told of it, in C++."""
+
+    def __init__(self, points, faces, *, scheme=None, linear=False, normals=None, roundness=None, creases=None, corners=None,
+                 border="surface", uv=None, attributes=None, threads=1):
+        offsets, indices = polygons(faces)
+        points, offsets = reals("points", points, 3), integers("offsets of faces", offsets, 2**31)
+        indices = integers("vertices of faces", indices, len(points))
+        if not len(offsets) or offsets[0] != 0 or offsets[-1] != len(indices) or (np.diff(offsets) < 0).any():
+            raise ValueError("the offsets of the faces must ascend from 0 to the number of their corners")
+        if threads < 1 or (threads > 1 and not _core.has_threads):
+            raise ValueError(f"threads {threads}: " + ("at least 1" if threads < 1 else "this module was built without TBB"))
+        if scheme is None:
+            scheme = "loop" if (np.diff(offsets) == 3).all() else "catmull-clark"
+        name, parameters = scheme if isinstance(scheme, tuple) else (scheme, {})
+        super().__init__(points, offsets, indices, name, parameters, linear, threads)
+        self.size, self.number_of_faces, self.carried = (len(points), len(indices)), len(offsets) - 1, {}
+        angle, creases = (reals("creases", creases)[0], None) if np.isscalar(creases) else (None, creases)
+        self.set_sharpness(choice("border", border, ("surface", "curve", "corners", "fixed")), angle, *sharp("creases", creases, 2, len(points)),
+                           *sharp("corners", corners, 1, len(points)))
+        estimate = choice("normals", normals, ("coherent", "reciprocal", "angle")) if isinstance(normals, str) else 0
+        normals = None if isinstance(normals, str) else normals
+        if normals is not None:
+            normals = self.one_of_each("normals", reals("normals", normals, 3))
+        if roundness is not None:
+            roundness = reals("roundness", roundness).reshape(-1)
+            roundness = self.one_of_each("roundness", np.full(len(points), roundness) if roundness.size == 1 else roundness)
+        self.set_normals(normals, roundness, estimate)
+        for name, values in {**(attributes or {}), **({} if uv is None else {"uv": uv})}.items():
+            self.carry(name, self.one_of_each(f"attribute '{name}'", np.asarray(values)))
+
+    def one_of_each(self, name, array):
+        """The array, which has a row for each vertex or corner."""
+        if np.ndim(array) and len(array) in self.size:
+            return array
+        raise ValueError("{} must have a row for each of the {} vertices or of the {} corners of faces".format(name, *self.size))
+
+    def carry(self, name, values):
+        """Takes an attribute along, which C++ has for vertices or for half-edges."""
+        if values.dtype.kind not in "iufb":
+            raise ValueError(f"attribute '{name}' must be numbers, not {values.dtype}")
+        at_corners = len(values) != self.size[0]
+        rows = values.reshape(len(values), int(np.prod(values.shape[1:]))).astype(np.float64)
+        if at_corners:
+            halfedges = self.halfedges()
+            of_corners, rows = rows, np.zeros((halfedges.max(initial=-1) // 2 * 2 + 2, rows.shape[1]))
+            rows[halfedges] = of_corners
+        number = self.add_attribute(rows, at_corners, values.dtype.kind != "f")
+        self.carried[name] = number, at_corners, values.dtype, values.shape[1:]
+
+    def result(self, report=None):
+        """What the control mesh has become."""
+        attributes = {}
+        for name, (number, at_corners, dtype, shape) in self.carried.items():
+            rows = self.attribute(number, at_corners).reshape(-1, int(np.prod(shape)))
+            rows = rows[self.halfedges()] if at_corners else rows
+            if dtype.kind in "iu":
+                rows = np.clip(np.rint(rows), np.iinfo(dtype).min, np.iinfo(dtype).max)
+            attributes[name] = rows.astype(dtype).reshape(len(rows), *shape)
+        return Mesh(**self.arrays(report is not None), uv=attributes.pop("uv", None), attributes=attributes, report=report)
+
+
 def subdivide(points, faces=None, *, levels=1, progress=None, **options):
     """The mesh refined by some rounds, with its control normals for more of them.
 
     progress(round, faces) is called after each round; an exception that it raises, or Ctrl-C, ends the call.
     """
     control = control_mesh(points, faces, options)
-    _core.subdivide(control, *integers("levels", levels, 64), progress)
+    control.subdivide(*integers("levels", levels, 64), progress)
     return control.result()
 
 
@@ -65,7 +274,7 @@ def limit(points, faces=None, *, levels=1, tolerance=1e-9, normal_tolerance=1e-3
     ("number_of_stand_ins").
     """
     control = control_mesh(points, faces, options)
-    return control.result(_core.limit(control, *integers("levels", levels, 64), tolerance, normal_tolerance, progress)[0])
+    return control.result(control.subdivide(*integers("levels", levels, 64), progress, tolerance, normal_tolerance)[0])
 
 
 def tessellate(points, faces=None, *, chord, **options):
@@ -74,12 +283,13 @@ def tessellate(points, faces=None, *, chord, **options):
     `report` has the estimated distance ("bound"), whether it is within `chord` ("reached"), and where it is ("worst_face", "worst_place").
     """
     control = control_mesh(points, faces, options)
-    return control.result(_core.tessellate(control, chord)[0])
+    return control.result(control.tessellate(chord)[0])
 
 
 def estimate_normals(points, faces=None, **options):
     """Control normals and their roundness, as they are where none are given: (n, 3) and (n,); with creases of corners."""
-    return control_mesh(points, faces, options).normals(False)
+    mesh = control_mesh(points, faces, options).result()
+    return mesh.normals, mesh.roundness
 
 
 def recognize(points, faces=None, *, min_facets=8, tolerance=0.0, sharp_angle=30.0):
@@ -90,8 +300,10 @@ def recognize(points, faces=None, *, min_facets=8, tolerance=0.0, sharp_angle=30
     A prism of fewer sides than `min_facets` stays one; 0 is the tolerance of the digits that coordinates have.
     """
     control = control_mesh(points, faces, {})
-    surfaces, of_face = _core.recognize(control, min_facets, tolerance, sharp_angle)
-    return control.result(), surfaces, of_face
+    surfaces, of_face = control.recognize(min_facets, tolerance, sharp_angle)
+    part = control.result()
+    part.crease_sharpness[:] = part.corner_sharpness[:] = np.inf
+    return part, surfaces, of_face
 
 
 class Refiner:
@@ -103,16 +315,17 @@ class Refiner:
     def __init__(self, points, faces=None, *, levels=1, **options):
         control = control_mesh(points, faces, options)
         self._size, self._threads = control.size[0], control.threads
-        self._refiner = _core.refiner(control, *integers("levels", levels, 64))
+        self._refiner = control.refiner(*integers("levels", levels, 64))
         self.points, self.normals = self._refiner.points(), self._refiner.normals()
+        self.points.flags.writeable = self.normals.flags.writeable = False
 
     def set_points(self, vertices, points):
         """Of some control vertices (k,): the points (k, 3), from the next update() on."""
-        self._refiner.set_points(*integers_and_reals("vertices", vertices, self._size, "points", points, 3))
+        self._refiner.set(*integers_and_reals("vertices", vertices, self._size, "points", points, 3), False)
 
     def set_normals(self, vertices, normals):
         """The same of the normals; those that are not set are estimated again unless there were some."""
-        self._refiner.set_normals(*integers_and_reals("vertices", vertices, self._size, "normals", normals, 3))
+        self._refiner.set(*integers_and_reals("vertices", vertices, self._size, "normals", normals, 3), True)
 
     def update(self):
         """Computes what has changed, and returns the numbers of these refined vertices."""
@@ -120,7 +333,7 @@ class Refiner:
 
     def mesh(self):
         """A copy."""
-        return Mesh(self.points.copy(), *self._refiner.faces()[:2], self.normals.copy() if len(self.normals) else None)
+        return Mesh(self.points.copy(), *self._refiner.faces(), self.normals.copy() if len(self.normals) else None)
 
 
 class Limit_surface:
@@ -132,8 +345,8 @@ class Limit_surface:
 
     def __init__(self, points, faces=None, *, tolerance=1e-7, normal_tolerance=1e-3, **options):
         control = control_mesh(points, faces, options)
-        self._number_of_faces = len(control.face_parents())
-        self._surface = _core.limit_surface(control, tolerance, normal_tolerance)
+        self._number_of_faces = control.number_of_faces
+        self._surface = control.limit_surface(tolerance, normal_tolerance)
 
     def evaluate(self, faces, uv):
         """Of faces (k,) with parameters (k, 2) an array with the fields "point", "normal", "du", "dv", "duu", "duv", "dvv",
@@ -142,12 +355,12 @@ class Limit_surface:
 
     def closest_point(self, points):
         """Of points (k, 3) an array with the fields "face", "uv", "point", "normal", "distance" and "error"."""
-        return self._queries.closest_points(reals("points", points, 3)).view(_HIT)[:, 0]
+        return self._queries.hits(reals("points", points, 3), None).view(_HIT)[:, 0]
 
     def ray(self, sources, directions):
         """The same of the first intersections with rays (k, 3) and (k, 3); without one the face is -1, and all else not a number."""
-        sources, directions = np.broadcast_arrays(reals("sources", sources, 3), reals("directions", directions, 3))
-        return self._queries.first_intersections(sources, directions).view(_HIT)[:, 0]
+        rays = np.broadcast_arrays(reals("sources", sources, 3), reals("directions", directions, 3))
+        return self._queries.hits(*rays).view(_HIT)[:, 0]
 
     @functools.cached_property
     def _queries(self):
@@ -168,5 +381,6 @@ def curve(points, normals=None, *, mask="bspline:3", closed=False, end="reflect"
     if not number.isdigit() or not (spline or str(mask).endswith("-point")):
         raise ValueError(f"mask '{mask}': it must be bspline:DEGREE or N-point")
     ending = 0 if closed else 1 + choice("end", end, ("reflect", "none"))
-    rows = _core.curve(np.hstack([points, rows]), normals is not None, spline, int(number), ending, *integers("levels", levels, 64), linear, roundness)
+    refine = _core.curve_2 if columns == 2 else _core.curve_3
+    rows = refine(np.hstack([points, rows]), normals is not None, spline, int(number), ending, *integers("levels", levels, 64), linear, roundness)
     return rows[:, :columns].copy(), rows[:, columns:].copy()

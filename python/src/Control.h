@@ -21,6 +21,8 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -31,6 +33,7 @@
 namespace pn_python {
 
 namespace py = pybind11;
+using namespace py::literals;
 namespace PN = CGAL::PN_subdivision_3;
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -43,17 +46,21 @@ using Tag = CGAL::Parallel_if_available_tag;
 using Reals = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
+// An array that shows values which an owner keeps: numbers, or rows of the doubles that points and vectors consist of.
 template <class T>
-py::array_t<T> to_array(const std::vector<T>& values)
+py::array view(const std::vector<T>& values, py::handle owner)
 {
-  return py::array_t<T>(py::ssize_t(values.size()), values.data());
+  using Number = std::conditional_t<std::is_arithmetic_v<T>, T, double>;
+  std::vector<std::size_t> shape(1, values.size());
+  if (std::is_class_v<T>) shape.push_back(sizeof(T) / sizeof(double));
+  return py::array_t<Number>(shape, reinterpret_cast<const Number*>(values.data()), owner);
 }
-// Rows of doubles are points, vectors, or structures of them; what has an owner is not copied.
+// One that keeps them itself.
 template <class T>
-py::array_t<double> to_rows(const T* rows, std::size_t number, py::handle owner = py::handle())
+py::array to_array(std::vector<T> values)
 {
-  constexpr std::size_t columns = sizeof(T) / sizeof(double);
-  return py::array_t<double>({number, columns}, reinterpret_cast<const double*>(rows), owner);
+  auto* const kept = new std::vector<T>(std::move(values));
+  return view(*kept, py::capsule(kept, [](void* v) { delete static_cast<std::vector<T>*>(v); }));
 }
 template <class T>
 const T* rows_of(const Reals& array)
@@ -61,7 +68,9 @@ const T* rows_of(const Reals& array)
   return reinterpret_cast<const T*>(array.data());
 }
 
-// Calls a function with so many threads, without the lock of the interpreter.
+using Unlocked = py::call_guard<py::gil_scoped_release>; // of the lock of the interpreter
+
+// Calls a function with so many threads, unlocked.
 template <class Function>
 void run([[maybe_unused]] int threads, const Function& function)
 {
@@ -80,22 +89,18 @@ struct Control
   using Of_vertices = PN::Estimated_control_normals<Vertex, Kernel>;
   using Of_corners = PN::Estimated_control_normals<Halfedge, Kernel>;
 
-  Control(const std::string& name, const std::map<std::string, double>& parameters,
-          bool is_linear_scheme, int number_of_threads)
-    : scheme(PN::any_scheme<double>(name, {parameters.begin(), parameters.end()}))
-    , is_linear(is_linear_scheme)
-    , threads(number_of_threads)
-  {
-    table.has_face_parents = true;
-  }
+  Control(const Reals& points, const Integers& offsets, const Integers& indices,
+          const std::string& name, const std::map<std::string, double>& parameters,
+          bool is_linear_scheme, int number_of_threads);
   auto edge_sharpness()
   {
     return mesh.add_property_map<Mesh::Edge_index, double>("e:sharpness", 0).first;
   }
   auto vertex_sharpness() { return mesh.add_property_map<Vertex, double>("v:sharpness", 0).first; }
-  auto sharp() // what is, as parameters
+  auto sharp() // what is, as parameters of calls that may estimate normals
   {
     return PN::parameters::border(border)
+      .control_normal_estimate(estimate)
       .edge_is_constrained_map(edge_sharpness())
       .vertex_is_constrained_map(vertex_sharpness());
   }
@@ -125,9 +130,9 @@ struct Control
   PN::Attribute_table table;
 };
 
-py::tuple faces_of(const Mesh& mesh); // offsets, vertices, half-edges
+py::tuple faces_of(const Mesh& mesh); // offsets, indices
 
-void add_surfaces(py::module_& module);
+void add_surfaces(py::module_& module, py::class_<Control>& control);
 
 } // namespace pn_python
 

@@ -11,19 +11,30 @@
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_recognition_3/recognize_surfaces.h>
 
+#include <algorithm>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
-#include <utility>
 
 namespace pn_python {
+
+py::tuple faces_of(const Mesh& mesh)
+{
+  std::vector<std::int64_t> offsets(1, 0), vertices;
+  for (const auto f : mesh.faces()) {
+    for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(f))) vertices.push_back(v);
+    offsets.push_back(std::int64_t(vertices.size()));
+  }
+  return py::make_tuple(to_array(std::move(offsets)), to_array(std::move(vertices)));
+}
+
 namespace {
 
-std::vector<Halfedge> corners_of(const Mesh& mesh)
+// the half-edges of the corners of all faces, in the order that arrays have
+std::vector<std::int64_t> corners_of(const Mesh& mesh)
 {
-  std::vector<Halfedge> result;
+  std::vector<std::int64_t> result;
   for (const auto f : mesh.faces())
     for (const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) result.push_back(h);
   return result;
@@ -31,40 +42,32 @@ std::vector<Halfedge> corners_of(const Mesh& mesh)
 
 } // namespace
 
-py::tuple faces_of(const Mesh& mesh)
+Control::Control(const Reals& points, const Integers& offsets, const Integers& indices,
+                 const std::string& name, const std::map<std::string, double>& parameters,
+                 bool is_linear_scheme, int number_of_threads)
+  : scheme(PN::any_scheme<double>(name, {parameters.begin(), parameters.end()}))
+  , is_linear(is_linear_scheme)
+  , threads(number_of_threads)
 {
-  std::vector<std::int64_t> offsets(1, 0), vertices, halfedges;
-  for (const Halfedge h : corners_of(mesh)) {
-    vertices.push_back(std::int64_t(mesh.target(h)));
-    halfedges.push_back(std::int64_t(h));
-    if (mesh.next(h) == mesh.halfedge(mesh.face(h))) // the first one
-      offsets.push_back(std::int64_t(vertices.size()));
-  }
-  return py::make_tuple(to_array(offsets), to_array(vertices), to_array(halfedges));
-}
-
-namespace {
-
-void add_faces(Control& c, const Reals& points, const Integers& offsets, const Integers& indices)
-{
-  for (py::ssize_t v = 0; v < points.shape(0); ++v) c.mesh.add_vertex(rows_of<Point_3>(points)[v]);
+  table.has_face_parents = true;
+  for (py::ssize_t v = 0; v < points.shape(0); ++v) mesh.add_vertex(rows_of<Point_3>(points)[v]);
   std::vector<Vertex> face;
   for (py::ssize_t f = 0; f + 1 < offsets.size(); ++f) {
     face.clear();
     for (py::ssize_t i = offsets.data()[f]; i < offsets.data()[f + 1]; ++i)
       face.push_back(Vertex(indices.at(i)));
-    if (const std::set<Vertex> different(face.begin(), face.end());
-        different.size() < 3 || different.size() != face.size())
+    if (std::set<Vertex>(face.begin(), face.end()).size() != std::max<std::size_t>(face.size(), 3))
       throw py::value_error("face " + std::to_string(f) +
                             " has not three or more different vertices");
-    if (c.mesh.add_face(face) == Mesh::null_face())
+    if (mesh.add_face(face) == Mesh::null_face())
       throw py::value_error("face " + std::to_string(f) +
-                            " does not fit to those before it, which leave no room at one of its "
-                            "edges or vertices: more than two faces meet, or two of opposite "
-                            "orientation");
-    c.table.face_parents.push_back(std::uint32_t(f));
+                            " does not fit to those before it: at an edge more than two meet, or "
+                            "two of opposite orientation, or a vertex has no room between others");
+    table.face_parents.push_back(std::uint32_t(f));
   }
 }
+
+namespace {
 
 void set_sharpness(Control& c, int border, const std::optional<double>& degrees,
                    const Integers& creases, const Reals& of_creases, const Integers& corners,
@@ -95,8 +98,10 @@ void for_each_normal(const Control& c, const Function& f)
   if (const auto* of_vertices = std::get_if<Control::Of_vertices>(&c.normals))
     for (const Vertex v : c.mesh.vertices()) f(*of_vertices, v, v, number++);
   else
-    for (const Halfedge h : corners_of(c.mesh))
+    for (const auto i : corners_of(c.mesh)) {
+      const Halfedge h(static_cast<std::uint32_t>(i));
       f(std::get<Control::Of_corners>(c.normals), h, c.mesh.target(h), number++);
+    }
 }
 
 // One of each vertex or corner; without normals they are estimated.
@@ -111,14 +116,13 @@ void set_normals(Control& c, const std::optional<Reals>& normals,
   const auto of_edges = c.edge_sharpness();
   c.estimate = PN::Control_normal_estimate(estimate);
   c.is_estimated = !normals && !roundness;
-  const py::gil_scoped_release unlocked;
-  const auto np = PN::parameters::control_normal_estimate(c.estimate);
   if (are_of_corners(normals))
     c.normals = Control::Of_corners();
   else if (c.may_be_sharp || are_of_corners(roundness))
-    c.normals = PN::estimate_control_normals(c.mesh, PN::parameters::join(np, c.sharp()));
+    c.normals = PN::estimate_control_normals(c.mesh, c.sharp());
   else if (!normals)
-    c.normals = PN::estimate_control_normals(c.mesh, np);
+    c.normals =
+      PN::estimate_control_normals(c.mesh, PN::parameters::control_normal_estimate(c.estimate));
   // those of vertices are of all corners but where creases make several wedges
   std::vector<int> creases(n, 0);
   for (const auto e : c.mesh.edges())
@@ -133,31 +137,38 @@ void set_normals(Control& c, const std::optional<Reals>& normals,
   });
 }
 
-// and the roundness, which those of limits have not
-py::tuple normals_of(const Control& c, bool are_of_limit)
+// What a mesh of Python is made of; those of limits have no roundness.
+py::dict arrays(Control& c, bool are_of_limit)
 {
-  if (c.is_linear && !are_of_limit) return py::make_tuple(py::none(), py::none());
+  std::vector<std::int64_t> creases, corners;
+  std::vector<double> of_creases, of_corners, roundness;
   std::vector<Vector_3> normals;
-  std::vector<double> roundness;
-  for_each_normal(c, [&](const auto& map, const auto& key, Vertex, std::size_t) {
-    normals.push_back(get(map, key));
-    roundness.push_back(get(map.roundness_map(), key));
+  const auto add_sharp = [](const auto& elements, const auto& map, auto& rounds, auto add) {
+    for (const auto i : elements)
+      if (map[i] != 0) add(i), rounds.push_back(map[i]);
+  };
+  add_sharp(c.mesh.edges(), c.edge_sharpness(), of_creases, [&](auto e) {
+    creases.insert(creases.end(), {c.mesh.vertex(e, 0), c.mesh.vertex(e, 1)});
   });
-  const py::object of_control = are_of_limit ? py::object(py::none()) : to_array(roundness);
-  return py::make_tuple(to_rows(normals.data(), normals.size()), of_control);
-}
-
-// the ends of all edges and their sharpness, and that of the vertices
-py::tuple edges_of(Control& c)
-{
-  const auto of_edges = c.edge_sharpness();
-  const auto of_vertices = c.vertex_sharpness();
-  std::vector<std::int64_t> ends;
-  for (const auto e : c.mesh.edges())
-    for (const unsigned i : {0u, 1u}) ends.push_back(std::int64_t(c.mesh.vertex(e, i)));
-  return py::make_tuple(to_array(ends),
-                        to_array(std::vector<double>(of_edges.begin(), of_edges.end())),
-                        to_array(std::vector<double>(of_vertices.begin(), of_vertices.end())));
+  add_sharp(c.mesh.vertices(), c.vertex_sharpness(), of_corners,
+            [&](auto v) { corners.push_back(v); });
+  if (!c.is_linear || are_of_limit)
+    for_each_normal(c, [&](const auto& map, const auto& key, Vertex, std::size_t) {
+      normals.push_back(get(map, key));
+      roundness.push_back(get(map.roundness_map(), key));
+    });
+  const auto points = c.mesh.points();
+  const py::tuple faces = faces_of(c.mesh);
+  py::dict result("points"_a = to_array(std::vector<Point_3>(points.begin(), points.end())),
+                  "offsets"_a = faces[0], "indices"_a = faces[1],
+                  "creases"_a = to_array(std::move(creases)).attr("reshape")(-1, 2),
+                  "crease_sharpness"_a = to_array(std::move(of_creases)),
+                  "corners"_a = to_array(std::move(corners)),
+                  "corner_sharpness"_a = to_array(std::move(of_corners)),
+                  "face_parents"_a = to_array(c.table.face_parents));
+  if (!c.is_linear || are_of_limit) result["normals"] = to_array(std::move(normals));
+  if (!c.is_linear && !are_of_limit) result["roundness"] = to_array(std::move(roundness));
+  return result;
 }
 
 std::size_t add_attribute(Control& c, const Reals& rows, bool is_of_corners, bool is_label)
@@ -188,63 +199,53 @@ struct Progress
   py::object function;
 };
 
-void subdivide(Control& c, unsigned levels, const py::object& progress)
+// To the limit if there is a tolerance, and then returns the report.
+py::object subdivide(Control& c, unsigned levels, const py::object& progress,
+                     std::optional<double> tolerance, double normal_tolerance)
 {
   const Progress told{progress};
-  c.run([&](const auto& scheme, const auto& np, const auto&) {
-    PN::subdivide<Tag>(
-      c.mesh, scheme,
-      PN::parameters::join(PN::parameters::attributes(c.table),
-                           np.number_of_iterations(levels).visitor(std::cref(told))));
-  });
-}
-
-py::array limit(Control& c, unsigned levels, double tolerance, double normal_tolerance,
-                const py::object& progress)
-{
-  const Progress told{progress};
+  const auto accuracy = PN::parameters::tolerance(tolerance.value_or(0))
+                          .normal_tolerance(normal_tolerance)
+                          .surface_normals(true);
   PN::Limit_report report;
-  c.run([&](const auto& scheme, const auto& np, const auto&) {
-    report = PN::subdivide_to_limit<Tag>(
-      c.mesh, scheme,
-      PN::parameters::join(PN::parameters::attributes(c.table)
-                             .tolerance(tolerance)
-                             .normal_tolerance(normal_tolerance)
-                             .surface_normals(true),
-                           np.number_of_iterations(levels).visitor(std::cref(told))));
+  c.run([&](const auto& scheme, const auto& of_mesh, const auto&) {
+    const auto np =
+      PN::parameters::join(PN::parameters::attributes(c.table),
+                           of_mesh.number_of_iterations(levels).visitor(std::cref(told)));
+    if (tolerance)
+      report = PN::subdivide_to_limit<Tag>(c.mesh, scheme, PN::parameters::join(accuracy, np));
+    else
+      PN::subdivide<Tag>(c.mesh, scheme, np);
   });
+  if (!tolerance) return py::none();
   return py::array_t<PN::Limit_report>(1, &report);
 }
 
-// Makes creases, normals and the roundness those of the surfaces that are found; returns these and the number of that of
-// each face.
+// Makes creases (sharp for one round), normals and the roundness those of the surfaces that are found; returns these and
+// the number of that of each face.
 py::tuple recognize(Control& c, int min_facets, double tolerance, double sharp_angle)
 {
   const auto of_face = c.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:surface", 0).first;
   const auto roundness = c.mesh.add_property_map<Vertex, double>("v:roundness", 1).first;
-  const auto is_crease = c.mesh.add_property_map<Mesh::Edge_index, bool>("e:is_crease").first;
-  const auto is_corner = c.mesh.add_property_map<Vertex, bool>("v:is_corner").first;
+  auto of_edges = c.edge_sharpness();
+  auto of_vertices = c.vertex_sharpness();
   const Control::Of_corners normals;
   std::vector<PN::Recognized_surface> surfaces;
   run(1, [&] {
     const auto np = PN::parameters::shared(
       PN::parameters::sharp_angle(sharp_angle).min_facets(min_facets).surface_tolerance(tolerance));
     surfaces = PN::recognize_surfaces(c.mesh, of_face, np);
-    PN::surface_creases(c.mesh, of_face, surfaces, is_crease,
+    PN::surface_creases(c.mesh, of_face, surfaces, of_edges,
                         PN::parameters::join(PN::parameters::vertex_roundness_map(roundness)
-                                               .vertex_is_constrained_map(is_corner)
+                                               .vertex_is_constrained_map(of_vertices)
                                                .vertex_normal_map(normals),
                                              np));
   });
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  auto of_edges = c.edge_sharpness();
-  auto of_vertices = c.vertex_sharpness();
-  for (const auto e : c.mesh.edges()) of_edges[e] = is_crease[e] ? infinite : 0;
-  for (const Vertex v : c.mesh.vertices()) of_vertices[v] = is_corner[v] ? infinite : 0;
-  for (const Halfedge h : corners_of(c.mesh))
-    put(normals.roundness_map(), h, roundness[c.mesh.target(h)]);
   c.normals = normals;
-  return py::make_tuple(to_array(surfaces),
+  for_each_normal(c, [&](const auto& map, const auto& key, Vertex v, std::size_t) {
+    put(map.roundness_map(), key, roundness[v]);
+  });
+  return py::make_tuple(py::array_t<PN::Recognized_surface>(surfaces.size(), surfaces.data()),
                         to_array(std::vector<std::int64_t>(of_face.begin(), of_face.end())));
 }
 
@@ -253,34 +254,29 @@ py::tuple recognize(Control& c, int min_facets, double tolerance, double sharp_a
 PYBIND11_MODULE(_core, module)
 {
   py::register_local_exception<std::overflow_error>(module, "Out_of_range", PyExc_ValueError);
-  module.attr("version") = CGAL_PN_SUBDIVISION_3_VERSION;
-  module.attr("has_threads") = std::is_convertible_v<Tag, CGAL::Parallel_tag>;
-  py::class_<Control>(module, "Control")
-    .def(py::init<const std::string&, const std::map<std::string, double>&, bool, int>(),
-         py::arg("scheme"), py::arg("parameters"), py::arg("linear"), py::arg("threads"))
-    .def_readonly("threads", &Control::threads)
-    .def("add_faces", add_faces)
-    .def("set_sharpness", set_sharpness)
-    .def("set_normals", set_normals)
-    .def("add_attribute", add_attribute)
-    .def("attribute", attribute)
-    .def(
-      "points",
-      [](const Control& c) { return to_rows(c.mesh.points().data(), c.mesh.number_of_vertices()); })
-    .def("faces", [](const Control& c) { return faces_of(c.mesh); })
-    .def("normals", normals_of)
-    .def("edges", edges_of)
-    .def("face_parents", [](const Control& c) { return to_array(c.table.face_parents); });
   PYBIND11_NUMPY_DTYPE(PN::Limit_report, error, normal_error, tolerance, number_of_misses,
                        number_of_stand_ins, depth);
   PYBIND11_NUMPY_DTYPE(PN::Recognized_surface, kind, point, direction, radius, tube_radius,
                        half_angle, residual, number_of_faces);
-  module.def("subdivide", subdivide, py::arg("control"), py::arg("levels"), py::arg("progress"));
-  module.def("limit", limit, py::arg("control"), py::arg("levels"), py::arg("tolerance"),
-             py::arg("normal_tolerance"), py::arg("progress"));
-  module.def("recognize", recognize, py::arg("control"), py::arg("min_facets"),
-             py::arg("tolerance"), py::arg("sharp_angle"));
-  add_surfaces(module);
+  module.attr("version") = CGAL_PN_SUBDIVISION_3_VERSION;
+  module.attr("has_threads") = std::is_convertible_v<Tag, CGAL::Parallel_tag>;
+  py::class_<Control> control(module, "Control");
+  control
+    .def(py::init<const Reals&, const Integers&, const Integers&, const std::string&,
+                  const std::map<std::string, double>&, bool, int>(),
+         "points"_a, "offsets"_a, "indices"_a, "scheme"_a, "parameters"_a, "linear"_a, "threads"_a,
+         Unlocked())
+    .def_readonly("threads", &Control::threads)
+    .def("set_sharpness", set_sharpness, Unlocked())
+    .def("set_normals", set_normals, Unlocked())
+    .def("add_attribute", add_attribute)
+    .def("attribute", attribute)
+    .def("halfedges", [](const Control& c) { return to_array(corners_of(c.mesh)); })
+    .def("arrays", arrays)
+    .def("subdivide", subdivide, "levels"_a, "progress"_a, "tolerance"_a = py::none(),
+         "normal_tolerance"_a = 0.)
+    .def("recognize", recognize, "min_facets"_a, "tolerance"_a, "sharp_angle"_a);
+  add_surfaces(module, control);
 }
 
 } // namespace pn_python

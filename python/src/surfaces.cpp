@@ -31,19 +31,16 @@ using Queries = PN::Limit_surface_queries<Mesh, Kernel>;
 py::object refiner(Control& c, unsigned levels)
 {
   py::object result;
-  const auto make = [&](const auto& scheme, const auto& np) {
+  const auto make = [&](const auto& scheme, const auto& np, const auto&...) {
     using R = Refiner<std::decay_t<decltype(scheme)>>;
     auto made = std::make_unique<R>(c.mesh, scheme, np.number_of_iterations(levels));
     const py::gil_scoped_acquire locked;
     result = py::cast(std::move(made));
   };
   if (c.is_estimated) // again, when points move
-    run(c.threads, [&] {
-      make(c.scheme,
-           PN::parameters::join(PN::parameters::control_normal_estimate(c.estimate), c.sharp()));
-    });
+    run(c.threads, [&] { make(c.scheme, c.sharp()); });
   else
-    c.run([&](const auto& scheme, const auto& np, const auto&) { make(scheme, np); });
+    c.run(make);
   return result;
 }
 
@@ -51,38 +48,31 @@ template <class S>
 void add_refiner(py::module_& module, const char* name)
 {
   using R = Refiner<S>;
-  const auto view = [](const py::object& owner, const auto& rows) {
-    py::array_t<double> result = to_rows(rows.data(), rows.size(), owner);
-    result.attr("setflags")(py::arg("write") = false);
-    return result;
+  const auto set = [](R& r, const Integers& vertices, const Reals& rows, bool are_normals) {
+    for (py::ssize_t i = 0; i < vertices.size(); ++i)
+      if (!are_normals)
+        r.set_point(Vertex(vertices.at(i)), rows_of<Point_3>(rows)[i]);
+      else if constexpr (std::is_same_v<S, PN::Any_scheme<double>>)
+        r.set_normal(Vertex(vertices.at(i)), rows_of<Vector_3>(rows)[i]);
+      else
+        throw py::value_error("a linear scheme has no control normals");
   };
-  const auto set_normals = [](R& r, const Integers& vertices, const Reals& normals) {
-    if constexpr (std::is_same_v<S, PN::Any_scheme<double>>)
-      for (py::ssize_t i = 0; i < vertices.size(); ++i)
-        r.set_normal(Vertex(vertices.at(i)), rows_of<Vector_3>(normals)[i]);
-    else
-      throw std::invalid_argument("PN_subdivision_3: a linear scheme has no control normals");
+  const auto update = [](R& r, int threads) {
+    std::vector<std::uint32_t> changed;
+    run(threads, [&] { changed = r.update(); });
+    return to_array(std::move(changed));
+  };
+  const auto faces = [](const R& r) {
+    Mesh mesh;
+    r.build_mesh(mesh);
+    return faces_of(mesh);
   };
   py::class_<R>(module, name)
-    .def("set_points",
-         [](R& r, const Integers& vertices, const Reals& points) {
-           for (py::ssize_t i = 0; i < vertices.size(); ++i)
-             r.set_point(Vertex(vertices.at(i)), rows_of<Point_3>(points)[i]);
-         })
-    .def("set_normals", set_normals)
-    .def("update",
-         [](R& r, int threads) {
-           const std::vector<std::uint32_t>* changed = nullptr;
-           run(threads, [&] { changed = &r.update(); });
-           return to_array(*changed);
-         })
-    .def("points", [view](const py::object& r) { return view(r, r.cast<R&>().points()); })
-    .def("normals", [view](const py::object& r) { return view(r, r.cast<R&>().normals()); })
-    .def("faces", [](const R& r) {
-      Mesh mesh;
-      r.build_mesh(mesh);
-      return faces_of(mesh);
-    });
+    .def("set", set)
+    .def("update", update)
+    .def("points", [](const py::object& r) { return view(r.cast<const R&>().points(), r); })
+    .def("normals", [](const py::object& r) { return view(r.cast<const R&>().normals(), r); })
+    .def("faces", faces);
 }
 
 py::array tessellate(Control& c, double chord)
@@ -119,53 +109,29 @@ py::array evaluate(const Surface& surface, const Integers& faces, const Reals& u
     places.push_back({Mesh::Face_index(faces.at(i)), uv.at(i, 0), uv.at(i, 1)});
   std::vector<Surface::Surface_point> points;
   run(1, [&] { points = surface.evaluate(places); });
-  return to_rows(points.data(), points.size());
+  return to_array(std::move(points));
 }
 
-template <class Function>
-py::array hits(std::size_t number, const Function& find)
+// The closest points, or the first ones in directions.
+py::array hits(const Queries& queries, const Reals& points, const std::optional<Reals>& directions)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Queries::Hit none{
     {Mesh::null_face(), nan, nan}, Point_3(nan, nan, nan), Vector_3(nan, nan, nan), nan, nan};
   std::vector<Queries::Hit> found;
   run(1, [&] {
-    for (std::size_t i = 0; i < number; ++i)
-      found.push_back(std::optional<Queries::Hit>(find(i)).value_or(none));
+    for (py::ssize_t i = 0; i < points.shape(0); ++i) {
+      const Point_3& p = rows_of<Point_3>(points)[i];
+      found.push_back(
+        directions ? queries.first_intersection(p, rows_of<Vector_3>(*directions)[i]).value_or(none)
+                   : queries.closest_point(p));
+    }
   });
-  return to_rows(found.data(), found.size());
-}
-
-py::array closest_points(const Queries& queries, const Reals& points)
-{
-  return hits(std::size_t(points.shape(0)),
-              [&](std::size_t i) { return queries.closest_point(rows_of<Point_3>(points)[i]); });
-}
-
-py::array first_intersections(const Queries& queries, const Reals& sources, const Reals& directions)
-{
-  return hits(std::size_t(sources.shape(0)), [&](std::size_t i) {
-    return queries.first_intersection(rows_of<Point_3>(sources)[i],
-                                      rows_of<Vector_3>(directions)[i]);
-  });
+  return to_array(std::move(found));
 }
 
 template <class Point, class Vector>
-py::array refine_curve(const Reals& rows, bool has_normals, const PN::Univariate_mask<double>& mask,
-                       PN::Curve_end end, unsigned levels, bool linear, double roundness)
-{
-  using Item = std::pair<Point, Vector>;
-  std::vector<Item> curve(rows_of<Item>(rows), rows_of<Item>(rows) + rows.shape(0));
-  run(1, [&] {
-    if (!has_normals && !linear) curve = PN::estimate_control_normals(curve, end);
-    const auto np = PN::parameters::roundness(roundness).number_of_iterations(levels);
-    curve = linear ? PN::subdivide_curve(curve, PN::linear(mask), end, np)
-                   : PN::subdivide_curve(curve, mask, end, np);
-  });
-  return to_rows(curve.data(), curve.size());
-}
-
-py::array curve(const Reals& rows, bool has_normals, bool is_spline, int number, int end,
+py::array curve(const Reals& rows, bool has_normals, bool is_spline, int number, int end_number,
                 unsigned levels, bool linear, double roundness)
 {
   const auto of = [](const auto& mask) {
@@ -173,28 +139,34 @@ py::array curve(const Reals& rows, bool has_normals, bool is_spline, int number,
   };
   const auto mask =
     is_spline ? of(PN::B_spline_mask(number)) : of(PN::Dubuc_Deslauriers_mask(number));
-  const auto refine = rows.shape(1) == 4 ? refine_curve<Kernel::Point_2, Kernel::Vector_2>
-                                         : refine_curve<Point_3, Vector_3>;
-  return refine(rows, has_normals, mask, PN::Curve_end(end), levels, linear, roundness);
+  using Item = std::pair<Point, Vector>;
+  std::vector<Item> result(rows_of<Item>(rows), rows_of<Item>(rows) + rows.shape(0));
+  run(1, [&] {
+    const auto end = PN::Curve_end(end_number);
+    if (!has_normals && !linear) result = PN::estimate_control_normals(result, end);
+    const auto np = PN::parameters::roundness(roundness).number_of_iterations(levels);
+    result = linear ? PN::subdivide_curve(result, PN::linear(mask), end, np)
+                    : PN::subdivide_curve(result, mask, end, np);
+  });
+  return to_array(std::move(result));
 }
 
 } // namespace
 
-void add_surfaces(py::module_& module)
+void add_surfaces(py::module_& module, py::class_<Control>& control)
 {
   add_refiner<PN::Any_scheme<double>>(module, "Refiner");
   add_refiner<PN::Linear_scheme<PN::Any_scheme<double>>>(module, "Linear_refiner");
   py::class_<Surface>(module, "Limit_surface").def("evaluate", evaluate);
   py::class_<Queries>(module, "Limit_surface_queries")
-    .def(py::init<const Surface&>(), py::keep_alive<1, 2>(),
-         py::call_guard<py::gil_scoped_release>())
-    .def("closest_points", closest_points)
-    .def("first_intersections", first_intersections);
+    .def(py::init<const Surface&>(), py::keep_alive<1, 2>(), Unlocked())
+    .def("hits", hits);
   PYBIND11_NUMPY_DTYPE(PN::Tessellation_result, bound, worst_face, worst_place, reached, depth);
-  module.def("tessellate", tessellate, py::arg("control"), py::arg("chord"));
-  module.def("refiner", refiner);
-  module.def("limit_surface", limit_surface);
-  module.def("curve", curve);
+  control.def("tessellate", tessellate, "chord"_a)
+    .def("refiner", refiner)
+    .def("limit_surface", limit_surface);
+  module.def("curve_2", curve<Kernel::Point_2, Kernel::Vector_2>);
+  module.def("curve_3", curve<Point_3, Vector_3>);
 }
 
 } // namespace pn_python

@@ -10,6 +10,8 @@
 import ast
 import importlib.util
 import inspect
+import os
+import subprocess
 import sys
 import types
 from pathlib import Path
@@ -55,8 +57,8 @@ def test_trimesh(library):
     back = fine.to_trimesh()
     assert np.array_equal(back.vertices, fine.points) and np.array_equal(back.faces, fine.faces)
     assert np.abs(np.asarray(back.vertex_normals) - fine.normals).max() < 1e-6
-    part = pn.subdivide(*prism(8)[:2], creases=50.0).to_trimesh()
-    assert len(part.vertex_normals) == len(part.vertices)
+    part = pn.subdivide(*prism(8)[:2], creases=50.0)
+    assert len(part.normals) > len(part.points) and np.array_equal(part.to_trimesh().faces, part.triangles())
 
 
 def test_pyvista(library):
@@ -79,7 +81,7 @@ def test_meshio(library):
     assert {block.type: len(block.data) for block in fine.to_meshio().cells} == {"triangle": 4, "quad": 5}
 
 
-def test_triangles_and_normals_of_vertices():
+def test_triangles():
     points, polygons, rims = prism(6)
     mesh = pn.subdivide(points, polygons, creases=rims, levels=0)
     triangles = mesh.triangles()
@@ -87,8 +89,6 @@ def test_triangles_and_normals_of_vertices():
     a, b, c = (points[triangles[:, i]] for i in range(3))
     volume = np.sum(np.cross(a, b) * c) / 6
     assert abs(volume - 2 * 1.5 * np.sqrt(3)) < 1e-14
-    normals = mesh.vertex_normals()
-    assert np.abs(np.linalg.norm(normals, axis=1) - 1).max() < 1e-14 and np.all(np.sum(normals * (points - [0, 0, 1]), axis=1) > 0)
 
 
 def test_a_mesh_goes_on_with_what_it_has_unless_something_else_is_given():
@@ -99,23 +99,17 @@ def test_a_mesh_goes_on_with_what_it_has_unless_something_else_is_given():
     assert not same_bits(pn.subdivide(mesh, normals="angle", corners=[]).points, again.points)
 
 
-def test_type_hints_name_what_there_is():
-    package = Path(pn.__file__).parent
-    assert (package / "py.typed").exists()
-    checked = 0
-    for node in ast.walk(ast.parse((package / "__init__.pyi").read_text())):
-        if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
-            for item in node.body:
-                name = item.target.id if isinstance(item, ast.AnnAssign) else item.name
-                assert name in pn.Mesh.__dataclass_fields__ or hasattr(getattr(pn, node.name), name)
-                checked += 1
-        elif isinstance(node, ast.FunctionDef) and node.name in vars(pn) and node.name[0] != "_":
-            known = inspect.signature(getattr(pn, node.name)).parameters
-            given = [a.arg for a in (*node.args.args, *node.args.kwonlyargs, *filter(None, [node.args.kwarg]))]
-            assert given == list(known), node.name
-            checked += 1
-    options = next(node for node in ast.parse((package / "__init__.pyi").read_text()).body
-                   if isinstance(node, ast.ClassDef) and node.name == "_Options")
-    known = list(inspect.signature(pn._mesh.Control.__init__).parameters)[3:]
-    assert [item.target.id for item in options.body] == known
-    assert checked > 30 and all(f"\n  {name} " in pn.__doc__ for name in known)
+def test_type_hints_are_those_of_the_functions(tmp_path):
+    """All names and parameters, by mypy; what it cannot see is that the options are those of control meshes."""
+    stubs = Path(pn.__file__).with_name("__init__.pyi")
+    assert stubs.with_name("py.typed").exists()
+    options = next(node for node in ast.parse(stubs.read_text()).body if isinstance(node, ast.ClassDef) and node.name == "_Options")
+    known = list(inspect.signature(pn.Control.__init__).parameters)[3:]
+    assert [item.target.id for item in options.body] == known and all(f"\n  {name} " in pn.__doc__ for name in known)
+    assert all(getattr(pn, name).__doc__ for name in pn.__all__ if callable(getattr(pn, name)))
+    if importlib.util.find_spec("mypy") is None:
+        pytest.skip("left out: mypy is not installed")
+    (tmp_path / "mypy.ini").write_text("[mypy]\nenable_incomplete_feature = Unpack\n")
+    run = subprocess.run([sys.executable, "-B", "-m", "mypy.stubtest", "--ignore-missing-stub", "--mypy-config-file", "mypy.ini", "pn_subdivision"],
+                         cwd=tmp_path, env={**os.environ, "MYPYPATH": str(Path(pn.__file__).parent.parent)}, capture_output=True, text=True)
+    assert run.returncode == 0, run.stdout + run.stderr

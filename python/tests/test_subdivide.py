@@ -5,14 +5,18 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
+import sys
 import threading
 import time
+import tracemalloc
 
 import numpy as np
 import pn_subdivision as pn
 import pytest
 from shapes import (CUBE, CUBE_EDGES, OCTAHEDRON, QUADS, TRIANGLES, catmull_clark, in_order, open_cylinder, plane, prism, radius,
                     same_bits, torus, unit)
+
+RANDOM = np.random.default_rng(1)
 
 
 @pytest.mark.parametrize("scheme", ["catmull-clark", "kobbelt", "doo-sabin", "modified-catmull-clark", "bilinear"])
@@ -184,22 +188,44 @@ def test_progress_is_told_and_ends_the_call():
             function(CUBE, QUADS, levels=5, progress=end)
 
 
-def test_the_lock_is_released():
-    """Another thread counts while a round is computed."""
-    count, times, is_done = [0], [], threading.Event()
+@pytest.mark.parametrize("call", [
+    lambda mesh, normals: pn.subdivide(*mesh, normals=normals, levels=2), lambda mesh, _: pn.subdivide(*mesh, linear=True, levels=3),
+    lambda mesh, normals: pn.limit(*mesh, normals=normals), lambda mesh, normals: pn.tessellate(*mesh, normals=normals, chord=0.05),
+    lambda mesh, _: pn.estimate_normals(*mesh), lambda mesh, _: pn.recognize(*mesh), lambda mesh, _: pn.Refiner(*mesh, levels=2),
+    lambda *_: pn.Limit_surface(CUBE, QUADS).evaluate(np.zeros(400, int), np.full((400, 2), 0.3))])
+def test_the_lock_is_released(call):
+    """Another thread counts meanwhile, though it would not be let in once in an hour."""
+    count, is_done = [0], threading.Event()
 
     def work():
         while not is_done.is_set():
             count[0] += 1
             time.sleep(0.0005)
 
-    worker = threading.Thread(target=work)
-    worker.start()
-    points, quads, normals = torus(48, 48)
-    pn.subdivide(points, quads, normals=normals, levels=3, progress=lambda *_: times.append(count[0]))
-    is_done.set()
-    worker.join()
-    assert times[2] - times[1] > 5
+    points, quads, normals = torus(32, 24)
+    interval, worker = sys.getswitchinterval(), threading.Thread(target=work)
+    sys.setswitchinterval(3600)
+    try:
+        worker.start()
+        before = count[0]
+        call((points, quads), normals)
+        assert count[0] - before > 2
+    finally:
+        sys.setswitchinterval(interval)
+        is_done.set()
+        worker.join()
+
+
+def test_arrays_are_read_where_they_are_and_results_are_not_copied():
+    points, faces = RANDOM.random((100_000, 3)), ([0], [])
+    for given, most in ((points, 1.1), (np.asfortranarray(points), 2.1)):  # a copy of what is in another order
+        tracemalloc.start()
+        fine = pn.subdivide(given, faces, linear=True)
+        _, peak = tracemalloc.get_traced_memory()
+        tracemalloc.stop()
+        assert (most - 1.1) * points.nbytes <= peak < (most - 1) * points.nbytes + 200_000
+        assert np.array_equal(fine.points, points)
+    assert not fine.points.flags.owndata and not fine.offsets.flags.owndata  # they show what C++ has made
 
 
 def test_nothing_given_is_changed():
@@ -274,7 +300,7 @@ def test_errors_name_what_is_wrong(points, faces, options, message):
 
 @pytest.mark.parametrize("function, options, message", [
     (pn.subdivide, {"level": 3}, "level"), (pn.subdivide, {"scheme": 5}, "scheme: str"), (pn.tessellate, {"chord": "fine"}, "chord: float"),
-    (pn.limit, {"tolerance": "small"}, "tolerance: float"), (pn.recognize, {"min_facets": 8.5}, "min_facets: int")])
+    (pn.limit, {"tolerance": "small"}, "tolerance: .*float"), (pn.recognize, {"min_facets": 8.5}, "min_facets: int")])
 def test_wrong_types_are_named(function, options, message):
     with pytest.raises(TypeError, match=message):
         function(CUBE, QUADS, **options)
