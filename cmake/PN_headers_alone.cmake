@@ -1,5 +1,5 @@
-# Target pn_headers_alone: all headers, and those of test_support/, compile in the company of what <windows.h>, Qt and <X11/Xlib.h> define; with PN_TEST_FULL
-# together without it and every one alone, too, those with a documented name where they are used
+# Target pn_headers_alone: all headers, and those of test_support/, compile in the company of what <windows.h>, Qt and
+# <X11/Xlib.h> define, with -Wconversion; with PN_TEST_FULL together without it and every one alone, too, those with a documented name where they are used
 # (test/PACKAGE/headers). The internal ones take the headers of others precompiled, which saves minutes: that
 # they include those themselves is seen where precompiled headers are off (build preset clang-headers).
 # Only checked, not translated: no code is generated.
@@ -61,6 +61,10 @@ file(GENERATE OUTPUT ${generated}/beside_macros.cpp
 #define Success 0
 ${all_headers}")
 file(GENERATE OUTPUT ${generated}/all_headers.cpp CONTENT "${all_headers}")
+if(TARGET pn_warnings) # clang's -Wconversion is about signs, too
+  set_source_files_properties(${generated}/beside_macros.cpp PROPERTIES
+                              COMPILE_OPTIONS "-Wconversion;-Wno-sign-conversion")
+endif()
 set(together ${generated}/all_headers.cpp ${generated}/beside_macros.cpp)
 
 set(targets pn_headers_alone)
