@@ -6,13 +6,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_fitting_3/internal/Creased_interpolation.h>
 #include <CGAL/PN_fitting_3/internal/Mesh_limit_functionals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
 
 namespace CGAL::PN_subdivision_3::internal {
 
 template class Mesh_limit_functionals<CatmullClark_scheme>;
-template class Creased_interpolation<compiled_once::CatmullClark>;
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -15,6 +15,9 @@ template Interpolation_result<3> interpolate_mesh(const Level_connectivity&,
                                                   Control_normal_estimate,
                                                   const Interpolation_options&, bool,
                                                   Interpolation_data<3>&, Surface_limits&);
+template Interpolation_result<3>
+interpolate_creased(const Interpolation_data<3>&,
+                    Function_ref<void(Vectors<3>&, double, Limit_interpolation*)>);
 template void find_natural_normals(Interpolation_data<3>&, Surface_limits&);
 
 } // namespace CGAL::PN_subdivision_3::internal

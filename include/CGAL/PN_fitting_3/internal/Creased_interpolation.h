@@ -18,14 +18,10 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
-#ifdef CGAL_PN_SUBDIVISION_3_FITTING
-#  include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
-#endif
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cstddef>
@@ -37,75 +33,30 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// Control points whose limits on a surface with creases are given points. With the normals of the wedges and the
-// tangents of the creases as they are, limits are linear in the control points: L p = P. L is not made, but
-// evaluated, and GMRES solves for the corrections.
+// The limits of the points of vertices on a surface with creases, with the normals of the wedges and the tangents of the
+// creases as they are.
 template <class Scheme>
-class Creased_interpolation
+class Creased_limit_points
 {
 public:
   using Index = Level_connectivity::Index;
-  using Value = typename Average_of_scheme<Scheme, double>::Value;
-  using Level = Valued_level<Value>;
-  using Data = Interpolation_data<3>;
+  using Level = Valued_level<typename Average_of_scheme<Scheme, double>::Value>;
 
   // `level` has the values of the slots, `vertex_of_slot` the vertices of the slots; the vertices of the data are sorted
-  Creased_interpolation(const Scheme& scheme, Level& level, const Creases<double>& creases,
-                        const std::vector<Index>& vertex_of_slot, const Data& data,
-                        const For_chunks& for_chunks)
+  Creased_limit_points(const Scheme& scheme, Level& level, const Creases<double>& creases,
+                       const std::vector<Index>& vertex_of_slot, const Interpolation_data<3>& data,
+                       const For_chunks& for_chunks)
     : scheme_(scheme)
     , level_(level)
     , creases_(creases)
     , vertex_of_slot_(vertex_of_slot)
     , data_(data)
     , for_chunks_(for_chunks)
-    , size_(box_size<3>(data.points))
   {}
 
-  Interpolation_result<3> operator()();
-
-private:
-  using Vector = Eigen::VectorXd;
-
-  static constexpr int most_directions = 60;
-  static constexpr double reduction = 1e-4; // of the residual in a step
-
-  unsigned most_steps() const { return (std::min)(12u, data_.max_steps); }
-
-  Vector of_unknowns(const Vectors<3>& of_vertices) const
+  // those of the data's vertices take the places of the points
+  void operator()(Vectors<3>& points, double tolerance, Limit_interpolation* report) const
   {
-    Vector x(3 * Eigen::Index(data_.vertices.size()));
-    for (std::size_t i = 0; i < data_.vertices.size(); ++i)
-      x.segment<3>(3 * Eigen::Index(i)) = of_vertices[data_.vertices[i]];
-    return x;
-  }
-
-  static double largest(const Vector& x)
-  {
-    double length = 0;
-    for (Eigen::Index i = 0; i < x.size(); i += 3)
-      length = (std::max)(length, finite_or_infinite(x.segment<3>(i).norm()));
-    return length;
-  }
-
-  // of the control points; points that are not sought are as they are
-  Vector limits_at(const Vector& unknowns, Limit_interpolation* report)
-  {
-    return limits(unknowns, data_.points, data_.precision().tolerance, report);
-  }
-  // points that are not sought count as zero
-  Vector limits_of_direction(const Vector& direction)
-  {
-    const double scale = size_ / direction.lpNorm<Eigen::Infinity>();
-    const Vectors<3> none(data_.points.size(), Eigen_vector<3>::Zero());
-    return limits(scale * direction, none, reduction / 100 * size_, nullptr) / scale;
-  }
-
-  Vector limits(const Vector& unknowns, Vectors<3> points, double tolerance,
-                Limit_interpolation* report)
-  {
-    for (std::size_t i = 0; i < data_.vertices.size(); ++i)
-      points[data_.vertices[i]] = unknowns.segment<3>(3 * Eigen::Index(i));
     for (std::size_t slot = 0; slot < level_.values.size(); ++slot)
       point_of(level_.values[slot]) = to_coordinates<3>(points[vertex_of_slot_[slot]]);
     Limit_demand demand;
@@ -121,70 +72,16 @@ private:
       report->error = (std::max)(report->error, results[v].error);
       report->depth = (std::max)(report->depth, results[v].depth);
     }
-    return of_unknowns(points);
   }
 
-  // GMRES
-  Vector correction(const Vector& rest)
-  {
-    const double length = rest.norm();
-    std::vector<Vector> basis{rest / length};
-    Eigen::MatrixXd h = Eigen::MatrixXd::Zero(most_directions + 1, most_directions);
-    for (int k = 0;; ++k) {
-      Vector next = limits_of_direction(basis.back());
-      for (int i = 0; i <= k; ++i) {
-        h(i, k) = next.dot(basis[std::size_t(i)]);
-        next -= h(i, k) * basis[std::size_t(i)];
-      }
-      h(k + 1, k) = next.norm();
-      Vector wanted = Vector::Zero(k + 2);
-      wanted[0] = length;
-      const auto part = h.topLeftCorner(k + 2, k + 1);
-      const Vector y = part.colPivHouseholderQr().solve(wanted);
-      const bool is_last = k + 1 == most_directions || !(h(k + 1, k) > 1e-12);
-      if (is_last || !((part * y - wanted).norm() > reduction * length)) {
-        Vector x = Vector::Zero(rest.size());
-        for (int i = 0; i <= k; ++i) x += y[i] * basis[std::size_t(i)];
-        return x;
-      }
-      basis.push_back(next / h(k + 1, k));
-    }
-  }
-
+private:
   const Scheme& scheme_;
   Level& level_;
   const Creases<double>& creases_;
   const std::vector<Index>& vertex_of_slot_;
-  const Data& data_;
+  const Interpolation_data<3>& data_;
   For_chunks for_chunks_;
-  double size_;
 };
-
-template <class Scheme>
-Interpolation_result<3> Creased_interpolation<Scheme>::operator()()
-{
-  Interpolation_result<3> result;
-  result.report.tolerance = data_.tolerance;
-  const Vector wanted = of_unknowns(data_.points);
-  Vector p = wanted;
-  Vector rest = wanted - limits_at(p, &result.report);
-  result.report.residual = largest(rest);
-  while (!(result.report.residual <= data_.tolerance) && result.report.steps < most_steps()) {
-    const Vector next = p + correction(rest);
-    ++result.report.steps;
-    Limit_interpolation report = result.report;
-    const Vector next_rest = wanted - limits_at(next, &report);
-    report.residual = largest(next_rest);
-    if (!(report.residual < result.report.residual)) break;
-    p = next;
-    rest = next_rest;
-    result.report = report;
-  }
-  result.points = data_.points;
-  for (std::size_t i = 0; i < data_.vertices.size(); ++i)
-    result.points[data_.vertices[i]] = p.segment<3>(3 * Eigen::Index(i));
-  return result;
-}
 
 template <class FT>
 Creases<double> in_double(const Creases<FT>& creases)
@@ -325,8 +222,10 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
   Valued_level<typename Average_of_scheme<Scheme_of_call, double>::Value> valued{
     level, slots_in_double<Scheme_of_call, FT>(values)};
   const Creases<double> fixed = in_double(creases);
-  auto result = Creased_interpolation<Rules_of<Scheme_of_call>>(rules_of(scheme), valued, fixed,
-                                                                vertex_of_slot, data, for_chunks)();
+  const auto rules = rules_of(scheme);
+  auto result =
+    interpolate_creased<3>(data, Creased_limit_points<Rules_of<Scheme_of_call>>(
+                                   rules, valued, fixed, vertex_of_slot, data, for_chunks));
   multiply_by_size(data.exponent, result.report);
   multiply_by_size<FT, 3>(data.exponent, data.points);
   multiply_by_size<FT, 3>(data.exponent, result.points);
@@ -345,13 +244,6 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
   of_mesh.keep();
   return result.report;
 }
-
-#ifdef CGAL_PN_SUBDIVISION_3_FITTING // the library has it
-extern template class Creased_interpolation<compiled_once::CatmullClark>;
-extern template class Creased_interpolation<compiled_once::Loop>;
-extern template class Creased_interpolation<compiled_once::Any_of_quads>;
-extern template class Creased_interpolation<compiled_once::Any_of_triangles>;
-#endif
 
 } // namespace CGAL::PN_subdivision_3::internal
 

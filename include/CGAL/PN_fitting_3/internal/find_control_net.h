@@ -9,6 +9,7 @@
 #define CGAL_PN_FITTING_3_INTERNAL_FIND_CONTROL_NET_H
 
 #include <CGAL/PN_fitting_3/internal/Control_normal_solution.h>
+#include <CGAL/PN_fitting_3/internal/Creased_solution.h>
 #include <CGAL/PN_fitting_3/internal/Curvature_prescription.h>
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
 #include <CGAL/PN_fitting_3/internal/Prescription.h>
@@ -83,6 +84,14 @@ prescribe(const Level_connectivity& level, const Options& options,
   return Curvature_prescription(level, data, source, std::move(prescribed), forms, options.rings,
                                 names)(size > 0 ? options.curvature_tolerance / size : 0,
                                        options.max_curvature_steps);
+}
+
+template <int dimension>
+Interpolation_result<dimension>
+interpolate_creased(const Interpolation_data<dimension>& data,
+                    Function_ref<void(Vectors<dimension>&, double, Limit_interpolation*)> limits)
+{
+  return Creased_solution(data, limits)();
 }
 
 template <int dimension, class Options>

@@ -162,6 +162,12 @@ prescribe(const Level_connectivity& level, const Options& options,
           std::vector<Prescribed_vertex> prescribed, const std::vector<Prescribed_form>& forms,
           Function_ref<std::string(Level_connectivity::Index)> names);
 
+// on a surface with creases
+template <int dimension>
+Interpolation_result<dimension>
+interpolate_creased(const Interpolation_data<dimension>& data,
+                    Function_ref<void(Vectors<dimension>&, double, Limit_interpolation*)> limits);
+
 // of a polygon
 template <int dimension, class Options>
 Interpolation_result<dimension> interpolate_polygon(bool is_closed, const Options& options,
