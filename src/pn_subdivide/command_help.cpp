@@ -10,7 +10,6 @@
 
 #include "io/mesh_io.h"
 
-#include <algorithm>
 #include <sstream>
 #include <vector>
 
@@ -18,35 +17,6 @@ namespace pn_subdivide {
 namespace {
 
 constexpr std::size_t columns = 100;
-
-struct Option_group
-{
-  const char* title;
-  std::vector<std::string> options;
-};
-
-// In the order of the help; names that a command does not have are passed over.
-const std::vector<Option_group>& option_groups()
-{
-  static const std::vector<Option_group> groups = {
-    {"Common options",
-     {"--levels", "--chord", "--scheme", "--closed", "--part", "--sharp", "--normals",
-      "--roundness", "--linear", "--limit", "--threads", "--quiet", "--help"}},
-    {"Sharp edges, borders and ends", {"--sharpness", "--border", "--write-tags", "--end"}},
-    {"Surfaces of CAD parts",
-     {"--min-facets", "--surface-tolerance", "--sharp-angle", "--planes", "--surface-labels"}},
-    {"What is read",
-     {"--triangulate", "--repair", "--merge-points", "--merge-distance", "--no-mend",
-      "--drop-attributes"}},
-    {"What is written",
-     {"--output-normals", "--surface-normals", "--curve-normals", "--curvature", "--texture-rule",
-      "--nearest", "--directions", "--split-seams", "--ascii", "--format", "--comb"}},
-    {"Limits and interpolation", {"--chord-bound", "--limit-tolerance", "--interpolate"}},
-    {"Schemes", {"--normal-scheme", "--tension", "--cap", "--first-round", "--tuned-valences"}},
-    {"Piece by piece", {"--memory", "--pieces", "--resume"}},
-    {"Checks and reports", {"--check", "--strict", "--report", "--verify", "--tolerance"}}};
-  return groups;
-}
 
 // The words of `text` in lines of at most `columns` characters, all but the first indented.
 std::string wrapped(const std::string& text, std::size_t indent)
@@ -98,24 +68,11 @@ std::string Command_help::make_help(const CLI::App* app, std::string name,
     return CLI::Formatter::make_help(app, std::move(name), mode);
   std::string help =
     make_description(app) + make_usage(app, std::move(name)) + make_positionals(app);
-  std::vector<const CLI::Option*> options =
-    app->get_options([](const CLI::Option* option) { return option->nonpositional(); });
-  const auto add_group = [&](const std::string& title,
-                             const std::vector<const CLI::Option*>& group) {
-    if (!group.empty()) help += make_group(title, false, group);
-  };
-  for (const Option_group& group : option_groups()) {
-    std::vector<const CLI::Option*> members;
-    for (const std::string& member : group.options) {
-      const auto has_name = [&](const CLI::Option* option) { return option->check_name(member); };
-      const auto found = std::find_if(options.begin(), options.end(), has_name);
-      if (found == options.end()) continue;
-      members.push_back(*found);
-      options.erase(found);
-    }
-    add_group(group.title, members);
+  for (const std::string& group : app->get_groups()) {
+    const std::vector<const CLI::Option*> options = app->get_options(
+      [&](const CLI::Option* o) { return o->nonpositional() && o->get_group() == group; });
+    if (!options.empty()) help += make_group(group, false, options);
   }
-  add_group("Other options", options);
   return help + '\n' + make_footer(app);
 }
 

@@ -15,8 +15,7 @@
 
 namespace pn_subdivide {
 
-// The help of both commands: options in groups, common ones first, in 100 columns; CLI11 alone leaves
-// lines as long as they are.
+// The help of both commands, in 100 columns; CLI11 alone leaves lines as long as they are.
 class Command_help : public CLI::Formatter
 {
 public:

@@ -14,6 +14,10 @@
 #include <string>
 #include <variant>
 
+namespace CLI {
+class App;
+}
+
 namespace pn_subdivide {
 
 // std::monostate: help or the version was asked for and has been printed.
@@ -29,6 +33,10 @@ void run_curve_command(const Curve_options& options);
 
 // As in "bspline:DEGREE (DEGREE 2 to 9), ...".
 std::string curve_scheme_names();
+
+// Throws Usage_error if options of a command that has been parsed exclude each other, and says why and what to do. What the
+// schemes and the data do not allow is found where they are known.
+void require_no_exclusions(const CLI::App& command);
 
 } // namespace pn_subdivide
 

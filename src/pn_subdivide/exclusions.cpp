@@ -6,10 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "exclusions.h"
+#include "command_line.h"
 
 #include "io/Error.h"
 #include "pieces/Ranks.h"
+
+#include <CLI/CLI.hpp>
 
 #include <boost/algorithm/string/case_conv.hpp>
 

@@ -10,9 +10,7 @@
 
 #include "io/Error.h"
 #include "io/formats.h"
-#include "io/merge_points.h"
 #include "io/mesh_normals.h"
-#include "io/shading_normals.h"
 #include "io/soup_check.h"
 #include "io/soup_repair.h"
 

@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <new>
 #include <type_traits>
 
 namespace pn_subdivide {
@@ -29,7 +28,7 @@ const char* const columns_message =
 
 std::string count(std::size_t n)
 {
-  return std::to_string(n) + (n == 1 ? " number" : " numbers");
+  return plural(n, "number", "numbers");
 }
 
 std::size_t columns_of(Text_reader& in)
@@ -83,13 +82,8 @@ Curve_data parse_curve(const std::string& text)
 
 Curve_data read_curve(const std::string& file)
 {
-  try {
-    return parse_curve(file_content(file));
-  } catch (const std::bad_alloc&) {
-    throw; // has no file to blame
-  } catch (const std::exception& e) {
-    throw Error((file == "-" ? "standard input" : file) + ": " + e.what());
-  }
+  return naming(file == "-" ? "standard input" : file,
+                [&] { return parse_curve(file_content(file)); });
 }
 
 void write_curve(Output_file& out, const Curve_data& curve)
@@ -114,17 +108,11 @@ void write_curve(Output_file& out, const Curve_data& curve)
     curve.points);
 }
 
-namespace {
-
-namespace PN = CGAL::PN_subdivision_3;
-
-} // namespace
-
 std::vector<std::size_t> read_corners(const std::string& file, std::size_t size)
 {
   const std::string text = file_content(file);
   std::vector<std::size_t> corners;
-  try {
+  naming(file, [&] {
     Text_reader in(text, '#');
     while (in.next_line())
       while (!in.at_end_of_line()) {
@@ -135,11 +123,7 @@ std::vector<std::size_t> read_corners(const std::string& file, std::size_t size)
         corners.push_back(static_cast<std::size_t>(corner));
       }
     if (corners.empty()) throw Error("there are no numbers of vertices in this file");
-  } catch (const std::bad_alloc&) {
-    throw; // has no file to blame
-  } catch (const std::exception& e) {
-    throw Error(file + ": " + e.what());
-  }
+  });
   return corners;
 }
 
@@ -181,7 +165,7 @@ Arc_parts split_into_arcs(const Curve_data& polygon, PN::Curve_end end, bool lin
     },
     polygon.points);
   const auto counted = [](std::size_t n, const std::string& name) {
-    return std::to_string(n) + " " + name + (n == 1 ? "" : "s");
+    return plural(n, name, name + "s");
   };
   result.found_any = number[1] + number[2] > 0;
   result.summary = counted(number[1], "line") + ", " + counted(number[2], "arc") + ", " +

@@ -22,6 +22,8 @@
 
 namespace pn_subdivide {
 
+namespace PN = CGAL::PN_subdivision_3;
+
 using Curve_kernel = CGAL::Simple_cartesian<double>;
 using Curve_2 = std::vector<std::pair<Curve_kernel::Point_2, Curve_kernel::Vector_2>>;
 using Curve_3 = std::vector<std::pair<Curve_kernel::Point_3, Curve_kernel::Vector_3>>;
@@ -51,11 +53,9 @@ std::vector<std::size_t> read_corners(const std::string& file, std::size_t size)
 
 // The open parts of a polygon between its corners, with their estimated normals where the file gave
 // none and `estimate` is set.
-std::vector<Curve_data> split_curve(const Curve_data& polygon,
-                                    CGAL::PN_subdivision_3::Curve_end end,
+std::vector<Curve_data> split_curve(const Curve_data& polygon, PN::Curve_end end,
                                     const std::vector<std::size_t>& corners, bool estimate);
 
-// The parts as one curve; if it is closed, it begins with point `first`.
 // Lines and arcs of a polygon: its parts as of split_curve(), their first vertices, and what was found. No corners: the polygon
 // is one piece.
 struct Arc_parts
@@ -65,11 +65,18 @@ struct Arc_parts
   std::string summary;
   bool found_any = false;
 };
-Arc_parts split_into_arcs(const Curve_data& polygon, CGAL::PN_subdivision_3::Curve_end end,
-                          bool linear);
+Arc_parts split_into_arcs(const Curve_data& polygon, PN::Curve_end end, bool linear);
 
-Curve_data joined_curve(const std::vector<Curve_data>& parts, CGAL::PN_subdivision_3::Curve_end end,
-                        std::size_t first);
+// The parts as one curve; if it is closed, it begins with point `first`.
+Curve_data joined_curve(const std::vector<Curve_data>& parts, PN::Curve_end end, std::size_t first);
+
+// The text of an SVG file: a curve with its control polygon, control normals and curvature comb.
+// Curves in space are seen along the direction in which their control points extend least; their
+// curvatures are those in space. With corners the parts are the open curves between them,
+// else there is one.
+std::string curve_picture(const std::string& caption, const Curve_data& polygon,
+                          const std::vector<Curve_data>& parts, PN::Curve_end end,
+                          bool has_corners);
 
 } // namespace pn_subdivide
 

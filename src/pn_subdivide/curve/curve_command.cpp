@@ -9,7 +9,6 @@
 #include "command_line.h"
 
 #include "curve/Curve_data.h"
-#include "curve/curve_picture.h"
 #include "curve/curve_schemes.h"
 #include "curve/limit_curve.h"
 #include "io/Error.h"
@@ -25,12 +24,9 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <new>
 
 namespace pn_subdivide {
 namespace {
-
-namespace PN = CGAL::PN_subdivision_3;
 
 // Curves with fewer points are done before anybody could read about them.
 constexpr std::size_t points_worth_a_report = 1000000;
@@ -42,16 +38,6 @@ PN::Curve_end parse_end(const Curve_options& options, const Curve_scheme& scheme
   if (*options.end == "reflect") return PN::Curve_end::reflect;
   if (*options.end == "none") return PN::Curve_end::none;
   throw Usage_error("--end '" + *options.end + "': it takes reflect or none");
-}
-
-// Chaikin's stencils stay inside the polygon: nothing is reflected.
-void warn_of_end(const Curve_options& options, const Curve_rule& rule, Report& report)
-{
-  if (options.end == "reflect" && !rule.scheme.primal && rule.scheme.lost_points == 2 &&
-      !rule.normal_scheme)
-    report.warn("--end reflect: " + options.scheme +
-                " needs no points beyond the ends, so this is --end none, and the curve does not "
-                "reach the ends; that of bspline:3 does");
 }
 
 // The center of --normals spherical:X,Y,Z, if it is given.
@@ -101,14 +87,6 @@ Curve_rule parse_rule(const Curve_options& options)
   return rule;
 }
 
-std::optional<Interpolation_mode> interpolation_of(const Curve_options& options,
-                                                   const Curve_rule& rule)
-{
-  const std::optional<Interpolation_mode> mode = parse_interpolation(options.interpolate);
-  if (mode) require_interpolation(options.scheme, rule);
-  return mode;
-}
-
 void require_writable_places(const Curve_options& options)
 {
   require_writable_place(options.output);
@@ -139,41 +117,6 @@ void require_a_turn(const std::vector<Curve_data>& parts)
               "lines 'x y z nx ny nz', or use --linear");
 }
 
-// The polygon with its normals; in parts if it has corners.
-std::vector<Curve_data> arcs_of(const Curve_data& polygon, const Curve_rule& rule,
-                                std::vector<std::size_t>& corners, std::string& normals,
-                                const std::string& title, Report& report)
-{
-  Arc_parts arcs = split_into_arcs(polygon, rule.end, rule.linear);
-  if (arcs.found_any) {
-    report.note("recognized: " + arcs.summary);
-    if (!rule.linear) normals = "normals of lines and arcs";
-  } else
-    report.warn(title +
-                ": no lines and arcs are recognized; the curve is that without --sharp arcs");
-  corners = std::move(arcs.corners);
-  return std::move(arcs.parts);
-}
-
-std::vector<Curve_data> control_parts(const Curve_data& polygon, const Curve_rule& rule,
-                                      const std::vector<std::size_t>& corners)
-{
-  const bool estimate = !rule.linear && !polygon.has_normals;
-  std::vector<Curve_data> parts;
-  if (!corners.empty())
-    parts = split_curve(polygon, rule.end, corners, estimate);
-  else if (estimate)
-    std::visit(
-      [&](const auto& points) {
-        parts.push_back({PN::estimate_control_normals(points, rule.end), true});
-      },
-      polygon.points);
-  else
-    parts.push_back(polygon);
-  if (estimate && std::holds_alternative<Curve_3>(polygon.points)) require_a_turn(parts);
-  return parts;
-}
-
 // The refined parts, and what they are together.
 struct Refined_curve
 {
@@ -181,121 +124,202 @@ struct Refined_curve
   Curve_data whole;
 };
 
-// Parts become the control polygons of curves through their points. Of several reports what they have
-// reached together.
-void interpolate_parts(std::vector<Curve_data>& parts, const Curve_rule& rule,
-                       const std::vector<std::size_t>& corners, Interpolation_mode mode,
-                       const std::string& title, Report& report)
+class Curve_run
 {
-  Curve_rule part_rule = rule;
-  if (!corners.empty()) part_rule.end = PN::Curve_end::reflect;
-  Interpolation_report whole;
-  whole.tolerance = HUGE_VAL;
-  for (Curve_data& part : parts) whole = joined(whole, interpolate_curve(part, part_rule, mode));
-  report.note(description(whole));
-  const std::string text = warning(whole, mode);
-  if (!text.empty()) report.warn(title + ": " + text);
-}
-
-// On the limit curve, if that is asked for.
-void move_to_limits(std::vector<Curve_data>& parts, const Curve_rule& part_rule, unsigned rounds,
-                    const Limit_choice& choice, const std::string& title, Report& report)
-{
-  Limit_summary whole;
-  for (Curve_data& part : parts) whole.add(set_limits(part, part_rule, rounds, choice));
-  report.note(whole.description(choice));
-  report.set_limit(whole.numbers(choice));
-  const std::string text = whole.warning();
-  if (!text.empty()) report.warn(title + ": " + text);
-}
-
-// finish(parts, rule) is called before they are joined
-template <class Finish>
-Refined_curve refined_parts(const std::vector<Curve_data>& parts, const Curve_rule& rule,
-                            const std::vector<std::size_t>& corners, std::size_t size,
-                            unsigned levels, const Finish& finish)
-{
-  Refined_curve refined;
-  Curve_rule part_rule = rule;
-  if (!corners.empty()) part_rule.end = PN::Curve_end::reflect;
-  for (const Curve_data& part : parts)
-    refined.parts.push_back(refine_curve(part, part_rule, levels));
-  finish(refined.parts, part_rule);
-  if (corners.empty()) {
-    refined.whole = refined.parts.front();
-    return refined;
+public:
+  explicit Curve_run(const Curve_options& options)
+    : options_(options)
+    , report_(options.report)
+    , input_(options.input == "-" ? "standard input" : options.input)
+    , output_(options.output == "-" ? "standard output" : options.output)
+    , rule_(parse_rule(options))
+    , interpolation_(parse_interpolation(options.interpolate))
+  {
+    if (interpolation_) require_interpolation(options.scheme, rule_);
+    require_consistent(options.limit);
+    require_limits_of_points(options.scheme, rule_, options.limit);
+    center_ = center_of_normals(options);
+    if (options.verify.shape) verification_.emplace(options.verify);
+    require_writable_places(options);
   }
-  // Vertex 0 of a closed polygon is in the last part. What is refined more often is a point.
-  const std::size_t first = *std::min_element(corners.begin(), corners.end());
-  refined.whole = joined_curve(refined.parts, rule.end, levels < 32 ? (size - first) << levels : 0);
-  return refined;
-}
 
-std::string caption(const Curve_rule& rule, const Curve_options& options)
-{
-  std::string s = (rule.linear ? "Linear " : "PN ") + rule.scheme.name;
-  if (rule.normal_scheme) s += ", normals by " + rule.normal_scheme->name;
-  return s + ", " + std::to_string(options.levels) + (options.levels == 1 ? " round" : " rounds");
-}
-
-std::string input_title(const Curve_options& options)
-{
-  return options.input == "-" ? "standard input" : options.input;
-}
-std::string output_title(const Curve_options& options)
-{
-  return options.output == "-" ? "standard output" : options.output;
-}
-
-// Runs a step and names the file in what it throws.
-template <class Function>
-auto naming(const std::string& file, const Function& function)
-{
-  try {
-    return function();
-  } catch (const std::bad_alloc&) {
-    throw Error(file + ": not enough memory");
-  } catch (const std::exception& e) {
-    throw Error(file + ": " + message_of(e));
+  void operator()()
+  {
+    warn_of_end();
+    read();
+    const Refined_curve refined = naming(input_, [&] { return refine(); });
+    const Curve_data& curve = refined.whole;
+    if (verification_) verification_->print(options_.output == "-" ? stderr : stdout);
+    if (curve.size() >= points_worth_a_report)
+      report_.progress("writing " + output_ + ": " + std::to_string(curve.size()) + " points");
+    write_files(refined);
+    report_.note(output_ + ": " + plural(curve.size(), "point, ", "points, ") + caption() + ", " +
+                 normals_ + formatted(", %.2f s", report_.seconds()));
+    report_.print_warnings();
+    report_.write_file({options_.input, options_.output, curve.size(), 0, options_.levels});
+    if (verification_) verification_->require_tolerance();
+    report_.print_notes();
+    report_.require_no_warnings();
   }
-}
 
-// All is written before anything gets its name, and standard output comes last.
-void write_files(const Curve_options& options, const Curve_rule& rule, const Curve_data& polygon,
-                 const Refined_curve& curve)
-{
-  std::unique_ptr<Output_file> out, comb;
-  naming(output_title(options), [&] {
-    out = std::make_unique<Output_file>(options.output);
-    write_curve(*out, curve.whole);
-  });
-  if (options.comb)
-    naming(*options.comb, [&] {
-      comb = std::make_unique<Output_file>(*options.comb);
-      comb->text(curve_picture(caption(rule, options), polygon, curve.parts, rule.end,
-                               options.sharp.has_value()));
-      comb->commit();
+private:
+  // Chaikin's stencils stay inside the polygon: nothing is reflected.
+  void warn_of_end()
+  {
+    if (options_.end == "reflect" && !rule_.scheme.primal && rule_.scheme.lost_points == 2 &&
+        !rule_.normal_scheme)
+      report_.warn("--end reflect: " + options_.scheme +
+                   " needs no points beyond the ends, so this is --end none, and the curve does "
+                   "not reach the ends; that of bspline:3 does");
+  }
+
+  void read()
+  {
+    polygon_ = read_curve(options_.input);
+    if (polygon_.size() >= points_worth_a_report)
+      report_.progress("read " + input_ + ": " + std::to_string(polygon_.size()) + " points");
+    if (center_)
+      polygon_ = naming(input_, [&] { return with_spherical_normals(polygon_, *center_); });
+    normals_ = rule_.linear           ? "no normals"
+               : center_              ? "normals of the sphere"
+               : polygon_.has_normals ? "normals of the file"
+                                      : "estimated normals";
+    if (options_.sharp && options_.sharp != "arcs")
+      corners_ = read_corners(*options_.sharp, polygon_.size());
+  }
+
+  Refined_curve refine()
+  {
+    const std::size_t size = polygon_.size();
+    std::vector<Curve_data> parts = options_.sharp == "arcs" ? arcs() : control_parts();
+    if (!corners_.empty()) part_rule_.end = PN::Curve_end::reflect;
+    if (interpolation_) interpolate(parts);
+    // normals of unit length, as the drawing shows them too
+    const Refined_curve control = joined_parts(refined(parts, 0), size, 0);
+    polygon_ = control.whole;
+    std::vector<Curve_data> curves = refined(control.parts, options_.levels);
+    if (options_.limit.is_used()) move_to_limits(curves);
+    Refined_curve curve = joined_parts(std::move(curves), size, options_.levels);
+    if (verification_) verification_->measure(curve.whole);
+    return curve;
+  }
+
+  // The polygon with its normals, in parts.
+  std::vector<Curve_data> arcs()
+  {
+    Arc_parts arcs = split_into_arcs(polygon_, rule_.end, rule_.linear);
+    if (arcs.found_any) {
+      report_.note("recognized: " + arcs.summary);
+      if (!rule_.linear) normals_ = "normals of lines and arcs";
+    } else
+      report_.warn(input_ +
+                   ": no lines and arcs are recognized; the curve is that without --sharp arcs");
+    corners_ = std::move(arcs.corners);
+    return std::move(arcs.parts);
+  }
+
+  std::vector<Curve_data> control_parts() const
+  {
+    const bool estimate = !rule_.linear && !polygon_.has_normals;
+    std::vector<Curve_data> parts;
+    if (!corners_.empty())
+      parts = split_curve(polygon_, rule_.end, corners_, estimate);
+    else if (estimate)
+      std::visit(
+        [&](const auto& points) {
+          parts.push_back({PN::estimate_control_normals(points, rule_.end), true});
+        },
+        polygon_.points);
+    else
+      parts.push_back(polygon_);
+    if (estimate && std::holds_alternative<Curve_3>(polygon_.points)) require_a_turn(parts);
+    return parts;
+  }
+
+  // Parts become the control polygons of curves through their points. Of several reports what they have
+  // reached together.
+  void interpolate(std::vector<Curve_data>& parts)
+  {
+    Interpolation_report whole;
+    whole.tolerance = HUGE_VAL;
+    for (Curve_data& part : parts)
+      whole = joined(whole, interpolate_curve(part, part_rule_, *interpolation_));
+    report_.note(description(whole));
+    const std::string text = warning(whole, *interpolation_);
+    if (!text.empty()) report_.warn(input_ + ": " + text);
+  }
+
+  // On the limit curve, if that is asked for.
+  void move_to_limits(std::vector<Curve_data>& parts)
+  {
+    Limit_summary whole;
+    for (Curve_data& part : parts)
+      whole.add(set_limits(part, part_rule_, options_.levels, options_.limit));
+    report_.note(whole.description(options_.limit));
+    report_.set_limit(whole.numbers(options_.limit));
+    const std::string text = whole.warning();
+    if (!text.empty()) report_.warn(input_ + ": " + text);
+  }
+
+  std::vector<Curve_data> refined(const std::vector<Curve_data>& parts, unsigned levels) const
+  {
+    std::vector<Curve_data> result;
+    for (const Curve_data& part : parts) result.push_back(refine_curve(part, part_rule_, levels));
+    return result;
+  }
+
+  Refined_curve joined_parts(std::vector<Curve_data> parts, std::size_t size, unsigned levels) const
+  {
+    Refined_curve result;
+    result.parts = std::move(parts);
+    if (corners_.empty()) {
+      result.whole = result.parts.front();
+      return result;
+    }
+    // Vertex 0 of a closed polygon is in the last part. What is refined more often is a point.
+    const std::size_t first = *std::min_element(corners_.begin(), corners_.end());
+    result.whole =
+      joined_curve(result.parts, rule_.end, levels < 32 ? (size - first) << levels : 0);
+    return result;
+  }
+
+  // All is written before anything gets its name, and standard output comes last.
+  void write_files(const Refined_curve& curve) const
+  {
+    std::unique_ptr<Output_file> out, comb;
+    naming(output_, [&] {
+      out = std::make_unique<Output_file>(options_.output);
+      write_curve(*out, curve.whole);
     });
-  naming(output_title(options), [&] { out->commit(); });
-}
+    if (options_.comb)
+      naming(*options_.comb, [&] {
+        comb = std::make_unique<Output_file>(*options_.comb);
+        comb->text(
+          curve_picture(caption(), polygon_, curve.parts, rule_.end, options_.sharp.has_value()));
+        comb->commit();
+      });
+    naming(output_, [&] { out->commit(); });
+  }
 
-std::string closing_line(const Curve_options& options, const Curve_rule& rule,
-                         const Curve_data& curve, const std::string& normals, const Report& report)
-{
-  char time[40];
-  std::snprintf(time, sizeof time, ", %.2f s", report.seconds());
-  return output_title(options) + ": " + std::to_string(curve.size()) +
-         (curve.size() == 1 ? " point, " : " points, ") + caption(rule, options) + ", " + normals +
-         time;
-}
+  std::string caption() const
+  {
+    std::string s = (rule_.linear ? "Linear " : "PN ") + rule_.scheme.name;
+    if (rule_.normal_scheme) s += ", normals by " + rule_.normal_scheme->name;
+    return s + ", " + plural(options_.levels, "round", "rounds");
+  }
 
-const char* description_of_normals(const Curve_rule& rule, bool has_center,
-                                   const Curve_data& polygon)
-{
-  if (rule.linear) return "no normals";
-  if (has_center) return "normals of the sphere";
-  return polygon.has_normals ? "normals of the file" : "estimated normals";
-}
+  const Curve_options& options_;
+  Report report_;
+  const std::string input_, output_; // for messages
+  const Curve_rule rule_;
+  Curve_rule part_rule_ = rule_; // of the parts between corners
+  const std::optional<Interpolation_mode> interpolation_;
+  std::optional<Triple> center_;
+  std::optional<Verification> verification_;
+  Curve_data polygon_;
+  std::string normals_; // for the closing line
+  std::vector<std::size_t> corners_;
+};
 
 } // namespace
 
@@ -303,60 +327,8 @@ void run_curve_command(const Curve_options& options)
 {
   if (ranks().number() > 1)
     throw Usage_error("curves are not shared among ranks: leave mpirun out");
-  Report report(options.report);
-  const Curve_rule rule = parse_rule(options);
-  const std::optional<Interpolation_mode> interpolation = interpolation_of(options, rule);
-  require_consistent(options.limit);
-  require_limits_of_points(options.scheme, rule, options.limit);
-  const std::optional<Triple> center = center_of_normals(options);
-  std::optional<Verification> verification;
-  if (options.verify.shape) verification.emplace(options.verify);
-  require_writable_places(options);
-  warn_of_end(options, rule, report);
-
-  Curve_data polygon = read_curve(options.input);
-  if (polygon.size() >= points_worth_a_report)
-    report.progress("read " + input_title(options) + ": " + std::to_string(polygon.size()) +
-                    " points");
-  if (center)
-    polygon =
-      naming(input_title(options), [&] { return with_spherical_normals(polygon, *center); });
-  std::string normals = description_of_normals(rule, center.has_value(), polygon);
-  std::vector<std::size_t> corners;
-  const bool has_arcs = options.sharp == "arcs";
-  if (options.sharp && !has_arcs) corners = read_corners(*options.sharp, polygon.size());
-  const Refined_curve refined = naming(input_title(options), [&] {
-    const std::size_t size = polygon.size();
-    std::vector<Curve_data> parts =
-      has_arcs ? arcs_of(polygon, rule, corners, normals, input_title(options), report)
-               : control_parts(polygon, rule, corners);
-    if (interpolation)
-      interpolate_parts(parts, rule, corners, *interpolation, input_title(options), report);
-    // normals of unit length, as the drawing shows them too
-    const auto keep = [](std::vector<Curve_data>&, const Curve_rule&) {};
-    const Refined_curve control = refined_parts(parts, rule, corners, size, 0, keep);
-    polygon = control.whole;
-    const auto finish = [&](std::vector<Curve_data>& curves, const Curve_rule& part_rule) {
-      if (options.limit.is_used())
-        move_to_limits(curves, part_rule, options.levels, options.limit, input_title(options),
-                       report);
-    };
-    Refined_curve curve = refined_parts(control.parts, rule, corners, size, options.levels, finish);
-    if (verification) verification->measure(curve.whole);
-    return curve;
-  });
-  const Curve_data& curve = refined.whole;
-  if (verification) verification->print(options.output == "-" ? stderr : stdout);
-  if (curve.size() >= points_worth_a_report)
-    report.progress("writing " + output_title(options) + ": " + std::to_string(curve.size()) +
-                    " points");
-  write_files(options, rule, polygon, refined);
-  report.note(closing_line(options, rule, curve, normals, report));
-  report.print_warnings();
-  report.write_file({options.input, options.output, curve.size(), 0, options.levels});
-  if (verification) verification->require_tolerance();
-  report.print_notes();
-  report.require_no_warnings();
+  Curve_run run(options);
+  run();
 }
 
 } // namespace pn_subdivide

@@ -6,9 +6,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "curve/curve_picture.h"
 #include "analysis/Curve_svg.h"
 #include "analysis/curve_analysis.h"
+#include "curve/Curve_data.h"
 
 #include <CGAL/Default_diagonalize_traits.h>
 #include <CGAL/centroid.h>
@@ -22,7 +22,6 @@
 namespace pn_subdivide {
 namespace {
 
-namespace PN = CGAL::PN_subdivision_3;
 namespace curve_svg = PN::curve_svg;
 using Point_3 = Curve_kernel::Point_3;
 using Vector_3 = Curve_kernel::Vector_3;

@@ -12,14 +12,11 @@
 
 #include <boost/algorithm/string/predicate.hpp>
 
-#include <algorithm>
 #include <charconv>
 #include <cstdint>
 
 namespace pn_subdivide {
 namespace {
-
-namespace PN = CGAL::PN_subdivision_3;
 
 // The number that a word is; none if it is anything else.
 std::optional<int> to_int(const std::string& word)

@@ -23,9 +23,8 @@
 
 namespace pn_subdivide {
 
-using Level_mask = CGAL::PN_subdivision_3::Univariate_mask<double>;
-using Curve_mask = std::variant<CGAL::PN_subdivision_3::B_spline_mask,
-                                CGAL::PN_subdivision_3::Dubuc_Deslauriers_mask, Level_mask>;
+using Level_mask = PN::Univariate_mask<double>;
+using Curve_mask = std::variant<PN::B_spline_mask, PN::Dubuc_Deslauriers_mask, Level_mask>;
 
 // A mask with what the command has to know about it.
 struct Curve_scheme
@@ -47,14 +46,13 @@ struct Curve_rule
   std::optional<Curve_scheme> normal_scheme;
   bool linear = false;
   double roundness = 1; // of all vertices
-  CGAL::PN_subdivision_3::Curve_end end = CGAL::PN_subdivision_3::Curve_end::closed;
+  PN::Curve_end end = PN::Curve_end::closed;
 };
 
 // function(mask) with the mask that a rule has after some rounds
 template <class Function>
 auto with_mask(const Curve_rule& rule, std::size_t rounds, const Function& function)
 {
-  namespace PN = CGAL::PN_subdivision_3;
   return std::visit(
     [&](const auto& mask) {
       if constexpr (std::is_same_v<std::decay_t<decltype(mask)>, Level_mask>) {

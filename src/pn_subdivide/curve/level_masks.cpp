@@ -21,7 +21,7 @@
 namespace pn_subdivide {
 namespace {
 
-using Level_mask = CGAL::PN_subdivision_3::Univariate_mask<double>;
+using Level_mask = PN::Univariate_mask<double>;
 
 constexpr double greatest_error_of_sum = 1e-12; // of decimal numbers in a file
 constexpr int greatest_index = 1000;
@@ -59,13 +59,9 @@ void require_sums(const Line& line)
     double sum = 0;
     for (std::size_t i = 0; i < line.coefficients.size(); ++i)
       if (std::abs(line.first_index + int(i)) % 2 == parity) sum += line.coefficients[i];
-    if (!(std::abs(sum - 1) <= greatest_error_of_sum)) {
-      std::ostringstream number;
-      number.precision(15);
-      number << sum;
-      throw Error(line.place + ": the coefficients of " + (parity == 0 ? "even" : "odd") +
-                  " index sum to " + number.str() + " instead of 1");
-    }
+    if (!(std::abs(sum - 1) <= greatest_error_of_sum))
+      throw Error(line.place + formatted(": the coefficients of %s index sum to %.15g instead of 1",
+                                         parity == 0 ? "even" : "odd", sum));
   }
 }
 
@@ -75,18 +71,9 @@ bool is_primal(const Line& line)
   return 2 * line.first_index + int(line.coefficients.size()) == 1;
 }
 
-std::string content_of(const std::string& file)
-{
-  try {
-    return file_content(file);
-  } catch (const Error& e) {
-    throw Error(file + ": " + e.what());
-  }
-}
-
 std::vector<Line> read_lines(const std::string& file)
 {
-  std::istringstream in(content_of(file));
+  std::istringstream in(naming(file, [&] { return file_content(file); }));
   std::vector<Line> lines;
   std::string text;
   for (int number = 1; std::getline(in, text); ++number) {

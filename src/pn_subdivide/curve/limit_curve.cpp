@@ -13,7 +13,6 @@
 #include <CGAL/PN_curves/curve_limit_points.h>
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 #if __has_include(<Eigen/Core>)
@@ -22,8 +21,6 @@
 
 namespace pn_subdivide {
 namespace {
-
-namespace PN = CGAL::PN_subdivision_3;
 
 template <class Curve, class Limits>
 void write(Curve& curve, const Limits& limits, const Limit_choice& choice)
@@ -72,8 +69,6 @@ Limit_summary set_limits(Curve_data& curve, const Curve_rule& rule, unsigned rou
   if (choice.normals) curve.has_normals = true;
   return {report, report.tolerance / tolerance};
 }
-
-namespace PN = CGAL::PN_subdivision_3;
 
 void require_interpolation(const std::string& scheme, const Curve_rule& rule)
 {

@@ -8,12 +8,11 @@
 
 #include "io/Attributes.h"
 
-#include "io/Output_file.h"
+#include "io/Error.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 
 namespace pn_subdivide {
 
@@ -36,9 +35,7 @@ std::string description(Scalar_type type)
 {
   const Scalar_traits& t = traits(type);
   if (!t.is_integer) return t.ply;
-  char range[80];
-  std::snprintf(range, sizeof range, " (whole numbers from %.0f to %.0f)", t.lowest, t.highest);
-  return t.ply + std::string(range);
+  return formatted("%s (whole numbers from %.0f to %.0f)", t.ply, t.lowest, t.highest);
 }
 
 double nearest(Scalar_type type, double x)
@@ -112,6 +109,18 @@ Column_group find_color(const Columns& columns)
     return color;
   }
   return {};
+}
+
+bool is_plain_color(const Column_group& color)
+{
+  if (color.empty()) return false;
+  const Scalar_type type = color[0]->type;
+  if (type == Scalar_type::uint8) return true;
+  if (traits(type).is_integer) return false;
+  return std::all_of(color.begin(), color.end(), [](const Column* channel) {
+    return std::all_of(channel->values.begin(), channel->values.end(),
+                       [](double x) { return x >= 0 && x <= 1; });
+  });
 }
 
 Column_group find_texture(const Columns& columns)

@@ -9,6 +9,7 @@
 #ifndef PN_SUBDIVIDE_ATTRIBUTES_H
 #define PN_SUBDIVIDE_ATTRIBUTES_H
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -38,29 +39,36 @@ std::string description(Scalar_type type);
 // The number of the type that is nearest; numbers out of range become the lowest or highest.
 double nearest(Scalar_type type, double x);
 
+// f(a number of the type)
+template <class Function>
+auto with_type(Scalar_type type, const Function& f)
+{
+  switch (type) {
+  case Scalar_type::int8:
+    return f(std::int8_t());
+  case Scalar_type::uint8:
+    return f(std::uint8_t());
+  case Scalar_type::int16:
+    return f(std::int16_t());
+  case Scalar_type::uint16:
+    return f(std::uint16_t());
+  case Scalar_type::int32:
+    return f(std::int32_t());
+  case Scalar_type::uint32:
+    return f(std::uint32_t());
+  case Scalar_type::float32:
+    return f(float());
+  case Scalar_type::float64:
+    break;
+  }
+  return f(double());
+}
+
 // x must be a number of the type.
 template <class Output>
 void write_little_endian(Output& out, Scalar_type type, double x)
 {
-  switch (type) {
-  case Scalar_type::int8:
-    return out.little_endian(static_cast<std::int8_t>(x));
-  case Scalar_type::uint8:
-    return out.little_endian(static_cast<std::uint8_t>(x));
-  case Scalar_type::int16:
-    return out.little_endian(static_cast<std::int16_t>(x));
-  case Scalar_type::uint16:
-    return out.little_endian(static_cast<std::uint16_t>(x));
-  case Scalar_type::int32:
-    return out.little_endian(static_cast<std::int32_t>(x));
-  case Scalar_type::uint32:
-    return out.little_endian(static_cast<std::uint32_t>(x));
-  case Scalar_type::float32:
-    return out.little_endian(static_cast<float>(x));
-  case Scalar_type::float64:
-    break;
-  }
-  out.little_endian(x);
+  with_type(type, [&](auto number) { out.little_endian(static_cast<decltype(number)>(x)); });
 }
 
 // Behind what is wrong with an attribute.
@@ -79,10 +87,10 @@ struct Column
 {
   std::string name;
   Scalar_type type = Scalar_type::float64;
-  std::vector<double> values; // of the type
+  std::vector<double> values = {}; // of the type
   // Where the values stand for words, as materials and groups do: those of 0, 1, and so on. Others
   // stand for nothing.
-  std::vector<std::string> words;
+  std::vector<std::string> words = {};
   bool has_type_of_file = false; // otherwise it is that of the numbers in memory
   bool is_label = false;         // of vertices: no number between two others is one
 };
@@ -109,6 +117,12 @@ struct Attributes
 // Is there a texture point that is not in the plane?
 bool has_depth(const std::vector<Texture_point>& texture);
 
+// Is it one of these?
+inline bool contains(const Column_group& group, const Column& column)
+{
+  return std::find(group.begin(), group.end(), &column) != group.end();
+}
+
 // nullptr if there is none
 const Column* find_column(const Columns& columns, const std::string& name);
 
@@ -117,6 +131,9 @@ std::string word_of(const Column& column, double value);
 
 // The columns of a color: red, green, blue and perhaps alpha, of one type. Empty if there is none.
 Column_group find_color(const Columns& columns);
+
+// Is it one of bytes, or of fractions from 0 to 1, as text files have it?
+bool is_plain_color(const Column_group& color);
 
 // The columns of texture coordinates of vertices: s and t, u and v, or texture_u and texture_v. Empty
 // if there are none.

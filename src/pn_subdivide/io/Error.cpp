@@ -11,7 +11,9 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
+#include <cstdarg>
 #include <cstddef>
+#include <cstdio>
 #include <limits>
 #include <new>
 #include <numeric>
@@ -28,6 +30,24 @@ std::string message_of(const std::exception& e)
       (dynamic_cast<const std::length_error*>(&e) && !is_of_library))
     return "not enough memory";
   return boost::algorithm::replace_all_copy(what, library, "");
+}
+
+std::string formatted(const char* format, ...)
+{
+  char text[400];
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return text;
+}
+
+std::string enumeration(const std::vector<std::string>& names, const std::string& last)
+{
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    list += (i == 0 ? "" : i + 1 == names.size() ? " " + last + " " : ", ") + names[i];
+  return list;
 }
 
 namespace {

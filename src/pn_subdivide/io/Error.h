@@ -58,11 +58,33 @@ struct Strict_error : std::runtime_error
 // What people read of an exception: without the name of the library, and nothing of allocators.
 std::string message_of(const std::exception& e);
 
+// Runs f(), and names the file in what it throws.
+template <class Function>
+auto naming(const std::string& file, const Function& f)
+{
+  try {
+    return f();
+  } catch (const std::exception& e) {
+    throw Error(file + ": " + message_of(e));
+  }
+}
+
+// What std::printf() prints.
+[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
+
+inline std::string three_digits(double x)
+{
+  return formatted("%.3g", x);
+}
+
 // "1 face", "2 faces"
 inline std::string plural(std::size_t n, const std::string& one, const std::string& many)
 {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
+
+// "groups, materials and colors"
+std::string enumeration(const std::vector<std::string>& names, const std::string& last = "and");
 
 // The word that was probably meant: at most a third of its letters are added, missing or others, or it
 // goes on where `word` ends. Empty if there is none.

@@ -21,31 +21,27 @@
 
 namespace pn_subdivide {
 
+namespace PN = CGAL::PN_subdivision_3;
+
 // Throws Usage_error if there is nothing that the tolerance is for, or if it is none.
 void require_consistent(const Limit_choice& choice);
 
-struct Limit_summary
+struct Limit_summary : PN::Limit_report
 {
-  double error = 0, tolerance = 0, box = 0;
-  double normal_error = 0; // in radians
-  std::size_t misses = 0, stand_ins = 0;
-  unsigned depth = 0;
+  double box = 0; // the largest side of the bounding box
 
-  Limit_summary() = default;
-  // box_size: the largest side of the bounding box
-  Limit_summary(const CGAL::PN_subdivision_3::Limit_report& report, double box_size);
   // takes over what is worse in another one
   void add(const Limit_summary& other);
 
   std::string description(const Limit_choice& choice) const;
   // the same for --report
-  std::vector<Report::Number> numbers(const Limit_choice& choice) const;
+  Report::Row numbers(const Limit_choice& choice) const;
   // empty if all is well
   std::string warning() const;
 };
 
-using Interpolation_mode = CGAL::PN_subdivision_3::Limit_interpolation::Mode;
-using Interpolation_report = CGAL::PN_subdivision_3::Limit_interpolation;
+using Interpolation_mode = PN::Limit_interpolation::Mode;
+using Interpolation_report = PN::Limit_interpolation;
 
 // slide | points, if the option --interpolate is given. Throws Usage_error.
 std::optional<Interpolation_mode> parse_interpolation(const std::optional<std::string>& text);

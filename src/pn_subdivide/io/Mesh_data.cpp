@@ -35,6 +35,16 @@ bool is_said(const std::vector<std::string>& comments, Normal_kind kind)
   return std::find(comments.begin(), comments.end(), comment_of(kind)) != comments.end();
 }
 
+bool is_digit(char c)
+{
+  return c >= '0' && c <= '9';
+}
+
+double largest(const std::array<double, 3>& v)
+{
+  return (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+}
+
 } // namespace
 
 Normal_kind normal_kind_of(const std::vector<std::string>& comments)
@@ -49,20 +59,6 @@ bool are_said_to_be_control(const std::vector<std::string>& comments)
   return normal_kind_of(comments) == Normal_kind::control &&
          is_said(comments, Normal_kind::control);
 }
-
-namespace {
-
-bool is_digit(char c)
-{
-  return c >= '0' && c <= '9';
-}
-
-double largest(const std::array<double, 3>& v)
-{
-  return (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-}
-
-} // namespace
 
 void Written_digits::see(const std::array<std::string_view, 3>& words,
                          const std::array<double, 3>& vector)
@@ -116,6 +112,15 @@ Bounding_box::Bounding_box(const std::vector<Triple>& points)
 double diagonal_of(const Bounding_box& box)
 {
   return std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]);
+}
+
+double scale_to_unit_size(const std::vector<Triple>& points)
+{
+  if (points.empty()) return 1;
+  const Bounding_box box(points);
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) size = (std::max)(size, box.high[i] - box.low[i]);
+  return size > 0 && std::isfinite(size) ? std::ldexp(1., -std::ilogb(size)) : 1.;
 }
 
 } // namespace pn_subdivide

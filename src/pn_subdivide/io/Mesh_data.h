@@ -71,6 +71,7 @@ struct Crease_tags
   bool any() const { return !edges.empty() || !vertices.empty(); }
 };
 
+using Index = std::uint32_t;          // of a vertex
 using Triple = std::array<double, 3>; // a point or a vector; a kernel's would cost compile time
 using Color = std::array<std::uint8_t, 3>; // red, green, blue
 
@@ -122,7 +123,7 @@ struct Corner_normal
 class Mesh_data
 {
 public:
-  using Index = std::uint32_t;
+  using Index = pn_subdivide::Index;
   // The vertices of a face, in its place among all corners. No range of Boost's: its headers took a quarter of the time
   // that the files about files take to compile.
   class Face
@@ -190,6 +191,22 @@ public:
   bool has_normals() const { return !normals.empty(); }
   bool has_corner_normals() const { return !corner_normals.empty() || !several_normals.empty(); }
   bool has_control_normals() const { return !control_normals.empty(); }
+  void take_normals(Mesh_data& other)
+  {
+    normals = std::move(other.normals);
+    corner_normals = std::move(other.corner_normals);
+  }
+  void take_roundness(Mesh_data& other)
+  {
+    roundness = std::move(other.roundness);
+    corner_roundness = std::move(other.corner_roundness);
+  }
+  void drop_normals()
+  {
+    normals.clear();
+    corner_normals.clear();
+    vertices_with_several_normals = 0;
+  }
   void drop(const std::string& what)
   {
     if (std::find(dropped.begin(), dropped.end(), what) == dropped.end()) dropped.push_back(what);
@@ -232,7 +249,32 @@ public:
   }
 
   // Those of all corners, one face after the other.
+  const std::vector<Index>& vertices_of_corners() const { return corners_; }
   void set_vertices(std::vector<Index> corners) { corners_ = std::move(corners); }
+
+  // Calls f(values) for each array of values of vertices, whether these are there or not.
+  template <class Function>
+  void for_each_array_of_vertices(const Function& f)
+  {
+    f(points);
+    f(normals);
+    f(control_normals);
+    f(roundness);
+    f(tags.vertices);
+    for (Column& column : attributes.of_vertices) f(column.values);
+  }
+
+  void take_faces(Mesh_data& other)
+  {
+    corners_ = std::move(other.corners_);
+    face_end_ = std::move(other.face_end_);
+  }
+  // It begins with the same vertex.
+  void reverse_face(std::size_t f)
+  {
+    std::reverse(corners_.begin() + std::ptrdiff_t(first_corner(f) + 1),
+                 corners_.begin() + std::ptrdiff_t(face_end_[f]));
+  }
 
   void clear_faces()
   {
@@ -254,6 +296,9 @@ struct Bounding_box
 };
 
 double diagonal_of(const Bounding_box& box);
+
+// A power of 2 that makes points about as large as 1, so that no product overflows or vanishes.
+double scale_to_unit_size(const std::vector<Triple>& points);
 
 } // namespace pn_subdivide
 

@@ -27,6 +27,35 @@ const Obj_statement obj_statements[4] = {{"o", "object", "objects", true},
 namespace {
 
 constexpr std::array<double, 4> white = {1, 1, 1, 1}; // where there is no color
+constexpr double for_ever = 10;
+
+double sharpness_of(Text_reader& in)
+{
+  const double s = in.number("a sharpness");
+  if (!(s >= 0)) in.fail("a sharpness that is negative or no number");
+  return s >= for_ever ? std::numeric_limits<double>::infinity() : s;
+}
+
+// "2/1/0"
+std::array<std::int64_t, 3> read_counts(Text_reader& in)
+{
+  std::string_view word = in.word();
+  std::array<std::int64_t, 3> counts{};
+  for (std::int64_t& n : counts) {
+    const std::size_t slash = (std::min)(word.find('/'), word.size());
+    n = in.to_integer(word.substr(0, slash), "a number of values, as in 2/1/0,");
+    if (n < 0 || n > 1000000) in.fail("a number of values out of range");
+    word.remove_prefix((std::min)(slash + 1, word.size()));
+  }
+  return counts;
+}
+
+void write_sharpness(Output_file& out, double sharpness)
+{
+  out.text(" ");
+  out.number(sharpness > std::numeric_limits<double>::max() ? for_ever : sharpness);
+  out.text("\n");
+}
 
 } // namespace
 
@@ -146,9 +175,9 @@ void Obj_attributes::put_texture(Mesh_data& mesh) const
 {
   for (const Corner& c : corners_)
     if (c.point >= points_.size())
-      throw Error("line " + std::to_string(c.line) + ": the face's texture index " +
-                  std::to_string(c.point + 1) + " is out of range, there are " +
-                  std::to_string(points_.size()) + " texture coordinates");
+      throw Error("line " + std::to_string(c.line) + ": " +
+                  out_of_range("the face's texture index", c.point + 1, points_.size(),
+                               "texture coordinates"));
   if (corners_.empty()) {
     if (!points_.empty()) mesh.drop("texture coordinates that no face has");
     return;
@@ -170,40 +199,6 @@ void Obj_attributes::put_colors(Mesh_data& mesh)
     mesh.attributes.of_vertices.push_back(std::move(column));
   }
 }
-
-namespace {
-
-constexpr double for_ever = 10;
-
-double sharpness_of(Text_reader& in)
-{
-  const double s = in.number("a sharpness");
-  if (!(s >= 0)) in.fail("a sharpness that is negative or no number");
-  return s >= for_ever ? std::numeric_limits<double>::infinity() : s;
-}
-
-// "2/1/0"
-std::array<std::int64_t, 3> read_counts(Text_reader& in)
-{
-  std::string_view word = in.word();
-  std::array<std::int64_t, 3> counts{};
-  for (std::int64_t& n : counts) {
-    const std::size_t slash = (std::min)(word.find('/'), word.size());
-    n = in.to_integer(word.substr(0, slash), "a number of values, as in 2/1/0,");
-    if (n < 0 || n > 1000000) in.fail("a number of values out of range");
-    word.remove_prefix((std::min)(slash + 1, word.size()));
-  }
-  return counts;
-}
-
-void write_sharpness(Output_file& out, double sharpness)
-{
-  out.text(" ");
-  out.number(sharpness > std::numeric_limits<double>::max() ? for_ever : sharpness);
-  out.text("\n");
-}
-
-} // namespace
 
 std::string Obj_tags::read(Text_reader& in)
 {

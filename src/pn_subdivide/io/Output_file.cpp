@@ -112,30 +112,6 @@ void install_handlers()
     std::signal(signals[i], was_ignored[i] ? SIG_IGN : remove_temporaries);
 }
 
-} // namespace
-
-Temporary_on_signal::Temporary_on_signal(const std::string& file, std::size_t pieces)
-{
-  static const bool installed = (install_handlers(), true);
-  (void)installed;
-  if (file.size() >= sizeof(Slot::file)) throw Error("cannot be written: the path is too long");
-  for (slot_ = 0; slot_ < std::size(slots); ++slot_)
-    if (!slots[slot_].is_used) {
-      std::memcpy(slots[slot_].file, file.c_str(), file.size() + 1);
-      slots[slot_].pieces = pieces;
-      slots[slot_].is_used = true;
-      return;
-    }
-  throw Error("too many files are being written at once");
-}
-
-Temporary_on_signal::~Temporary_on_signal()
-{
-  slots[slot_].is_used = false;
-}
-
-namespace {
-
 constexpr std::size_t buffer_size = 1 << 20;
 
 std::string reason(int error)
@@ -179,6 +155,26 @@ fs::file_status checked_status(const fs::path& target)
 
 } // namespace
 
+Temporary_on_signal::Temporary_on_signal(const std::string& file, std::size_t pieces)
+{
+  static const bool installed = (install_handlers(), true);
+  (void)installed;
+  if (file.size() >= sizeof(Slot::file)) throw Error("cannot be written: the path is too long");
+  for (slot_ = 0; slot_ < std::size(slots); ++slot_)
+    if (!slots[slot_].is_used) {
+      std::memcpy(slots[slot_].file, file.c_str(), file.size() + 1);
+      slots[slot_].pieces = pieces;
+      slots[slot_].is_used = true;
+      return;
+    }
+  throw Error("too many files are being written at once");
+}
+
+Temporary_on_signal::~Temporary_on_signal()
+{
+  slots[slot_].is_used = false;
+}
+
 void Output_file::check(const std::string& file)
 {
   if (file != "-") checked_status(real_target(file));
@@ -193,11 +189,15 @@ fs::path Output_file::regular_target(const std::string& file)
   return target;
 }
 
+Output_file::Output_file()
+{
+  buffer_.reserve(buffer_size + 64);
+}
+
 // Made complete first, so that whatever is thrown from here on finds the destructor.
 Output_file::Output_file(const std::string& file)
   : Output_file()
 {
-  buffer_.reserve(buffer_size + 64);
   fs::file_status status;
   if (file != "-") {
     target_ = real_target(file);
@@ -217,7 +217,6 @@ Output_file::Output_file(const std::string& file)
 Output_file::Output_file(const std::string& file, In_temporary_folder)
   : Output_file()
 {
-  buffer_.reserve(buffer_size + 64);
   target_ = file;
   file_ = std::fopen(file.c_str(), "wb");
   if (file_ == nullptr) throw Error("cannot be written: " + reason(errno));

@@ -79,7 +79,7 @@ public:
   void commit();
 
 private:
-  Output_file() = default;
+  Output_file();
   void open_temporary();
   void flush();
   void close();

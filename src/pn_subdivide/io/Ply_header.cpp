@@ -11,11 +11,8 @@
 #include "io/Error.h"
 #include "io/Text_reader.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <sstream>
 #include <unordered_set>
 
 namespace pn_subdivide {
@@ -34,24 +31,6 @@ void read_word(const std::string& comment, Columns& columns)
         number == std::to_string(column.words.size()))
       column.words.push_back(comment.substr(second + 1));
 }
-
-} // namespace
-
-void read_ply_comments(const std::vector<std::string>& comments, Attributes& attributes)
-{
-  const auto read_file = [](const std::string& comment, const std::string& keyword,
-                            std::vector<std::string>& files) {
-    if (comment.compare(0, keyword.size() + 1, keyword + " ") == 0)
-      files.push_back(comment.substr(keyword.size() + 1));
-  };
-  for (const std::string& comment : comments) {
-    read_file(comment, "TextureFile", attributes.texture_files);
-    read_file(comment, "mtllib", attributes.material_files);
-    read_word(comment, attributes.of_faces);
-  }
-}
-
-namespace {
 
 Scalar_type read_type(Text_reader& in)
 {
@@ -99,7 +78,27 @@ Ply_property read_property(Text_reader& in)
   return property;
 }
 
+double checked_tangent(double x)
+{
+  if (!std::isfinite(x)) throw Error("a tangent that is not finite");
+  return x;
+}
+
 } // namespace
+
+void read_ply_comments(const std::vector<std::string>& comments, Attributes& attributes)
+{
+  const auto read_file = [](const std::string& comment, const std::string& keyword,
+                            std::vector<std::string>& files) {
+    if (comment.compare(0, keyword.size() + 1, keyword + " ") == 0)
+      files.push_back(comment.substr(keyword.size() + 1));
+  };
+  for (const std::string& comment : comments) {
+    read_file(comment, "TextureFile", attributes.texture_files);
+    read_file(comment, "mtllib", attributes.material_files);
+    read_word(comment, attributes.of_faces);
+  }
+}
 
 std::size_t Ply_element::find(const std::string& property) const
 {
@@ -138,16 +137,6 @@ Ply_header read_ply_header(Text_reader& in)
   in.fail("truncated: the header has no 'end_header'");
 }
 
-namespace {
-
-double checked_tangent(double x)
-{
-  if (!std::isfinite(x)) throw Error("a tangent that is not finite");
-  return x;
-}
-
-} // namespace
-
 Ply_tags::Ply_tags(const Ply_header& header)
 {
   for (const Ply_element& element : header.elements) {
@@ -171,10 +160,8 @@ void Ply_tags::add_edge(const std::vector<double>& scalars, std::size_t number_o
   for (std::size_t i = 0; i < 2; ++i) {
     const double v = scalars[places_[i]];
     if (!(v >= 0 && v < double(number_of_vertices)) || v != std::floor(v)) {
-      std::ostringstream message;
-      message << "its vertex " << v << " is out of range, there are " << number_of_vertices
-              << " vertices";
-      throw Error(message.str());
+      throw Error(formatted("its vertex %g is out of range, there are ", v) +
+                  std::to_string(number_of_vertices) + " vertices");
     }
     edge.ends[i] = static_cast<std::uint32_t>(v);
   }

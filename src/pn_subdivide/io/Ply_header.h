@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -117,25 +116,7 @@ public:
 
   double next(Scalar_type type)
   {
-    switch (type) {
-    case Scalar_type::int8:
-      return value<std::int8_t>();
-    case Scalar_type::uint8:
-      return value<std::uint8_t>();
-    case Scalar_type::int16:
-      return value<std::int16_t>();
-    case Scalar_type::uint16:
-      return value<std::uint16_t>();
-    case Scalar_type::int32:
-      return value<std::int32_t>();
-    case Scalar_type::uint32:
-      return value<std::uint32_t>();
-    case Scalar_type::float32:
-      return value<float>();
-    case Scalar_type::float64:
-      break;
-    }
-    return value<double>();
+    return with_type(type, [this](auto number) { return value<decltype(number)>(); });
   }
 
   // The same for a property that is carried: in a text, too, the number must be one of its type.
@@ -146,11 +127,8 @@ public:
     const double rounded = nearest(property.type, x);
     const bool is_integer = traits(property.type).is_integer;
     if (is_integer ? rounded == x : std::isfinite(rounded) || !std::isfinite(x)) return rounded;
-    std::ostringstream message;
-    message.precision(17);
-    message << x << " does not fit into '" << Text_reader::printable(property.name)
-            << "', which is of type " << description(property.type);
-    text_.fail(message.str());
+    text_.fail(formatted("%.17g does not fit into '", x) + Text_reader::printable(property.name) +
+               "', which is of type " + description(property.type));
   }
 
   bool is_text() const { return format_ == Ply_format::ascii; }

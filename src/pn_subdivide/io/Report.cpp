@@ -20,14 +20,6 @@
 
 namespace pn_subdivide {
 
-std::string enumeration(const std::vector<std::string>& names)
-{
-  std::string list;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return list;
-}
-
 Report::Report(Report_options options, bool silent)
   : options_(std::move(options))
   , silent_(silent)
@@ -79,10 +71,11 @@ void Report::write_file(const Result& result) const
 {
   if (silent_ || !options_.file) return;
   using Json = nlohmann::ordered_json; // the keys stay in this order
-  const auto object = [](const auto& pairs) {
-    Json json = Json::object();
-    for (const auto& [key, value] : pairs) json[key] = value;
-    return json;
+  const auto row = [](const Row& values) {
+    Json of_row = Json::object();
+    for (const auto& [key, value] : values)
+      std::visit([&of_row, &name = key](const auto& x) { of_row[name] = x; }, value);
+    return of_row;
   };
   Json json;
   json["input"] = result.input;
@@ -93,14 +86,8 @@ void Report::write_file(const Result& result) const
   json["warnings"] = warnings_;
   json["notes"] = remarks_;
   json["dropped"] = dropped_;
-  json["repaired"] = object(repaired_);
-  json["limit"] = object(limit_);
-  const auto row = [](const Row& values) {
-    Json of_row = Json::object();
-    for (const auto& [key, value] : values)
-      std::visit([&of_row, &name = key](const auto& x) { of_row[name] = x; }, value);
-    return of_row;
-  };
+  json["repaired"] = row(repaired_);
+  json["limit"] = row(limit_);
   json["check"] = row(check_);
   json["surfaces"] = Json::array();
   for (const Row& values : surfaces_) json["surfaces"].push_back(row(values));
@@ -119,8 +106,7 @@ void Report::write_file(const Result& result) const
 void Report::require_no_warnings() const
 {
   if (!options_.strict || warnings_.empty()) return;
-  throw Strict_error("--strict: " + std::to_string(warnings_.size()) +
-                     (warnings_.size() == 1 ? " warning" : " warnings") +
+  throw Strict_error("--strict: " + plural(warnings_.size(), "warning", "warnings") +
                      "; the result is written");
 }
 

@@ -19,9 +19,6 @@
 
 namespace pn_subdivide {
 
-// "groups, materials and colors"
-std::string enumeration(const std::vector<std::string>& names);
-
 struct Report_options
 {
   bool quiet = false, strict = false;
@@ -40,7 +37,6 @@ public:
     std::size_t vertices, faces;
     unsigned rounds;
   };
-  using Number = std::pair<std::string, double>;
   using Value =
     std::pair<std::string,
               std::variant<bool, std::size_t, double, std::string, std::vector<double>>>;
@@ -66,13 +62,13 @@ public:
   // For --report only: how many of what --repair and merging of points have changed, what is known of limits, and
   // what --check has measured.
   void add_repair(const std::string& what, std::size_t number);
-  void set_limit(std::vector<Number> numbers) { limit_ = std::move(numbers); }
-  void set_check(std::vector<Value> values) { check_ = std::move(values); }
+  void set_limit(Row numbers) { limit_ = std::move(numbers); }
+  void set_check(Row values) { check_ = std::move(values); }
   // the same of recognized surfaces, one a row, and of tessellations
   void set_surfaces(std::vector<Row> rows) { surfaces_ = std::move(rows); }
   // control faces that are higher than with the linear scheme
   void set_high_faces(std::vector<std::size_t> faces) { high_faces_ = std::move(faces); }
-  void set_tessellation(std::vector<Value> values) { tessellation_ = std::move(values); }
+  void set_tessellation(Row values) { tessellation_ = std::move(values); }
 
   // To be called once each in this order, when the output is complete.
   void print_warnings() const;
@@ -86,9 +82,7 @@ private:
   bool silent_;
   std::chrono::steady_clock::time_point start_;
   std::vector<std::string> warnings_, notes_, remarks_, dropped_;
-  std::vector<std::pair<std::string, std::size_t>> repaired_;
-  std::vector<Number> limit_;
-  std::vector<Value> check_, tessellation_;
+  Row repaired_, limit_, check_, tessellation_;
   std::vector<Row> surfaces_;
   std::vector<std::size_t> high_faces_;
 };

@@ -54,6 +54,32 @@ bool has_classic_lines(const std::string& text)
          (text[second] == '\r' && text.compare(second + 1, 1, "\n") != 0);
 }
 
+void close_unless_stdin(std::FILE* file)
+{
+  if (file != stdin) std::fclose(file);
+}
+
+// Devices such as /dev/zero have no end; the input at a terminal has.
+bool is_endless([[maybe_unused]] std::FILE* file)
+{
+#if __has_include(<unistd.h>)
+  struct stat status;
+  const int descriptor = ::fileno(file);
+  return ::fstat(descriptor, &status) == 0 && S_ISCHR(status.st_mode) && ::isatty(descriptor) == 0;
+#else
+  return false;
+#endif
+}
+
+double parse_number(const std::string& word, const std::string& option)
+{
+  char* end = nullptr;
+  const double x = std::strtod(word.c_str(), &end);
+  if (word.empty() || *end != '\0' || !std::isfinite(x))
+    throw Usage_error(option + ": '" + word + "' is not a number");
+  return x;
+}
+
 } // namespace
 
 Text_reader::Text_reader(const std::string& text, char comment_sign, bool joins_lines)
@@ -181,6 +207,13 @@ double Text_reader::number(const char* what)
 {
   return to_number(required_word(what), what);
 }
+
+std::array<double, 3> Text_reader::triple(const char* what)
+{
+  const double x = number(what), y = number(what), z = number(what);
+  return {x, y, z};
+}
+
 std::int64_t Text_reader::integer(const char* what)
 {
   return to_integer(required_word(what), what);
@@ -228,26 +261,12 @@ void Text_reader::fail(const std::string& what) const
   throw Error("line " + std::to_string(line_) + ": " + what);
 }
 
-namespace {
-
-void close_unless_stdin(std::FILE* file)
+std::string out_of_range(const std::string& index, std::uint64_t i, std::size_t number,
+                         const std::string& elements)
 {
-  if (file != stdin) std::fclose(file);
+  return index + " " + std::to_string(i) + " is out of range, there are " + std::to_string(number) +
+         " " + elements;
 }
-
-// Devices such as /dev/zero have no end; the input at a terminal has.
-bool is_endless([[maybe_unused]] std::FILE* file)
-{
-#if __has_include(<unistd.h>)
-  struct stat status;
-  const int descriptor = ::fileno(file);
-  return ::fstat(descriptor, &status) == 0 && S_ISCHR(status.st_mode) && ::isatty(descriptor) == 0;
-#else
-  return false;
-#endif
-}
-
-} // namespace
 
 std::string file_content(const std::string& file)
 {
@@ -276,18 +295,12 @@ std::pair<std::string, std::string> split_at_colon(const std::string& text)
   return {text.substr(0, colon), colon == std::string::npos ? "" : text.substr(colon + 1)};
 }
 
-namespace {
-
-double parse_number(const std::string& word, const std::string& option)
+void refuse_word(const std::string& option, const std::string& word,
+                 const std::vector<std::string>& known)
 {
-  char* end = nullptr;
-  const double x = std::strtod(word.c_str(), &end);
-  if (word.empty() || *end != '\0' || !std::isfinite(x))
-    throw Usage_error(option + ": '" + word + "' is not a number");
-  return x;
+  throw Usage_error(option + " '" + word + "': expected " + enumeration(known, "or") +
+                    did_you_mean(word, known));
 }
-
-} // namespace
 
 std::vector<double> parse_numbers(const std::string& text, const std::string& option)
 {

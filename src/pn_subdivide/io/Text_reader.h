@@ -46,6 +46,7 @@ public:
 
   // The next word of this line as a number; `what` names what is expected there.
   double number(const char* what);
+  std::array<double, 3> triple(const char* what); // three of them
   std::int64_t integer(const char* what);
   std::size_t count(const char* what);
 
@@ -84,12 +85,33 @@ private:
   std::array<std::string_view, 3> last_words_;
 };
 
+// "the face's vertex index 9 is out of range, there are 8 vertices"
+std::string out_of_range(const std::string& index, std::uint64_t i, std::size_t number,
+                         const std::string& elements);
+
 // All bytes of a file or, for "-", of standard input. Throws Error if there are none or they cannot be read; the message does not
 // name the file.
 std::string file_content(const std::string& file);
 
 // "name:rest" as name and rest; the rest is empty if there is no colon.
 std::pair<std::string, std::string> split_at_colon(const std::string& text);
+
+// Throws Usage_error: which words an option takes, and which one was probably meant.
+[[noreturn]] void refuse_word(const std::string& option, const std::string& word,
+                              const std::vector<std::string>& known);
+
+// What the word of an option stands for. Throws Usage_error.
+template <class Value>
+Value parse_word(const std::string& option, const std::string& word,
+                 const std::vector<std::pair<std::string, Value>>& known)
+{
+  std::vector<std::string> words;
+  for (const auto& [name, value] : known) {
+    if (word == name) return value;
+    words.push_back(name);
+  }
+  refuse_word(option, word, words);
+}
 
 // Finite numbers with commas between, for the argument of an option. Throws Usage_error, which
 // begins with `option`.

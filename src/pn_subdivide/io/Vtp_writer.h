@@ -20,6 +20,16 @@
 
 namespace pn_subdivide {
 
+class Vtp_writer;
+
+// An array of numbers: put(writer) hands them to value().
+struct Vtp_array
+{
+  std::string type, name;
+  std::size_t components, bytes;
+  std::function<void(Vtp_writer&)> put;
+};
+
 // VTK's XML poly data. Binary data stand behind the XML part ("appended", "raw"): each array is its
 // number of bytes as UInt64 and then its values.
 class Vtp_writer
@@ -50,47 +60,14 @@ public:
     out_.text("\">\n");
   }
 
-  void line(const char* xml)
-  {
-    out_.text(xml);
-    out_.text("\n");
-  }
+  void line(const std::string& xml) { out_.text(xml + "\n"); }
 
-  void triples(const char* name, const std::vector<Triple>& values)
+  // What it refers to must stay until end() has been called.
+  void array(Vtp_array array)
   {
-    triples(name, values.size(), [&values](std::size_t i) { return values[i]; });
-  }
-  // triple(i), which must stay until end() has been called
-  void triples(const char* name, std::size_t number, std::function<Triple(std::size_t)> triple)
-  {
-    array_tag("Float64", name, 3, 24 * number, [this, number, triple = std::move(triple)] {
-      for (std::size_t n = 0; n < number; ++n) {
-        const Triple t = triple(n);
-        for (std::size_t i = 0; i < 3; ++i) value<double>(t[i], i == 2);
-      }
-    });
-  }
-
-  // The columns have one type.
-  void columns(const std::string& name, const Column_group& group)
-  {
-    const Scalar_type type = group[0]->type;
-    const std::size_t size = group[0]->values.size();
-    array_tag(traits(type).vtk, name, group.size(), traits(type).bytes * group.size() * size,
-              [this, group, type, size] {
-                for (std::size_t i = 0; i < size; ++i)
-                  for (const Column* column : group)
-                    column_value(type, column->values[i], column == group.back());
-              });
-  }
-
-  void texture(const std::vector<Texture_point>& values, Scalar_type type)
-  {
-    const std::size_t bytes = 2 * traits(type).bytes * values.size();
-    array_tag(traits(type).vtk, "TCoords", 2, bytes, [this, &values, type] {
-      for (const Texture_point& t : values)
-        for (std::size_t i = 0; i < 2; ++i) column_value(type, t[i], i == 1);
-    });
+    out_.text("<DataArray type=\"" + array.type + "\" Name=\"" + xml_text(array.name) +
+              "\" NumberOfComponents=\"" + std::to_string(array.components) + "\" format=\"");
+    content("DataArray", array.bytes, std::move(array.put));
   }
 
   // Text is the numbers of its characters, as VTK has it.
@@ -100,17 +77,11 @@ public:
     for (const std::string& word : values) bytes += word.size() + 1;
     out_.text("<Array type=\"String\" Name=\"" + xml_text(name) + "\" NumberOfTuples=\"" +
               std::to_string(values.size()) + "\" format=\"");
-    array_content("Array", bytes, [this, &values] {
+    content("Array", bytes, [&values](Vtp_writer& vtp) {
       for (const std::string& word : values)
         for (std::size_t i = 0; i <= word.size(); ++i)
-          value<std::uint8_t>(static_cast<std::uint8_t>(word.c_str()[i]), i == word.size());
+          vtp.value<std::uint8_t>(static_cast<std::uint8_t>(word.c_str()[i]), i == word.size());
     });
-  }
-
-  // One number per face, or several: `put(f)` writes them.
-  void integers(const char* name, std::size_t number, std::function<void()> put)
-  {
-    array_tag("Int64", name, 1, 8 * number, std::move(put));
   }
 
   template <class T>
@@ -124,6 +95,14 @@ public:
     }
   }
 
+  void value_of_type(Scalar_type type, double x, bool ends_line)
+  {
+    if (encoding_ == Encoding::binary)
+      write_little_endian(out_, type, x);
+    else
+      value<double>(x, ends_line);
+  }
+
   void end()
   {
     out_.text("</Piece>\n</PolyData>\n");
@@ -131,7 +110,7 @@ public:
       out_.text("<AppendedData encoding=\"raw\">\n_");
       for (const Appended& array : appended_) {
         out_.little_endian<std::uint64_t>(array.bytes);
-        array.put();
+        array.put(*this);
       }
       out_.text("\n</AppendedData>\n");
     }
@@ -142,31 +121,15 @@ private:
   struct Appended
   {
     std::uint64_t bytes;
-    std::function<void()> put;
+    std::function<void(Vtp_writer&)> put;
   };
 
   void text_value(double x) { out_.number(x); }
   void text_value(std::uint8_t n) { out_.number(static_cast<std::uint64_t>(n)); }
   void text_value(std::int64_t n) { out_.number(static_cast<std::uint64_t>(n)); }
 
-  void column_value(Scalar_type type, double x, bool ends_line)
-  {
-    if (encoding_ == Encoding::binary)
-      write_little_endian(out_, type, x);
-    else
-      value<double>(x, ends_line);
-  }
-
-  void array_tag(const char* type, const std::string& name, std::size_t components,
-                 std::size_t bytes, std::function<void()> put)
-  {
-    out_.text(std::string("<DataArray type=\"") + type + "\" Name=\"" + xml_text(name) +
-              "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"");
-    array_content("DataArray", bytes, std::move(put));
-  }
-
   // behind format="
-  void array_content(const std::string& tag, std::size_t bytes, std::function<void()> put)
+  void content(const std::string& tag, std::size_t bytes, std::function<void(Vtp_writer&)> put)
   {
     if (encoding_ == Encoding::binary) {
       out_.text("appended\" offset=\"" + std::to_string(offset_) + "\"/>\n");
@@ -174,7 +137,7 @@ private:
       appended_.push_back({bytes, std::move(put)});
     } else {
       out_.text("ascii\">\n");
-      put();
+      put(*this);
       out_.text("\n</" + tag + ">\n");
     }
   }
@@ -184,6 +147,43 @@ private:
   std::uint64_t offset_ = 0;
   std::vector<Appended> appended_;
 };
+
+inline Vtp_array triples_array(const char* name, const std::vector<Triple>& values)
+{
+  return {"Float64", name, 3, 24 * values.size(), [&values](Vtp_writer& vtp) {
+            for (const Triple& t : values)
+              for (std::size_t i = 0; i < 3; ++i) vtp.value<double>(t[i], i == 2);
+          }};
+}
+
+// The columns have one type.
+inline Vtp_array columns_array(const std::string& name, const Column_group& group)
+{
+  const Scalar_type type = group[0]->type;
+  const std::size_t size = group[0]->values.size();
+  return {traits(type).vtk, name, group.size(), traits(type).bytes * group.size() * size,
+          [group, type, size](Vtp_writer& vtp) {
+            for (std::size_t i = 0; i < size; ++i)
+              for (const Column* column : group)
+                vtp.value_of_type(type, column->values[i], column == group.back());
+          }};
+}
+
+inline Vtp_array texture_array(const std::vector<Texture_point>& values, Scalar_type type)
+{
+  return {traits(type).vtk, "TCoords", 2, 2 * traits(type).bytes * values.size(),
+          [&values, type](Vtp_writer& vtp) {
+            for (const Texture_point& t : values)
+              for (std::size_t i = 0; i < 2; ++i) vtp.value_of_type(type, t[i], i == 1);
+          }};
+}
+
+inline Vtp_array ids_array(const char* name, const std::vector<std::uint64_t>& ids)
+{
+  return {"Int64", name, 1, 8 * ids.size(), [&ids](Vtp_writer& vtp) {
+            for (const std::uint64_t n : ids) vtp.value(static_cast<std::int64_t>(n), true);
+          }};
+}
 
 } // namespace pn_subdivide
 

@@ -6,21 +6,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "io/border_edges.h"
-
+#include "io/Error.h"
 #include "io/mesh_normals.h"
+#include "io/soup_check.h"
 
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <iterator>
 
 namespace pn_subdivide {
 namespace {
-
-using Index = Mesh_data::Index;
 
 enum class Contact { none, along, near, equal };
 
@@ -162,14 +158,12 @@ std::string Border_contacts::description(double distance_of_diagonal,
   const auto add = [&](std::size_t number, const std::string& what) {
     if (number == 0) return;
     text += (text.empty() ? "" : "; ") + std::to_string(number) + " of " +
-            std::to_string(border_edges) +
-            (border_edges == 1 ? " border edge " : " border edges ") +
-            (number == 1 ? "lies" : "lie") + what;
+            plural(border_edges, "border edge ", "border edges ") + (number == 1 ? "lies" : "lie") +
+            what;
   };
-  char percent[30];
-  std::snprintf(percent, sizeof percent, "%.3g%%", 100 * distance_of_diagonal);
   add(equal, " on others: " + joins_equal + " joins them");
-  add(near, std::string(" on others up to rounding: --merge-distance ") + percent + " joins them");
+  add(near, formatted(" on others up to rounding: --merge-distance %.3g%% joins them",
+                      100 * distance_of_diagonal));
   add(along, " along others with other ends (T-junctions), where the surface stays open");
   return text;
 }

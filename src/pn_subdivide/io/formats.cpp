@@ -23,6 +23,8 @@
 #include <utility>
 
 namespace pn_subdivide {
+namespace fs = std::filesystem;
+
 namespace {
 
 bool is_float(double x)
@@ -30,34 +32,28 @@ bool is_float(double x)
   return !(std::abs(x) > std::numeric_limits<float>::max());
 }
 
-bool has_no_type(const Column* column)
+// Columns of a group become such of a type, if none has one of the file.
+template <class Fits>
+void make_typed(const Column_group& group, Scalar_type type, double factor, const Fits& fits,
+                Columns& columns)
 {
-  return !column->has_type_of_file && column->type == Scalar_type::float64;
+  const auto may_become = [&](const Column* column) {
+    return !column->has_type_of_file && column->type == Scalar_type::float64 &&
+           std::all_of(column->values.begin(), column->values.end(), fits);
+  };
+  if (!std::all_of(group.begin(), group.end(), may_become)) return;
+  for (Column& column : columns) {
+    if (!contains(group, column)) continue;
+    column.type = type;
+    for (double& x : column.values) x = nearest(type, factor * x);
+  }
 }
 
 // Fractions of 1 become bytes.
-void make_bytes(const Column_group& color, Columns& columns)
+void make_bytes(Columns& columns)
 {
-  if (!std::all_of(color.begin(), color.end(), has_no_type)) return;
-  for (Column& column : columns) {
-    if (std::find(color.begin(), color.end(), &column) == color.end()) continue;
-    column.type = Scalar_type::uint8;
-    for (double& x : column.values) x = nearest(Scalar_type::uint8, 255 * x);
-  }
-}
-
-void make_floats(const Column_group& texture, Columns& columns)
-{
-  const auto holds_floats = [](const Column* column) {
-    return has_no_type(column) &&
-           std::all_of(column->values.begin(), column->values.end(), is_float);
-  };
-  if (!std::all_of(texture.begin(), texture.end(), holds_floats)) return;
-  for (Column& column : columns) {
-    if (std::find(texture.begin(), texture.end(), &column) == texture.end()) continue;
-    column.type = Scalar_type::float32;
-    for (double& x : column.values) x = nearest(Scalar_type::float32, x);
-  }
+  make_typed(
+    find_color(columns), Scalar_type::uint8, 255, [](double) { return true; }, columns);
 }
 
 void make_floats_of_corners(Attributes& attributes)
@@ -69,21 +65,6 @@ void make_floats_of_corners(Attributes& attributes)
   for (Texture_point& t : attributes.texture)
     for (double& x : t) x = nearest(Scalar_type::float32, x);
 }
-
-} // namespace
-
-void take_types_of_format(const Mesh_file& output, Attributes& attributes)
-{
-  if (!holds_scalars(output)) return;
-  make_bytes(find_color(attributes.of_vertices), attributes.of_vertices);
-  make_bytes(find_color(attributes.of_faces), attributes.of_faces);
-  make_floats(find_texture(attributes.of_vertices), attributes.of_vertices);
-  make_floats_of_corners(attributes);
-}
-
-namespace {
-
-namespace fs = std::filesystem;
 
 fs::path folder_of(const Mesh_file& file)
 {
@@ -121,24 +102,6 @@ std::string all_moved(const std::string& names, const fs::path& from, const fs::
   return result;
 }
 
-} // namespace
-
-void move_file_references(Attributes& attributes, const Mesh_file& input, const Mesh_file& output)
-{
-  if (attributes.material_files.empty() && attributes.texture_files.empty()) return;
-  const fs::path from = folder_of(input), to = folder_of(output);
-  if (from == to) return;
-  for (std::string& names : attributes.material_files) names = all_moved(names, from, to);
-  for (std::string& name : attributes.texture_files) name = moved(name, from, to);
-}
-
-namespace {
-
-bool contains(const Column_group& group, const Column& column)
-{
-  return std::find(group.begin(), group.end(), &column) != group.end();
-}
-
 std::string name_of(const Column& column, const Columns& columns, const std::string& elements)
 {
   if (column.name != "alpha" && contains(find_color(columns), column))
@@ -150,7 +113,33 @@ std::string name_of(const Column& column, const Columns& columns, const std::str
   return "'" + Text_reader::printable(column.name) + "' of " + elements;
 }
 
+template <class T>
+void append_copies(std::vector<T>& values, const std::vector<Index>& originals)
+{
+  if (values.empty()) return;
+  for (const Index v : originals) values.push_back(T(values[v]));
+}
+
 } // namespace
+
+void take_types_of_format(const Mesh_file& output, Attributes& attributes)
+{
+  if (!held_by(output).scalars) return;
+  make_bytes(attributes.of_vertices);
+  make_bytes(attributes.of_faces);
+  make_typed(find_texture(attributes.of_vertices), Scalar_type::float32, 1, is_float,
+             attributes.of_vertices);
+  make_floats_of_corners(attributes);
+}
+
+void move_file_references(Attributes& attributes, const Mesh_file& input, const Mesh_file& output)
+{
+  if (attributes.material_files.empty() && attributes.texture_files.empty()) return;
+  const fs::path from = folder_of(input), to = folder_of(output);
+  if (from == to) return;
+  for (std::string& names : attributes.material_files) names = all_moved(names, from, to);
+  for (std::string& name : attributes.texture_files) name = moved(name, from, to);
+}
 
 std::vector<std::string> Held_attributes::rest() const
 {
@@ -187,27 +176,14 @@ std::vector<Texture_point> texture_of_vertices(const Mesh_data& mesh)
     return result;
   }
   std::vector<bool> is_set(result.size(), false);
-  std::size_t corner = 0;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for (const Mesh_data::Index v : mesh.face(f)) {
-      const Texture_point& t = of_corners[corner++];
-      if (is_none(t) || (is_set[v] && result[v] != t)) return {};
-      result[v] = t;
-      is_set[v] = true;
-    }
+  for (std::size_t c = 0; c < of_corners.size(); ++c) {
+    const Index v = mesh.vertices_of_corners()[c];
+    if (is_none(of_corners[c]) || (is_set[v] && result[v] != of_corners[c])) return {};
+    result[v] = of_corners[c];
+    is_set[v] = true;
+  }
   return result;
 }
-
-namespace {
-
-template <class T>
-void append_copies(std::vector<T>& values, const std::vector<Mesh_data::Index>& originals)
-{
-  if (values.empty()) return;
-  for (const Mesh_data::Index v : originals) values.push_back(T(values[v]));
-}
-
-} // namespace
 
 std::size_t split_at_seams(Mesh_data& mesh)
 {
@@ -216,22 +192,17 @@ std::size_t split_at_seams(Mesh_data& mesh)
   const auto without = std::size_t(std::count_if(texture.begin(), texture.end(), is_none));
   std::replace_if(texture.begin(), texture.end(), is_none, Texture_point{0, 0, 0});
   const Different_values different(mesh, texture);
-  std::vector<Mesh_data::Index> originals, number, corners;
+  std::vector<Index> originals, number, corners;
   std::vector<bool> is_taken(mesh.points.size(), false);
-  for (const Mesh_data::Index v : different.vertex) {
-    number.push_back(is_taken[v] ? Mesh_data::Index(mesh.points.size() + originals.size()) : v);
+  for (const Index v : different.vertex) {
+    number.push_back(is_taken[v] ? Index(mesh.points.size() + originals.size()) : v);
     if (is_taken[v]) originals.push_back(v);
     is_taken[v] = true;
   }
   for (const std::size_t i : different.of_corner) corners.push_back(number[i]);
   for (Corner_normal& n : mesh.several_normals) n.vertex = corners[n.corner];
   mesh.set_vertices(std::move(corners));
-  append_copies(mesh.points, originals);
-  append_copies(mesh.normals, originals);
-  append_copies(mesh.control_normals, originals);
-  append_copies(mesh.roundness, originals);
-  append_copies(mesh.tags.vertices, originals);
-  for (Column& column : mesh.attributes.of_vertices) append_copies(column.values, originals);
+  mesh.for_each_array_of_vertices([&](auto& values) { append_copies(values, originals); });
   return without;
 }
 
@@ -243,11 +214,8 @@ void move_texture_to_vertices(Mesh_data& mesh)
       !find_texture(attributes.of_vertices).empty())
     return;
   for (std::size_t i = 0; i < 2; ++i) {
-    Column column{i == 0 ? "texture_u" : "texture_v",
-                  attributes.texture_type,
-                  {},
-                  {},
-                  attributes.has_texture_type_of_file};
+    Column column{i == 0 ? "texture_u" : "texture_v", attributes.texture_type};
+    column.has_type_of_file = attributes.has_texture_type_of_file;
     for (const Texture_point& t : texture) column.values.push_back(t[i]);
     attributes.of_vertices.push_back(std::move(column));
   }

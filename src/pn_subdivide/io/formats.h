@@ -22,8 +22,6 @@
 
 namespace pn_subdivide {
 
-class Output_file;
-
 // One function of each kind per format. They take the content of a file, or the file to be filled, and
 // throw Error without the file's name, which `read_mesh()` and `write_mesh()` put in front.
 Mesh_data read_ply(const std::string& content, bool with_attributes);
@@ -122,42 +120,53 @@ inline void write_count(Output_file& out, std::size_t n)
   out.number(static_cast<std::uint64_t>(n));
 }
 
-// The values of an element with a blank before each.
-inline void write_values(Output_file& out, const Column_group& columns, std::size_t element)
+// Writes rows of numbers: in a text with blanks between them, one a line.
+class Row_writer
 {
-  for (const Column* column : columns) {
-    out.text(" ");
-    out.number(column->values[element]);
-  }
-}
+public:
+  Row_writer(Output_file& out, Encoding encoding)
+    : out_(out)
+    , is_text_(encoding == Encoding::text)
+  {}
 
-// What text OFF and PLY have in common after their headers: a line for each vertex and one for each
-// face; `rest_of_vertex(v)` and `rest_of_face(f)` write what these have besides points, normals and
-// vertices.
-template <class Rest_of_vertex, class Rest_of_face>
-void write_vertices_and_faces(Output_file& out, const Mesh_data& mesh,
-                              const Rest_of_vertex& rest_of_vertex,
-                              const Rest_of_face& rest_of_face)
-{
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    write_triple(out, mesh.points[v]);
-    if (mesh.has_normals()) {
-      out.text(" ");
-      write_triple(out, mesh.normals[v]);
-    }
-    rest_of_vertex(v);
-    out.text("\n");
+  // x must be a number of the type.
+  void number(double x, Scalar_type type = Scalar_type::float64)
+  {
+    if (!is_text_) return write_little_endian(out_, type, x);
+    begin_word();
+    out_.number(x);
   }
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    write_count(out, mesh.face(f).size());
-    for (const Mesh_data::Index v : mesh.face(f)) {
-      out.text(" ");
-      write_count(out, v);
-    }
-    rest_of_face(f);
-    out.text("\n");
+  void count(std::size_t n, Scalar_type type = Scalar_type::uint32)
+  {
+    if (!is_text_) return write_little_endian(out_, type, static_cast<double>(n));
+    begin_word();
+    write_count(out_, n);
   }
-}
+  void triple(const Triple& t)
+  {
+    for (const double x : t) number(x);
+  }
+  // those of an element
+  void values(const Column_group& columns, std::size_t element)
+  {
+    for (const Column* column : columns) number(column->values[element], column->type);
+  }
+  void end_row()
+  {
+    if (is_text_) out_.text("\n");
+    is_first_ = true;
+  }
+
+private:
+  void begin_word()
+  {
+    if (!is_first_) out_.text(" ");
+    is_first_ = false;
+  }
+
+  Output_file& out_;
+  bool is_text_, is_first_ = true;
+};
 
 // Text as it stands between quotes in XML, whose files are UTF-8. What XML cannot hold, most control characters
 // and bytes that are no UTF-8, becomes '?'.

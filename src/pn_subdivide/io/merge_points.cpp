@@ -6,7 +6,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "io/merge_points.h"
 #include "io/Error.h"
 #include "io/mesh_normals.h"
 #include "io/soup_check.h"
@@ -23,8 +22,6 @@
 
 namespace pn_subdivide {
 namespace {
-
-using Index = Mesh_data::Index;
 
 struct Pair
 {
@@ -175,37 +172,6 @@ private:
   std::vector<std::size_t> place_;              // of a vertex among the candidates
 };
 
-} // namespace
-
-std::vector<Index> first_near(const Mesh_data& mesh, double distance)
-{
-  const std::vector<Index> vertices = vertices_at_open_edges(mesh);
-  const std::vector<Pair> pairs = pairs_within(mesh, vertices, distance);
-  if (pairs.empty()) {
-    std::vector<Index> first(mesh.points.size());
-    std::iota(first.begin(), first.end(), Index(0));
-    return first;
-  }
-  Clusters clusters(mesh, vertices);
-  for (const Pair& pair : pairs) clusters.join(pair.a, pair.b);
-  return clusters.first();
-}
-
-double rounding_of_floats(const std::vector<Triple>& points)
-{
-  double largest = 0;
-  for (const Triple& p : points)
-    for (const double x : p) largest = (std::max)(largest, std::abs(x));
-  if (!(largest > 0)) return 0;
-  const int lowest = std::numeric_limits<float>::min_exponent - 1;
-  return std::ldexp(4., (std::max)(std::ilogb(largest), lowest) -
-                          (std::numeric_limits<float>::digits - 1));
-}
-
-namespace {
-
-using Index = Mesh_data::Index;
-
 // For each vertex the first one with its point.
 std::vector<Index> first_equal(const std::vector<Triple>& points)
 {
@@ -218,11 +184,6 @@ std::vector<Index> first_equal(const std::vector<Triple>& points)
     first[order[i]] =
       i > 0 && points[order[i]] == points[order[i - 1]] ? first[order[i - 1]] : order[i];
   return first;
-}
-
-bool is_zero(const Triple& n)
-{
-  return n[0] == 0 && n[1] == 0 && n[2] == 0;
 }
 
 // Different normals of vertices that are merged become those of corners: the copies of vertices were there for a
@@ -242,10 +203,9 @@ void merge_normals(Mesh_data& mesh, const std::vector<Index>& first)
       has_several[first[v]] = differ = true;
   }
   if (differ)
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      for (const Index v : mesh.face(f))
-        mesh.corner_normals.push_back(has_several[first[v]] ? normalized(mesh.normals[v])
-                                                            : of_first[first[v]]);
+    for (const Index v : mesh.vertices_of_corners())
+      mesh.corner_normals.push_back(has_several[first[v]] ? normalized(mesh.normals[v])
+                                                          : of_first[first[v]]);
   mesh.normals = std::move(of_first);
 }
 
@@ -275,9 +235,8 @@ void move_texture_to_corners(Mesh_data& mesh, const std::vector<Index>& first)
   const Column_group columns = find_texture(attributes.of_vertices);
   const auto is_cut = [&first](const Column* column) { return differ(*column, first); };
   if (!attributes.texture.empty() || std::none_of(columns.begin(), columns.end(), is_cut)) return;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for (const Index v : mesh.face(f))
-      attributes.texture.push_back({columns[0]->values[v], columns[1]->values[v], 0});
+  for (const Index v : mesh.vertices_of_corners())
+    attributes.texture.push_back({columns[0]->values[v], columns[1]->values[v], 0});
   attributes.texture_type = columns[0]->type;
   attributes.has_texture_type_of_file = columns[0]->has_type_of_file;
   const std::string names[] = {columns[0]->name, columns[1]->name};
@@ -320,6 +279,31 @@ std::size_t merge(Mesh_data& mesh, const std::vector<Index>& first, Point_merge&
 }
 
 } // namespace
+
+std::vector<Index> first_near(const Mesh_data& mesh, double distance)
+{
+  const std::vector<Index> vertices = vertices_at_open_edges(mesh);
+  const std::vector<Pair> pairs = pairs_within(mesh, vertices, distance);
+  if (pairs.empty()) {
+    std::vector<Index> first(mesh.points.size());
+    std::iota(first.begin(), first.end(), Index(0));
+    return first;
+  }
+  Clusters clusters(mesh, vertices);
+  for (const Pair& pair : pairs) clusters.join(pair.a, pair.b);
+  return clusters.first();
+}
+
+double rounding_of_floats(const std::vector<Triple>& points)
+{
+  double largest = 0;
+  for (const Triple& p : points)
+    for (const double x : p) largest = (std::max)(largest, std::abs(x));
+  if (!(largest > 0)) return 0;
+  const int lowest = std::numeric_limits<float>::min_exponent - 1;
+  return std::ldexp(4., (std::max)(std::ilogb(largest), lowest) -
+                          (std::numeric_limits<float>::digits - 1));
+}
 
 Point_merge merge_equal_points(Mesh_data& mesh)
 {

@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <new>
 #include <string_view>
 
 namespace pn_subdivide {
@@ -34,17 +33,17 @@ struct Format
   Reader read; // nullptr: not read
   Writer write;
   Not_held not_held;
-  bool scalars, normals, control_normals, corner_normals, polygons; // whether it holds them
+  Held_values held;
 };
 
 const Format formats[] = {
-  {"ply", read_ply, write_ply, not_held_by_ply, true, true, true, false, true},
-  {"off", read_off, write_off, not_held_by_off, false, true, false, false, true},
-  {"obj", read_obj, write_obj, not_held_by_obj, false, true, false, true, true},
-  {"stl", read_stl, write_stl, not_held_by_stl, false, false, false, false, false},
-  {"vtp", nullptr, write_vtp, not_held_by_vtp, true, true, true, false, true},
+  {"ply", read_ply, write_ply, not_held_by_ply, {true, true, true, false, true}},
+  {"off", read_off, write_off, not_held_by_off, {false, true, false, false, true}},
+  {"obj", read_obj, write_obj, not_held_by_obj, {false, true, false, true, true}},
+  {"stl", read_stl, write_stl, not_held_by_stl, {false, false, false, false, false}},
+  {"vtp", nullptr, write_vtp, not_held_by_vtp, {true, true, true, false, true}},
   // written piece by piece only
-  {"pvtp", nullptr, nullptr, not_held_by_vtp, true, true, true, false, true}};
+  {"pvtp", nullptr, nullptr, not_held_by_vtp, {true, true, true, false, true}}};
 
 bool is_readable(const Format& format)
 {
@@ -85,6 +84,39 @@ Mesh_file mesh_file(const std::string& name, const std::optional<std::string>& f
                     " to be " + action);
 }
 
+std::vector<std::int64_t> read_numbers(Text_reader& in, const char* what)
+{
+  std::vector<std::int64_t> numbers;
+  for (std::string_view w = in.word(); !w.empty(); w = in.word()) {
+    numbers.push_back(in.to_integer(w, what));
+    if (numbers.back() < 0) in.fail(std::string(what) + " is negative: " + std::string(w));
+  }
+  return numbers;
+}
+
+Selection parse_selection(const std::string& content)
+{
+  Text_reader in(content, '\0');
+  Selection selection;
+  while (in.next_line()) {
+    if (in.line() > 3)
+      in.fail("a selection has three lines only: vertices, faces, and edges as pairs of vertices");
+    std::vector<std::int64_t> numbers =
+      read_numbers(in, in.line() == 2 ? "a face number" : "a vertex number");
+    if (in.line() == 1)
+      selection.vertices = std::move(numbers);
+    else if (in.line() == 2)
+      selection.faces = std::move(numbers);
+    else if (numbers.size() % 2 != 0)
+      in.fail("edges are pairs of vertex numbers, and there are " + std::to_string(numbers.size()) +
+              " numbers");
+    else
+      for (std::size_t i = 0; i < numbers.size(); i += 2)
+        selection.edges.push_back({numbers[i], numbers[i + 1]});
+  }
+  return selection;
+}
+
 const Format& format_of(const Mesh_file& file)
 {
   return *std::find_if(std::begin(formats), std::end(formats),
@@ -111,34 +143,14 @@ Mesh_file output_mesh_file(const std::string& name, const std::optional<std::str
   return mesh_file(name, format, is_writable, "written");
 }
 
-bool holds_scalars(const Mesh_file& file)
+const Held_values& held_by(const Mesh_file& file)
 {
-  return format_of(file).scalars;
-}
-bool holds_normals(const Mesh_file& file)
-{
-  return format_of(file).normals;
-}
-bool holds_control_normals(const Mesh_file& file)
-{
-  return format_of(file).control_normals;
-}
-bool holds_corner_normals(const Mesh_file& file)
-{
-  return format_of(file).corner_normals;
-}
-bool holds_polygons(const Mesh_file& file)
-{
-  return format_of(file).polygons;
+  return format_of(file).held;
 }
 
 void require_writable_place(const std::string& file)
 {
-  try {
-    Output_file::check(file);
-  } catch (const Error& e) {
-    throw Error(file + ": " + e.what());
-  }
+  naming(file, [&] { Output_file::check(file); });
 }
 
 bool same_file(const std::string& a, const std::string& b)
@@ -173,13 +185,8 @@ std::string lost_precision(const Mesh_file& file, const Mesh_data& mesh, Encodin
 
 Mesh_data read_mesh(const Mesh_file& file, bool with_attributes)
 {
-  try {
-    return format_of(file).read(file_content(file.name), with_attributes);
-  } catch (const std::bad_alloc&) {
-    throw; // has no file to blame
-  } catch (const std::exception& e) {
-    throw Error(file.title("standard input") + ": " + message_of(e));
-  }
+  return naming(file.title("standard input"),
+                [&] { return format_of(file).read(file_content(file.name), with_attributes); });
 }
 
 Mesh_data read_mesh(const std::string& name)
@@ -189,15 +196,11 @@ Mesh_data read_mesh(const std::string& name)
 
 void write_mesh(const Mesh_file& file, const Mesh_data& mesh, Encoding encoding)
 {
-  try {
+  naming(file.title("standard output"), [&] {
     Output_file out(file.name);
     format_of(file).write(out, mesh, encoding);
     out.commit();
-  } catch (const std::bad_alloc&) {
-    throw; // has no file to blame
-  } catch (const std::exception& e) {
-    throw Error(file.title("standard output") + ": " + message_of(e));
-  }
+  });
 }
 
 void write_mesh(const std::string& name, const Mesh_data& mesh, Encoding encoding)
@@ -205,52 +208,9 @@ void write_mesh(const std::string& name, const Mesh_data& mesh, Encoding encodin
   write_mesh(output_mesh_file(name, std::nullopt), mesh, encoding);
 }
 
-namespace {
-
-std::vector<std::int64_t> read_numbers(Text_reader& in, const char* what)
-{
-  std::vector<std::int64_t> numbers;
-  for (std::string_view w = in.word(); !w.empty(); w = in.word()) {
-    numbers.push_back(in.to_integer(w, what));
-    if (numbers.back() < 0) in.fail(std::string(what) + " is negative: " + std::string(w));
-  }
-  return numbers;
-}
-
-Selection parse_selection(const std::string& content)
-{
-  Text_reader in(content, '\0');
-  Selection selection;
-  while (in.next_line()) {
-    if (in.line() > 3)
-      in.fail("a selection has three lines only: vertices, faces, and edges as pairs of vertices");
-    std::vector<std::int64_t> numbers =
-      read_numbers(in, in.line() == 2 ? "a face number" : "a vertex number");
-    if (in.line() == 1)
-      selection.vertices = std::move(numbers);
-    else if (in.line() == 2)
-      selection.faces = std::move(numbers);
-    else if (numbers.size() % 2 != 0)
-      in.fail("edges are pairs of vertex numbers, and there are " + std::to_string(numbers.size()) +
-              " numbers");
-    else
-      for (std::size_t i = 0; i < numbers.size(); i += 2)
-        selection.edges.push_back({numbers[i], numbers[i + 1]});
-  }
-  return selection;
-}
-
-} // namespace
-
 Selection read_selection(const std::string& file)
 {
-  try {
-    return parse_selection(file_content(file));
-  } catch (const std::bad_alloc&) {
-    throw; // has no file to blame
-  } catch (const std::exception& e) {
-    throw Error(file + ": " + e.what());
-  }
+  return naming(file, [&] { return parse_selection(file_content(file)); });
 }
 
 void write_selection(Output_file& out, const Crease_tags& tags)

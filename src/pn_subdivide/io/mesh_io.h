@@ -12,7 +12,6 @@
 #include "io/Mesh_data.h"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -47,11 +46,11 @@ Mesh_file output_mesh_file(const std::string& name, const std::optional<std::str
 
 // Whether the format has a place for scalars and colors of the vertices, for their normals, for control
 // normals beside these, for normals of corners, for faces with more than three vertices.
-bool holds_scalars(const Mesh_file& file);
-bool holds_normals(const Mesh_file& file);
-bool holds_control_normals(const Mesh_file& file);
-bool holds_corner_normals(const Mesh_file& file);
-bool holds_polygons(const Mesh_file& file);
+struct Held_values
+{
+  bool scalars, normals, control_normals, corner_normals, polygons;
+};
+const Held_values& held_by(const Mesh_file& file);
 
 // Throws Error if it can be seen beforehand that the file cannot be written.
 void require_writable_place(const std::string& file);

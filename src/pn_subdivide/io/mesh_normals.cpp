@@ -7,7 +7,6 @@
 // Author(s): PN_subdivision_3 developers
 
 #include "io/mesh_normals.h"
-#include "io/shading_normals.h"
 
 #include <algorithm>
 #include <array>
@@ -20,14 +19,15 @@
 
 namespace pn_subdivide {
 
-void set_vertex_normals(Mesh_data& mesh)
+void set_vertex_normals(Mesh_data& mesh, Zero_normals zero)
 {
   const Different_values different(mesh, mesh.corner_normals);
   mesh.normals.resize(mesh.points.size(), Triple{0, 0, 0});
   std::vector<int> number(mesh.points.size(), 0); // of different normals; 2: more than one
   bool all_same = true;
   for (std::size_t i = 0; i < different.values.size(); ++i) {
-    const Mesh_data::Index v = different.vertex[i];
+    if (zero == Zero_normals::are_left_out && is_zero(different.values[i])) continue;
+    const Index v = different.vertex[i];
     Triple& n = mesh.normals[v];
     if (number[v] == 0)
       n = different.values[i];
@@ -43,7 +43,7 @@ void set_vertex_normals(Mesh_data& mesh)
 
 void set_several_normals(Mesh_data& mesh, std::vector<Corner_normal>&& normals)
 {
-  std::unordered_map<Mesh_data::Index, std::vector<Triple>> different;
+  std::unordered_map<Index, std::vector<Triple>> different;
   for (const Corner_normal& n : normals) {
     std::vector<Triple>& of_vertex = different[n.vertex];
     const auto is_same = [&](const Triple& other) { return are_equal(other, n.normal); };
@@ -66,17 +66,14 @@ void set_vertex_roundness(Mesh_data& mesh)
 {
   if (mesh.corner_roundness.empty()) return;
   std::vector<double> least(mesh.points.size(), 2);
-  const auto for_each_corner = [&](const auto& f) {
-    std::size_t corner = 0;
-    for (std::size_t face = 0; face < mesh.number_of_faces(); ++face)
-      for (const Mesh_data::Index v : mesh.face(face)) f(mesh.corner_roundness[corner++], v);
-  };
-  for_each_corner([&](double w, Mesh_data::Index v) { least[v] = (std::min)(least[v], w); });
+  const std::vector<Index>& vertices = mesh.vertices_of_corners();
+  for (std::size_t c = 0; c < vertices.size(); ++c)
+    least[vertices[c]] = (std::min)(least[vertices[c]], mesh.corner_roundness[c]);
   bool all_same = true, all_round = mesh.roundness.empty();
-  for_each_corner([&](double w, Mesh_data::Index v) {
-    all_same = all_same && w == least[v];
-    all_round = all_round && w == 1;
-  });
+  for (std::size_t c = 0; c < vertices.size(); ++c) {
+    all_same = all_same && mesh.corner_roundness[c] == least[vertices[c]];
+    all_round = all_round && mesh.corner_roundness[c] == 1;
+  }
   mesh.roundness.resize(all_round ? 0 : mesh.points.size(), 1);
   for (std::size_t v = 0; v < mesh.roundness.size(); ++v)
     if (least[v] < 2) mesh.roundness[v] = least[v];
@@ -87,24 +84,19 @@ std::size_t vertices_with_several_normals(const Mesh_data& mesh)
 {
   std::vector<Triple> first(mesh.points.size(), Triple{0, 0, 0});
   std::vector<bool> has_several(mesh.points.size(), false);
-  std::size_t corner = 0;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for (const Mesh_data::Index v : mesh.face(f)) {
-      const Triple& n = mesh.corner_normals[corner++];
-      if (normalized(n) == Triple{0, 0, 0}) continue;
-      if (first[v] == Triple{0, 0, 0}) first[v] = n;
-      if (directions_differ(first[v], n)) has_several[v] = true;
-    }
+  for (std::size_t c = 0; c < mesh.corner_normals.size(); ++c) {
+    const Index v = mesh.vertices_of_corners()[c];
+    const Triple& n = mesh.corner_normals[c];
+    if (normalized(n) == Triple{0, 0, 0}) continue;
+    if (first[v] == Triple{0, 0, 0}) first[v] = n;
+    if (directions_differ(first[v], n)) has_several[v] = true;
+  }
   return static_cast<std::size_t>(std::count(has_several.begin(), has_several.end(), true));
 }
 
 Different_values::Different_values(const Mesh_data& mesh, const std::vector<Triple>& of_corners)
 {
-  std::vector<Mesh_data::Index> vertex_of;
-  vertex_of.reserve(of_corners.size());
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    vertex_of.insert(vertex_of.end(), mesh.face(f).begin(), mesh.face(f).end());
-
+  const std::vector<Index>& vertex_of = mesh.vertices_of_corners();
   std::vector<std::size_t> order(of_corners.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -132,12 +124,12 @@ Triple face_normal(const Mesh_data& mesh, std::size_t f)
   const Mesh_data::Face face = mesh.face(f);
   const Triple& origin = mesh.points[face.front()];
   double largest = 0; // so that no product overflows or vanishes
-  for (const Mesh_data::Index v : face)
+  for (const Index v : face)
     for (const double x : difference(mesh.points[v], origin))
       largest = std::fmax(largest, std::abs(x));
   if (!(largest > 0)) return {0, 0, 0};
 
-  const auto side = [&](const Mesh_data::Index& v) {
+  const auto side = [&](const Index& v) {
     Triple d = difference(mesh.points[v], origin);
     for (double& x : d) x /= largest;
     return d;
@@ -161,7 +153,7 @@ template <class Function>
 void for_each_normal(const Mesh_data& mesh, std::size_t f, const Function& function)
 {
   std::size_t corner = mesh.first_corner(f);
-  for (const Mesh_data::Index v : mesh.face(f)) {
+  for (const Index v : mesh.face(f)) {
     const Triple& n = mesh.corner_normals.empty() ? mesh.normals[v] : mesh.corner_normals[corner];
     if (!is_zero(n)) function(n);
     ++corner;

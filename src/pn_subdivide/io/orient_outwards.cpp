@@ -22,8 +22,6 @@
 namespace pn_subdivide {
 namespace {
 
-using Index = Mesh_data::Index;
-
 struct Component
 {
   std::vector<std::size_t> faces;
@@ -208,21 +206,11 @@ std::size_t orient_outwards(Mesh_data& mesh, std::vector<bool>& is_turned)
   const Components components(mesh);
   const std::vector<const Component*> wrong = components.to_be_turned();
   if (wrong.empty()) return 0;
-  std::vector<bool> is_wrong(mesh.number_of_faces(), false);
   for (const Component* c : wrong)
     for (const std::size_t f : c->faces) {
-      is_wrong[f] = true;
+      mesh.reverse_face(f);
       is_turned[f] = !is_turned[f];
     }
-  Mesh_data faces;
-  std::vector<Index> face;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    face.assign(mesh.face(f).begin(), mesh.face(f).end());
-    if (is_wrong[f]) std::reverse(face.begin() + 1, face.end());
-    faces.add_face(face);
-  }
-  mesh.clear_faces();
-  for (std::size_t f = 0; f < faces.number_of_faces(); ++f) mesh.add_face(faces.face(f));
   return wrong.size();
 }
 

@@ -19,7 +19,7 @@ struct Visitor : CGAL::Polygon_mesh_processing::Default_orientation_visitor
 
   void duplicated_vertex(std::size_t old_vertex, std::size_t)
   {
-    add_values_of_copy(*mesh, static_cast<Mesh_data::Index>(old_vertex));
+    add_values_of_copy(*mesh, static_cast<Index>(old_vertex));
   }
 
   Mesh_data* mesh;

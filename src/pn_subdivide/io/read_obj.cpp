@@ -20,8 +20,9 @@
 
 namespace pn_subdivide {
 
-// OBJ gives normals to the corners of faces. A vertex takes the normalized sum of the different
-// normals at its corners, and a single one as it is.
+namespace {
+
+// The normals of the corners of faces, as the file has them.
 class Obj_normals
 {
 public:
@@ -29,113 +30,46 @@ public:
   void add_normal(const Triple& n) { normals_.push_back(n); }
 
   // `corner` counts through all faces.
-  void add_corner(std::size_t corner, Mesh_data::Index vertex, std::size_t normal, std::size_t line)
+  void add_corner(std::size_t corner, std::size_t normal, std::size_t line)
   {
-    corners_.push_back({vertex, corner, normal, line});
+    corners_.push_back({corner, normal, line});
   }
 
-  // To be called when all is read.
-  void check() const
+  // To be called when all is read. Corners that are given none have zero.
+  void put(Mesh_data& mesh) const
   {
-    for (const Corner& c : corners_)
+    if (corners_.empty()) return put_in_order(mesh);
+    mesh.corner_normals.resize(mesh.number_of_corners(), Triple{0, 0, 0});
+    for (const Corner& c : corners_) {
       if (c.normal >= normals_.size())
-        throw Error("line " + std::to_string(c.line) + ": the face's normal index " +
-                    std::to_string(c.normal + 1) + " is out of range, there are " +
-                    std::to_string(normals_.size()) + " normals");
-  }
-
-  // Empty if those of each vertex are the same; zero for corners that are given none.
-  std::vector<Triple> per_corner(std::size_t number_of_vertices,
-                                 std::size_t number_of_corners) const
-  {
-    if (!differ_at_a_vertex(number_of_vertices)) return {};
-    std::vector<Triple> result(number_of_corners, Triple{0, 0, 0});
-    for (const Corner& c : corners_) result[c.corner] = normals_[c.normal];
-    return result;
-  }
-
-  // Empty if the file has no normals; zero for vertices that are given none. To be called last.
-  std::vector<Triple> per_vertex(std::size_t number_of_vertices)
-  {
-    if (corners_.empty()) return in_order(number_of_vertices);
-    sort_and_unite();
-
-    std::vector<Triple> result(number_of_vertices, Triple{0, 0, 0});
-    for (std::size_t i = 0, end; i < corners_.size(); i = end) {
-      const Mesh_data::Index v = corners_[i].vertex;
-      const Triple& first = normals_[corners_[i].normal];
-      Triple sum = first;
-      bool differ = false;
-      for (end = i + 1; end < corners_.size() && corners_[end].vertex == v; ++end) {
-        const Triple& n = normals_[corners_[end].normal];
-        for (std::size_t k = 0; k < 3; ++k) sum[k] += n[k];
-        differ = differ || directions_differ(first, n);
-      }
-      result[v] = end == i + 1 ? sum : normalized(sum);
-      if (differ) ++vertices_with_several_normals_;
+        throw Error(
+          "line " + std::to_string(c.line) + ": " +
+          out_of_range("the face's normal index", c.normal + 1, normals_.size(), "normals"));
+      mesh.corner_normals[c.corner] = normals_[c.normal];
     }
-    return result;
+    mesh.vertices_with_several_normals = vertices_with_several_normals(mesh);
+    set_vertex_normals(mesh, Zero_normals::are_left_out);
   }
-
-  // Those whose normals differ by more than files are rounded; per_vertex() counts them.
-  std::size_t vertices_with_several_normals() const { return vertices_with_several_normals_; }
 
 private:
   struct Corner
   {
-    Mesh_data::Index vertex;
     std::size_t corner, normal, line;
   };
 
-  bool differ_at_a_vertex(std::size_t number_of_vertices) const
-  {
-    const auto none = static_cast<std::size_t>(-1);
-    std::vector<std::size_t> first(number_of_vertices, none);
-    return std::any_of(corners_.begin(), corners_.end(), [&](const Corner& c) {
-      if (first[c.vertex] == none) first[c.vertex] = c.normal;
-      return normals_[first[c.vertex]] != normals_[c.normal];
-    });
-  }
-
   // Some programs (CGAL's writer among them) list one normal per vertex and leave it at that.
-  std::vector<Triple> in_order(std::size_t number_of_vertices) const
+  void put_in_order(Mesh_data& mesh) const
   {
-    if (!normals_.empty() && normals_.size() != number_of_vertices)
+    if (!normals_.empty() && normals_.size() != mesh.points.size())
       throw Error(std::to_string(normals_.size()) + " normals (vn) for " +
-                  std::to_string(number_of_vertices) +
+                  std::to_string(mesh.points.size()) +
                   " vertices, and no face says which belongs where (f v//n)");
-    return normals_;
-  }
-
-  // Corners at the same vertex with the same normal count once. Normals are compared by value,
-  // because programs repeat them. The order of the sums is that of the file's normals.
-  void sort_and_unite()
-  {
-    const auto& normals = normals_;
-    const auto same = [&](const Corner& a, const Corner& b) {
-      return a.vertex == b.vertex && normals[a.normal] == normals[b.normal];
-    };
-    const auto by_value = [&](const Corner& a, const Corner& b) {
-      if (a.vertex != b.vertex) return a.vertex < b.vertex;
-      const Triple &m = normals[a.normal], &n = normals[b.normal];
-      for (std::size_t i = 0; i < 3; ++i)
-        if (m[i] < n[i] || n[i] < m[i]) return m[i] < n[i];
-      return a.normal < b.normal;
-    };
-    const auto by_number = [](const Corner& a, const Corner& b) {
-      return a.vertex != b.vertex ? a.vertex < b.vertex : a.normal < b.normal;
-    };
-    std::sort(corners_.begin(), corners_.end(), by_value);
-    corners_.erase(std::unique(corners_.begin(), corners_.end(), same), corners_.end());
-    std::sort(corners_.begin(), corners_.end(), by_number);
+    mesh.normals = normals_;
   }
 
   std::vector<Triple> normals_;
   std::vector<Corner> corners_;
-  std::size_t vertices_with_several_normals_ = 0;
 };
-
-namespace {
 
 class Obj_reader
 {
@@ -165,16 +99,15 @@ public:
     if (mesh_.points.empty())
       throw Error("not an OBJ mesh: there is no vertex (no line 'v x y z')");
     check_indices();
-    normals_.check();
-    mesh_.corner_normals = normals_.per_corner(mesh_.points.size(), mesh_.number_of_corners());
-    mesh_.normals = normals_.per_vertex(mesh_.points.size());
-    mesh_.vertices_with_several_normals = normals_.vertices_with_several_normals();
+    normals_.put(mesh_);
     attributes_.put(mesh_);
     mesh_.tags = tags_.take(mesh_.points.size());
     return std::move(mesh_);
   }
 
 private:
+  std::string place() const { return "line " + std::to_string(in_.line()); }
+
   void note_what_is_dropped(std::string_view keyword)
   {
     constexpr std::size_t many = 8; // in a damaged file every line may begin with another word
@@ -204,21 +137,16 @@ private:
 
   void read_point()
   {
-    const double x = in_.number("a coordinate");
-    const double y = in_.number("a coordinate");
-    const double z = in_.number("a coordinate");
-    mesh_.points.push_back({x, y, z});
+    mesh_.points.push_back(in_.triple("a coordinate"));
     if (with_attributes_) attributes_.read_color(in_, mesh_);
     if (mesh_.points.size() > Mesh_data::max_number_of_points) in_.fail("too many vertices");
   }
 
   void read_normal()
   {
-    const double x = in_.number("a normal's coordinate");
-    const double y = in_.number("a normal's coordinate");
-    const double z = in_.number("a normal's coordinate");
-    normals_.add_normal(mesh_.finite_normal({x, y, z}, [this] { return place(); }));
-    mesh_.digits_of_normals.see(in_.last_words(), {x, y, z});
+    const Triple n = in_.triple("a normal's coordinate");
+    normals_.add_normal(mesh_.finite_normal(n, [this] { return place(); }));
+    mesh_.digits_of_normals.see(in_.last_words(), n);
   }
 
   void read_face()
@@ -240,7 +168,7 @@ private:
   {
     const std::size_t slash = std::min(w.find('/'), w.size());
     const std::int64_t v = index(w.substr(0, slash), mesh_.points.size(), "a vertex index");
-    face_.push_back(static_cast<Mesh_data::Index>(v));
+    face_.push_back(static_cast<Index>(v));
     if (slash == w.size()) return;
 
     w.remove_prefix(slash + 1);
@@ -254,18 +182,18 @@ private:
     if (second_slash + 1 >= w.size()) return;
     const std::int64_t n =
       index(w.substr(second_slash + 1), normals_.number_of_normals(), "a normal index");
-    normals_.add_corner(corner, face_.back(), static_cast<std::size_t>(n), in_.line());
+    normals_.add_corner(corner, static_cast<std::size_t>(n), in_.line());
   }
 
   // Not earlier, because a face may come before its vertices.
   void check_indices() const
   {
     for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f)
-      for (const Mesh_data::Index v : mesh_.face(f))
+      for (const Index v : mesh_.face(f))
         if (v >= mesh_.points.size())
-          throw Error("line " + std::to_string(line_of_face_[f]) + ": the face's vertex index " +
-                      std::to_string(v + std::uint64_t(1)) + " is out of range, there are " +
-                      std::to_string(mesh_.points.size()) + " vertices");
+          throw Error("line " + std::to_string(line_of_face_[f]) + ": " +
+                      out_of_range("the face's vertex index", v + std::uint64_t(1),
+                                   mesh_.points.size(), "vertices"));
   }
 
   Text_reader in_;
@@ -274,9 +202,7 @@ private:
   Obj_normals normals_;
   Obj_attributes attributes_;
   Obj_tags tags_;
-  std::string place() const { return "line " + std::to_string(in_.line()); }
-
-  std::vector<Mesh_data::Index> face_;
+  std::vector<Index> face_;
   std::vector<std::string_view> words_;
   std::vector<std::size_t> line_of_face_;
 };

@@ -174,22 +174,6 @@ void next_line_of(Text_reader& in, const char* what, std::size_t i, std::size_t 
                 std::to_string(number) + " " + what);
 }
 
-Triple read_point(Text_reader& in)
-{
-  const double x = in.number("a coordinate");
-  const double y = in.number("a coordinate");
-  const double z = in.number("a coordinate");
-  return {x, y, z};
-}
-
-Triple read_normal(Text_reader& in)
-{
-  const double x = in.number("a normal's coordinate");
-  const double y = in.number("a normal's coordinate");
-  const double z = in.number("a normal's coordinate");
-  return {x, y, z};
-}
-
 // What an OFF file says besides points, normals and faces.
 struct Off_attributes
 {
@@ -235,7 +219,7 @@ void read_rest_of_vertex(Text_reader& in, const Off_header& header, Off_attribut
 }
 
 // False if it has less than three vertices.
-bool read_face(Text_reader& in, std::size_t number_of_points, std::vector<Mesh_data::Index>& face,
+bool read_face(Text_reader& in, std::size_t number_of_points, std::vector<Index>& face,
                Off_attributes* attributes)
 {
   const std::int64_t n = in.integer("the face's number of vertices");
@@ -247,7 +231,7 @@ bool read_face(Text_reader& in, std::size_t number_of_points, std::vector<Mesh_d
     if (v < 0 || static_cast<std::uint64_t>(v) >= number_of_points)
       in.fail("the face's vertex index " + std::to_string(v) + " is out of range, there are " +
               std::to_string(number_of_points) + " vertices");
-    face.push_back(static_cast<Mesh_data::Index>(v));
+    face.push_back(static_cast<Index>(v));
   }
   if (attributes == nullptr) return true;
   const std::size_t left = in.words_left();
@@ -272,14 +256,14 @@ Mesh_data read_off(const std::string& content, bool with_attributes)
   mesh.points.reserve(std::min(header.points, plausible));
   for (std::size_t i = 0; i < header.points; ++i) {
     next_line_of(in, "vertices", i, header.points);
-    mesh.points.push_back(read_point(in));
+    mesh.points.push_back(in.triple("a coordinate"));
     if (header.normals) {
-      mesh.normals.push_back(mesh.finite_normal(read_normal(in), place));
+      mesh.normals.push_back(mesh.finite_normal(in.triple("a normal's coordinate"), place));
       mesh.digits_of_normals.see(in.last_words(), mesh.normals.back());
     }
     if (with_attributes) read_rest_of_vertex(in, header, read_attributes);
   }
-  std::vector<Mesh_data::Index> face;
+  std::vector<Index> face;
   mesh.reserve_faces(std::min(header.faces, plausible), 4 * std::min(header.faces, plausible));
   for (std::size_t i = 0; i < header.faces; ++i) {
     next_line_of(in, "faces", i, header.faces);

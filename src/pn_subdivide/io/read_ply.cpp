@@ -50,22 +50,12 @@ constexpr const char* texture_list = "texcoord";
 constexpr const char* normals_list = "corner_control_normals";
 constexpr const char* roundness_list = "corner_roundness";
 
-bool is_one_of(const std::vector<std::string>& names, const std::string& name)
-{
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-const std::vector<std::string>& names_at_vertices()
-{
-  static const std::vector<std::string> names = {
-    "x", "y", "z", "nx", "ny", "nz", "control_nx", "control_ny", "control_nz"};
-  return names;
-}
-const std::vector<std::string>& names_at_faces()
-{
-  static const std::vector<std::string> names = {"vertex_indices", "vertex_index"};
-  return names;
-}
+using Names = std::vector<std::string>;
+const Names names_at_vertices = {"x",  "y",          "z",          "nx",         "ny",
+                                 "nz", "control_nx", "control_ny", "control_nz", "roundness"};
+const Names names_of_indices = {"vertex_indices", "vertex_index"};
+const Names names_of_lists = {"vertex_indices", "vertex_index", texture_list, normals_list,
+                              roundness_list};
 
 // Faces as strips of triangles, one after the other in one list or several, with -1 between them.
 constexpr const char* strips_element = "tristrips";
@@ -96,8 +86,7 @@ void note_what_is_dropped(const Ply_header& header, const Ply_tags& tags, Mesh_d
     }
     for (const Ply_property& p : element.properties)
       if (p.is_list &&
-          !(is_face && (p.name == texture_list || p.name == normals_list ||
-                        p.name == roundness_list || is_one_of(names_at_faces(), p.name))))
+          !(is_face && std::count(names_of_lists.begin(), names_of_lists.end(), p.name)))
         mesh.drop("the property '" + Text_reader::printable(p.name) + "'");
   }
 }
@@ -231,8 +220,7 @@ private:
     const std::size_t plausible = std::min(element.size, values_.bytes_left() / 3);
     mesh_.points.reserve(plausible);
     if (has_normals) mesh_.normals.reserve(plausible);
-    std::vector<std::string> others = names_at_vertices();
-    others.emplace_back("roundness");
+    Names others = names_at_vertices;
     const std::size_t roundness = element.find("roundness");
     if (roundness != Ply_element::none && element.properties[roundness].is_list)
       throw Error("the vertex property roundness is a list");
@@ -355,7 +343,7 @@ private:
 
     const std::size_t plausible = std::min(element.size, values_.bytes_left() / 4);
     mesh_.reserve_faces(plausible, 4 * plausible);
-    begin(element, names_at_faces());
+    begin(element, names_of_indices);
     for (std::size_t i = 0; i < element.size; ++i) {
       read_item(element, i, lists);
       if (indices_.size() < 3) {
@@ -420,13 +408,13 @@ private:
   void put_corner_values()
   {
     if (normals_.is_there && mesh_.has_normals()) {
-      for_each_corner(normals_, [&](const double* n, Mesh_data::Index v) {
+      for_each_corner(normals_, [&](const double* n, Index v) {
         mesh_.corner_normals.push_back(n ? Triple{n[0], n[1], n[2]} : mesh_.normals[v]);
       });
       mesh_.vertices_with_several_normals = vertices_with_several_normals(mesh_);
     }
     if (roundness_.is_there && !mesh_.roundness.empty())
-      for_each_corner(roundness_, [&](const double* w, Mesh_data::Index v) {
+      for_each_corner(roundness_, [&](const double* w, Index v) {
         mesh_.corner_roundness.push_back(w ? *w : mesh_.roundness[v]);
       });
   }
@@ -440,7 +428,7 @@ private:
     for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f) {
       const bool has_list = next != list.faces.end() && *next == f;
       if (has_list) ++next;
-      for (const Mesh_data::Index v : mesh_.face(f)) {
+      for (const Index v : mesh_.face(f)) {
         put(has_list ? numbers : nullptr, v);
         if (has_list) numbers += list.dimension;
       }
@@ -458,11 +446,10 @@ private:
   void check_indices() const
   {
     for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f)
-      for (const Mesh_data::Index v : mesh_.face(f))
+      for (const Index v : mesh_.face(f))
         if (v >= mesh_.points.size())
-          throw Error("face " + std::to_string(f) + ": the vertex index " + std::to_string(v) +
-                      " is out of range, there are " + std::to_string(mesh_.points.size()) +
-                      " vertices");
+          throw Error("face " + std::to_string(f) + ": " +
+                      out_of_range("the vertex index", v, mesh_.points.size(), "vertices"));
   }
 
   const Ply_header& header_;

@@ -111,13 +111,13 @@ private:
     return c;
   }
 
-  Mesh_data::Index index(const Triple& c)
+  Index index(const Triple& c)
   {
     for (const double x : c)
       if (!std::isfinite(x))
         throw Error("triangle " + std::to_string(mesh_.number_of_faces()) +
                     " has a coordinate that is not finite");
-    const auto next = static_cast<Mesh_data::Index>(mesh_.points.size());
+    const auto next = static_cast<Index>(mesh_.points.size());
     const auto [place, is_new] = indices_.emplace(c, next);
     if (is_new) mesh_.points.push_back(c);
     return place->second;
@@ -167,7 +167,7 @@ private:
   {
     expect(in, "outer");
     expect(in, "loop");
-    for (Mesh_data::Index& i : triangle_) {
+    for (Index& i : triangle_) {
       expect(in, "vertex");
       Triple c;
       for (double& x : c) x = in.to_number(in.word_across_lines(), "a coordinate");
@@ -182,8 +182,8 @@ private:
   Mesh_data mesh_;
   Column groups_{"group", Scalar_type::int32, {}, {}};
   std::map<std::string, double> numbers_; // of their names
-  std::map<Triple, Mesh_data::Index> indices_;
-  std::array<Mesh_data::Index, 3> triangle_;
+  std::map<Triple, Index> indices_;
+  std::array<Index, 3> triangle_;
 };
 
 } // namespace

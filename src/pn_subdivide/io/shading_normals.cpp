@@ -6,12 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "io/shading_normals.h"
-
 #include "io/mesh_normals.h"
 
 #include <CGAL/PN_recognition_3/internal/recognition.h>
 #include <CGAL/number_utils.h>
+
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <vector>
 
@@ -58,21 +57,6 @@ double length(const Triple& v)
   return std::sqrt(scalar_product(v, v));
 }
 
-// A power of 2 that makes the mesh about as large as 1, so that no product overflows or vanishes.
-double scale_of(const std::vector<Triple>& points)
-{
-  double size = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Triple& p : points) {
-      low = (std::min)(low, p[k]);
-      high = (std::max)(high, p[k]);
-    }
-    size = (std::max)(size, high - low);
-  }
-  return size > 0 && std::isfinite(size) ? std::ldexp(1., -std::ilogb(size)) : 1.;
-}
-
 double rounding_of(const std::vector<Triple>& points)
 {
   std::vector<double> coordinates;
@@ -86,7 +70,7 @@ class Sums_of_faces
 public:
   Sums_of_faces(const Mesh_data& mesh, const Normal_slots& slots)
     : mesh_(mesh)
-    , scale_(scale_of(mesh.points))
+    , scale_(scale_to_unit_size(mesh.points))
     , rounding_(scale_ * rounding_of(mesh.points))
     , sums_(slots.size())
   {
@@ -95,7 +79,7 @@ public:
   const Sums& operator[](std::size_t slot) const { return sums_[slot]; }
 
 private:
-  Triple edge(Mesh_data::Index from, Mesh_data::Index to) const
+  Triple edge(Index from, Index to) const
   {
     Triple e = difference(mesh_.points[to], mesh_.points[from]);
     for (double& x : e) x *= scale_;
@@ -104,7 +88,7 @@ private:
 
   void add_face(const Normal_slots& slots, std::size_t f)
   {
-    const Mesh_data::Index* const v = mesh_.face(f).begin();
+    const Index* const v = mesh_.face(f).begin();
     const auto n = std::size_t(mesh_.face(f).size());
     Triple twice_area = {0, 0, 0};
     for (std::size_t i = 2; i < n; ++i)
@@ -141,6 +125,31 @@ bool are_close(const Triple& unit, const Triple& sum, double distance)
   return true;
 }
 
+// of each vertex a number of its component
+std::vector<std::size_t> components_of(const Mesh_data& mesh)
+{
+  boost::disjoint_sets_with_storage<> sets(mesh.points.size());
+  std::vector<std::size_t> result(mesh.points.size());
+  for (std::size_t v = 0; v < result.size(); ++v) sets.make_set(v);
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (const Index v : mesh.face(f)) sets.union_set(mesh.face(f).front(), v);
+  for (std::size_t v = 0; v < result.size(); ++v) result[v] = sets.find_set(v);
+  return result;
+}
+
+// of lines, for normals that all point inside are another matter
+double degrees_between(const Triple& m, const Triple& n)
+{
+  return std::atan2(length(cross_product(m, n)), std::abs(scalar_product(m, n))) * 180 / CGAL_PI;
+}
+
+double median(std::vector<double>& x)
+{
+  const auto middle = x.begin() + std::ptrdiff_t(x.size() / 2);
+  std::nth_element(x.begin(), middle, x.end());
+  return *middle;
+}
+
 } // namespace
 
 Shading find_shading(const Mesh_data& mesh)
@@ -167,38 +176,6 @@ Shading find_shading(const Mesh_data& mesh)
   if (all == 0 || !are_most(agree[best]) || are_most(agree[reciprocal])) return {};
   return {names[best], agree[best], all};
 }
-
-namespace {
-
-// of each vertex that of a number of its component
-std::vector<std::size_t> components_of(const Mesh_data& mesh)
-{
-  std::vector<std::size_t> parent(mesh.points.size());
-  std::iota(parent.begin(), parent.end(), std::size_t(0));
-  const auto root = [&](std::size_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for (const Mesh_data::Index v : mesh.face(f)) parent[root(v)] = root(*mesh.face(f).begin());
-  for (std::size_t v = 0; v < parent.size(); ++v) parent[v] = root(v);
-  return parent;
-}
-
-// of lines, for normals that all point inside are another matter
-double degrees_between(const Triple& m, const Triple& n)
-{
-  return std::atan2(length(cross_product(m, n)), std::abs(scalar_product(m, n))) * 180 / CGAL_PI;
-}
-
-double median(std::vector<double>& x)
-{
-  const auto middle = x.begin() + std::ptrdiff_t(x.size() / 2);
-  std::nth_element(x.begin(), middle, x.end());
-  return *middle;
-}
-
-} // namespace
 
 Stray_normals find_stray_normals(const Mesh_data& mesh)
 {

@@ -14,14 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <sstream>
-#include <utility>
 
 namespace pn_subdivide {
 namespace {
-
-using Index = Mesh_data::Index;
 
 // A side of a face; corners are numbered through all faces.
 struct Side
@@ -82,15 +77,12 @@ Soup_defects::Vertices find_pinched(const Mesh_data& mesh, const std::vector<Sid
   const auto none = static_cast<std::size_t>(-1);
   std::vector<std::size_t> fan(mesh.points.size(), none);
   std::vector<bool> pinched(mesh.points.size(), false);
-  std::size_t corner = 0;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for (const Index v : mesh.face(f)) {
-      const std::size_t root = fans.find_set(corner++);
-      if (fan[v] == none)
-        fan[v] = root;
-      else if (fan[v] != root)
-        pinched[v] = true;
-    }
+  for (std::size_t c = 0; c < mesh.number_of_corners(); ++c) {
+    const Index v = mesh.vertices_of_corners()[c];
+    const std::size_t root = fans.find_set(c);
+    if (fan[v] == none) fan[v] = root;
+    if (fan[v] != root) pinched[v] = true;
+  }
 
   Soup_defects::Vertices result;
   result.number = static_cast<std::size_t>(std::count(pinched.begin(), pinched.end(), true));
@@ -127,8 +119,7 @@ Soup_defects find_defects(const Mesh_data& mesh)
 std::vector<Index> vertices_at_open_edges(const Mesh_data& mesh)
 {
   std::vector<bool> is_open(mesh.points.size(), true);
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for (const Index v : mesh.face(f)) is_open[v] = false;
+  for (const Index v : mesh.vertices_of_corners()) is_open[v] = false;
   const std::vector<Side> sides = sorted_sides(mesh);
   for (std::size_t i = 0, end; i < sides.size(); i = end) {
     for (end = i + 1; end < sides.size() && is_same_edge(sides[i], sides[end]);) ++end;
@@ -168,10 +159,8 @@ void require_finite_elements(const Mesh_data& mesh)
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     const Triple& p = mesh.points[v];
     if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])) continue;
-    std::ostringstream message;
-    message << "vertex " << v << " has a coordinate that is not finite: (" << p[0] << ", " << p[1]
-            << ", " << p[2] << ")";
-    throw Error(message.str());
+    throw Error("vertex " + std::to_string(v) + " has a coordinate that is not finite: " +
+                formatted("(%g, %g, %g)", p[0], p[1], p[2]));
   }
 }
 

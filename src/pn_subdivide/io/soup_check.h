@@ -10,12 +10,36 @@
 #define PN_SUBDIVIDE_SOUP_CHECK_H
 
 #include "io/Mesh_data.h"
-#include "io/border_edges.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace pn_subdivide {
+
+// An edge with one face: its ends, the one with the lower number first.
+using Border_edge = std::array<Index, 2>;
+
+// Border edges that lie on others: there the surface is open although it may not be meant to be.
+struct Border_contacts
+{
+  std::size_t border_edges = 0;
+  std::size_t equal = 0; // both ends are equal points
+  std::size_t near = 0;  // both ends are equal but for the distance
+  std::size_t along = 0; // a part of one edge lies on another (T-junctions)
+
+  bool any() const { return equal + near + along > 0; }
+  // one line; joins_equal: the option to name
+  std::string description(double distance_of_diagonal, const std::string& joins_equal) const;
+};
+
+// Only those with both ends at the same points.
+std::size_t number_of_equal(const Mesh_data& mesh, const std::vector<Border_edge>& edges);
+
+// Copies that repair_soup() made of the same vertices are apart because they have to be, and do not
+// count.
+Border_contacts find_border_contacts(const Mesh_data& mesh, const std::vector<Border_edge>& edges,
+                                     double distance);
 
 // What keeps a polygon soup from being an oriented 2-manifold (with or without border).
 struct Soup_defects
@@ -23,12 +47,12 @@ struct Soup_defects
   struct Edges
   {
     std::size_t number = 0;
-    Mesh_data::Index first[2] = {0, 0};
+    Index first[2] = {0, 0};
   };
   struct Vertices
   {
     std::size_t number = 0;
-    Mesh_data::Index first = 0;
+    Index first = 0;
   };
 
   Edges crowded;    // edges with more than two faces
@@ -47,7 +71,7 @@ struct Soup_defects
 Soup_defects find_defects(const Mesh_data& mesh);
 
 // Those at edges that have one face or more than two, and those without faces, in order.
-std::vector<Mesh_data::Index> vertices_at_open_edges(const Mesh_data& mesh);
+std::vector<Index> vertices_at_open_edges(const Mesh_data& mesh);
 
 // What no repair mends: no faces, coordinates that are not finite, a number of normals other than that of vertices.
 // Throws Error, which names the first such element; vertices and faces are counted from 0.

@@ -18,7 +18,6 @@
 namespace pn_subdivide {
 namespace {
 
-using Index = Mesh_data::Index;
 using Polygon = std::vector<Index>;
 
 // The soup as it was and which face of it each face comes from, for what its faces and corners have.
@@ -157,14 +156,14 @@ void remove_duplicates(Mesh_data& mesh, Soup_repair& repair, Old_faces& old_face
   for (std::size_t i = 1; i < n; ++i)
     if (keys[order[i]] == keys[order[i - 1]]) is_duplicate[order[i]] = true;
 
-  const Mesh_data old = mesh;
-  mesh.clear_faces();
+  Mesh_data kept;
   std::vector<std::size_t> origins;
   for (std::size_t f = 0; f < n; ++f)
     if (!is_duplicate[f]) {
-      mesh.add_face(old.face(f));
+      kept.add_face(mesh.face(f));
       origins.push_back(f);
     }
+  mesh.take_faces(kept);
   old_faces.renumber(origins);
   repair.removed_duplicate_faces = n - mesh.number_of_faces();
 }

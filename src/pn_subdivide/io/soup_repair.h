@@ -17,6 +17,29 @@
 
 namespace pn_subdivide {
 
+struct Point_merge
+{
+  std::size_t merged_vertices = 0;               // that are gone: equal ones
+  std::size_t joined_vertices = 0;               // others within the distance
+  std::vector<std::string> differing_attributes; // of which only the value of the first is left
+};
+
+// Merges vertices with equal points into the first of them. Where their normals or texture coordinates
+// differ, these become those of corners; of other attributes those of the first vertex are kept. Coordinates
+// must be finite.
+Point_merge merge_equal_points(Mesh_data& mesh);
+
+// The same, and then for points within a distance as first_near() tells.
+Point_merge merge_near_points(Mesh_data& mesh, double distance);
+
+// For each vertex the first of those that it is joined with: vertices without faces or at edges that do not
+// have two faces, within the distance of each other or of some between them, the nearest first, but never
+// two vertices of one face. Throws Error if the distance is so large that most points would be joined.
+std::vector<Index> first_near(const Mesh_data& mesh, double distance);
+
+// Four units in the last place of the largest coordinate as a `float`, as cracks in STL files have.
+double rounding_of_floats(const std::vector<Triple>& points);
+
 struct Soup_repair
 {
   std::size_t removed_degenerate_faces = 0;
@@ -26,8 +49,8 @@ struct Soup_repair
   std::size_t added_vertices = 0; // copies, behind the old vertices
   std::size_t turned_components = 0;
   std::size_t turned_normals =
-    0; // by turn_opposing_normals(), which repair_soup() leaves to others
-  Mesh_data::Index first_turned_normal = 0; // its vertex
+    0;                           // by turn_opposing_normals(), which repair_soup() leaves to others
+  Index first_turned_normal = 0; // its vertex
 
   bool changed_anything() const
   {
@@ -72,7 +95,7 @@ Inside_out find_inside_out(const Mesh_data& mesh);
 std::size_t orient_soup(Mesh_data& mesh, std::vector<bool>& is_reversed);
 
 // What a copy has from its vertex, but for the point.
-inline void add_values_of_copy(Mesh_data& mesh, Mesh_data::Index original)
+inline void add_values_of_copy(Mesh_data& mesh, Index original)
 {
   mesh.copied_from.push_back(original);
   if (mesh.has_normals()) mesh.normals.push_back(mesh.normals[original]);

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -24,45 +26,20 @@ namespace {
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 // The number of a normal or of a texture point at a corner of a vertex, from 0, or `none`.
-class Numbers
+using Numbers = std::function<std::size_t(std::size_t corner, Index vertex)>;
+
+std::size_t no_number(std::size_t, Index)
 {
-public:
-  using Sparse = std::unordered_map<std::size_t, Mesh_data::Index>;
-  static constexpr Mesh_data::Index no_number = static_cast<Mesh_data::Index>(-1);
-
-  Numbers() = default;
-  explicit Numbers(std::vector<std::size_t> of_corner)
-    : of_corner_(std::move(of_corner))
-    , are_given_(true)
-  {}
-  static Numbers those_of_vertices()
-  {
-    Numbers numbers;
-    numbers.are_given_ = true;
-    return numbers;
-  }
-
-  // `of_corner` has the numbers of the corners of vertices without a number
-  Numbers(std::vector<Mesh_data::Index> of_vertex, Sparse of_corner)
-    : of_vertex_(std::move(of_vertex))
-    , sparse_(std::move(of_corner))
-    , are_given_(true)
-  {}
-
-  std::size_t operator()(std::size_t corner, Mesh_data::Index vertex) const
-  {
-    if (!are_given_) return none;
-    if (!of_vertex_.empty())
-      return of_vertex_[vertex] != no_number ? of_vertex_[vertex] : sparse_.at(corner);
-    return of_corner_.empty() ? std::size_t(vertex) : of_corner_[corner];
-  }
-
-private:
-  std::vector<std::size_t> of_corner_;
-  std::vector<Mesh_data::Index> of_vertex_;
-  Sparse sparse_;
-  bool are_given_ = false;
-};
+  return none;
+}
+std::size_t that_of_vertex(std::size_t, Index vertex)
+{
+  return vertex;
+}
+Numbers those_of_corners(std::vector<std::size_t> numbers)
+{
+  return [all = std::move(numbers)](std::size_t corner, Index) { return all[corner]; };
+}
 
 // Bytes as fractions of 255; fractions are written as they are.
 struct Obj_color
@@ -75,14 +52,9 @@ struct Obj_color
   {
     Obj_color color;
     Column_group channels = find_color(columns);
-    if (channels.size() < 3) return color;
+    if (!is_plain_color(channels)) return color;
     channels.resize(3);
-    const Scalar_type type = channels[0]->type;
-    if (traits(type).is_integer && type != Scalar_type::uint8) return color;
-    color.divisor = type == Scalar_type::uint8 ? 255 : 1;
-    for (const Column* channel : channels)
-      for (const double x : channel->values)
-        if (!(x >= 0 && x <= color.divisor)) return color;
+    color.divisor = channels[0]->type == Scalar_type::uint8 ? 255 : 1;
     color.channels = channels;
     return color;
   }
@@ -167,7 +139,7 @@ Numbers write_texture(Output_file& out, const Mesh_data& mesh)
   if (mesh.attributes.texture.empty()) {
     const std::vector<Texture_point> of_vertices = texture_of_vertices(mesh);
     write_texture_points(out, of_vertices);
-    return of_vertices.empty() ? Numbers() : Numbers::those_of_vertices();
+    return of_vertices.empty() ? no_number : that_of_vertex;
   }
   Different_values different(mesh, mesh.attributes.texture);
   std::vector<std::size_t> number(different.values.size(), none);
@@ -180,28 +152,30 @@ Numbers write_texture(Output_file& out, const Mesh_data& mesh)
   different.values.resize(written);
   write_texture_points(out, different.values);
   for (std::size_t& n : different.of_corner) n = number[n];
-  return Numbers(std::move(different.of_corner));
+  return those_of_corners(std::move(different.of_corner));
 }
 
 // The normals of a mesh where some vertices have several, in the order of the first corners that have them.
 struct Some_several
 {
+  static constexpr Index unknown = static_cast<Index>(-1);
+
   explicit Some_several(const Mesh_data& mesh)
-    : of_vertex(mesh.points.size(), Numbers::no_number)
+    : of_vertex(mesh.points.size(), unknown)
   {
-    std::unordered_map<Mesh_data::Index, std::vector<Mesh_data::Index>> of_several;
+    std::unordered_map<Index, std::vector<Index>> of_several;
     auto several = mesh.several_normals.begin();
     std::size_t corner = 0;
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      for (const Mesh_data::Index v : mesh.face(f)) {
+      for (const Index v : mesh.face(f)) {
         const bool is_several = several != mesh.several_normals.end() && several->corner == corner;
         ++corner;
         if (!is_several) {
-          if (of_vertex[v] == Numbers::no_number) of_vertex[v] = add(mesh.normals[v]);
+          if (of_vertex[v] == unknown) of_vertex[v] = add(mesh.normals[v]);
           continue;
         }
-        std::vector<Mesh_data::Index>& numbers = of_several[v];
-        const auto same = std::find_if(numbers.begin(), numbers.end(), [&](Mesh_data::Index i) {
+        std::vector<Index>& numbers = of_several[v];
+        const auto same = std::find_if(numbers.begin(), numbers.end(), [&](Index i) {
           return are_equal(values[i], several->normal);
         });
         const bool is_new = same == numbers.end();
@@ -210,15 +184,15 @@ struct Some_several
         ++several;
       }
   }
-  Mesh_data::Index add(const Triple& n)
+  Index add(const Triple& n)
   {
     values.push_back(n);
-    return static_cast<Mesh_data::Index>(values.size() - 1);
+    return static_cast<Index>(values.size() - 1);
   }
 
   std::vector<Triple> values;
-  std::vector<Mesh_data::Index> of_vertex;
-  Numbers::Sparse of_corner;
+  std::vector<Index> of_vertex;
+  std::unordered_map<std::size_t, Index> of_corner; // where the vertex has none
 };
 
 Numbers write_normals(Output_file& out, const Mesh_data& mesh)
@@ -230,19 +204,22 @@ Numbers write_normals(Output_file& out, const Mesh_data& mesh)
       out.text("\n");
     }
   };
-  if (!mesh.has_normals()) return Numbers();
+  if (!mesh.has_normals()) return no_number;
   if (!mesh.has_corner_normals()) {
     write(mesh.normals);
-    return Numbers::those_of_vertices();
+    return that_of_vertex;
   }
   if (!mesh.several_normals.empty()) {
-    Some_several some(mesh);
-    write(some.values);
-    return Numbers(std::move(some.of_vertex), std::move(some.of_corner));
+    const auto some = std::make_shared<Some_several>(mesh);
+    write(some->values);
+    return [some](std::size_t corner, Index vertex) -> std::size_t {
+      const Index number = some->of_vertex[vertex];
+      return number != Some_several::unknown ? number : some->of_corner.at(corner);
+    };
   }
   Different_values different(mesh, mesh.corner_normals);
   write(different.values);
-  return Numbers(std::move(different.of_corner));
+  return those_of_corners(std::move(different.of_corner));
 }
 
 // v, v/t, v//n or v/t/n
@@ -275,7 +252,7 @@ void write_obj(Output_file& out, const Mesh_data& mesh, Encoding)
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     write_statements(out, content.statements, f);
     out.text("f");
-    for (const Mesh_data::Index v : mesh.face(f)) {
+    for (const Index v : mesh.face(f)) {
       write_corner(out, v, texture(corner, v), normals(corner, v));
       ++corner;
     }

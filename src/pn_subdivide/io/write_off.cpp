@@ -13,19 +13,6 @@
 namespace pn_subdivide {
 namespace {
 
-// Bytes, or fractions from 0 to 1.
-bool is_color_of_off(const Column_group& color)
-{
-  if (color.empty()) return false;
-  const Scalar_type type = color[0]->type;
-  if (type == Scalar_type::uint8) return true;
-  if (traits(type).is_integer) return false;
-  return std::all_of(color.begin(), color.end(), [](const Column* channel) {
-    return std::all_of(channel->values.begin(), channel->values.end(),
-                       [](double x) { return x >= 0 && x <= 1; });
-  });
-}
-
 struct Off_content
 {
   Held_attributes held;
@@ -37,9 +24,9 @@ struct Off_content
     , texture(texture_of_vertices(mesh))
   {
     const Attributes& attributes = mesh.attributes;
-    if (const Column_group color = find_color(attributes.of_vertices); is_color_of_off(color))
+    if (const Column_group color = find_color(attributes.of_vertices); is_plain_color(color))
       vertex_color = held.take(color);
-    if (const Column_group color = find_color(attributes.of_faces); is_color_of_off(color))
+    if (const Column_group color = find_color(attributes.of_faces); is_plain_color(color))
       face_color = held.take(color);
     if (has_depth(texture)) texture.clear();
     if (texture.empty()) return;
@@ -51,12 +38,11 @@ struct Off_content
 };
 
 // Fractions have a point, by which they are told from bytes.
-void write_color(Output_file& out, const Column_group& color, std::size_t element)
+void write_color(Output_file& out, Row_writer& rows, const Column_group& color, std::size_t element)
 {
   for (const Column* channel : color) {
     const double x = channel->values[element];
-    out.text(" ");
-    out.number(x);
+    rows.number(x);
     if (channel->type != Scalar_type::uint8 && (x == 0 || x == 1)) out.text(".0");
   }
 }
@@ -78,16 +64,21 @@ void write_off(Output_file& out, const Mesh_data& mesh, Encoding)
   out.text(" ");
   write_count(out, mesh.number_of_faces());
   out.text(" 0\n");
-  write_vertices_and_faces(
-    out, mesh,
-    [&](std::size_t v) {
-      write_color(out, content.vertex_color, v);
-      for (std::size_t i = 0; i < 2 && !content.texture.empty(); ++i) {
-        out.text(" ");
-        out.number(content.texture[v][i]);
-      }
-    },
-    [&](std::size_t f) { write_color(out, content.face_color, f); });
+  Row_writer rows(out, Encoding::text);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    rows.triple(mesh.points[v]);
+    if (mesh.has_normals()) rows.triple(mesh.normals[v]);
+    write_color(out, rows, content.vertex_color, v);
+    for (std::size_t i = 0; i < 2 && !content.texture.empty(); ++i)
+      rows.number(content.texture[v][i]);
+    rows.end_row();
+  }
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    rows.count(mesh.face(f).size());
+    for (const Index v : mesh.face(f)) rows.count(v);
+    write_color(out, rows, content.face_color, f);
+    rows.end_row();
+  }
 }
 
 } // namespace pn_subdivide

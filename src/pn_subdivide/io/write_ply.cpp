@@ -105,7 +105,7 @@ struct Ply_content
     if (mesh.corner_control_normals.empty()) return;
     bool are_others = false;
     std::size_t corner = mesh.first_corner(f);
-    for (const Mesh_data::Index v : mesh.face(f)) {
+    for (const Index v : mesh.face(f)) {
       const Triple& n = mesh.corner_control_normals[corner++];
       are_others = are_others || std::memcmp(&n, &mesh.control_normals[v], sizeof n) != 0;
       numbers.insert(numbers.end(), n.begin(), n.end());
@@ -119,7 +119,7 @@ struct Ply_content
     numbers.clear();
     bool are_others = false;
     std::size_t corner = mesh.first_corner(f);
-    for (const Mesh_data::Index v : mesh.face(f)) {
+    for (const Index v : mesh.face(f)) {
       numbers.push_back(mesh.corner_roundness[corner++]);
       are_others = are_others || numbers.back() != mesh.roundness[v];
     }
@@ -207,109 +207,51 @@ void write_header(Output_file& out, const Ply_content& content, Encoding encodin
     {comments(attributes), own + properties(content.of_vertices), of_faces, edge_header(content)}));
 }
 
-void write_triple_in_binary(Output_file& out, const Triple& t)
+// Of the sizes of lists.
+Scalar_type size_type(const Ply_content& content)
 {
-  for (const double x : t) out.little_endian(x);
+  return content.has_short_lists ? Scalar_type::uint8 : Scalar_type::uint32;
 }
 
-void write_values_in_binary(Output_file& out, const Column_group& columns, std::size_t element)
-{
-  for (const Column* column : columns)
-    write_little_endian(out, column->type, column->values[element]);
-}
-
-void write_size_in_binary(Output_file& out, const Ply_content& content, std::size_t size)
-{
-  if (content.has_short_lists)
-    out.little_endian(static_cast<std::uint8_t>(size));
-  else
-    out.little_endian(static_cast<std::uint32_t>(size));
-}
-
-void write_edges_in_binary(Output_file& out, const Crease_tags& tags)
-{
-  for (const Crease_tags::Edge& edge : tags.edges) {
-    for (const std::uint32_t v : edge.ends) out.little_endian(v);
-    out.little_endian(edge.sharpness);
-    for (const Triple& tangent : edge.tangents) write_triple_in_binary(out, tangent);
-  }
-}
-
-void write_edges_in_text(Output_file& out, const Crease_tags& tags)
-{
-  for (const Crease_tags::Edge& edge : tags.edges) {
-    write_count(out, edge.ends[0]);
-    out.text(" ");
-    write_count(out, edge.ends[1]);
-    out.text(" ");
-    out.number(edge.sharpness);
-    for (const Triple& tangent : edge.tangents) {
-      out.text(" ");
-      write_triple(out, tangent);
-    }
-    out.text("\n");
-  }
-}
-
-void write_in_binary(Output_file& out, const Ply_content& content)
+void write_vertices(Row_writer& rows, const Ply_content& content)
 {
   const Mesh_data& mesh = content.mesh;
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    write_triple_in_binary(out, mesh.points[v]);
-    if (mesh.has_normals()) write_triple_in_binary(out, mesh.normals[v]);
-    if (mesh.has_control_normals()) write_triple_in_binary(out, mesh.control_normals[v]);
-    if (content.has_roundness()) out.little_endian(mesh.roundness[v]);
-    if (content.has_tags()) out.little_endian(content.sharpness(v));
-    write_values_in_binary(out, content.of_vertices, v);
+    rows.triple(mesh.points[v]);
+    if (mesh.has_normals()) rows.triple(mesh.normals[v]);
+    if (mesh.has_control_normals()) rows.triple(mesh.control_normals[v]);
+    if (content.has_roundness()) rows.number(mesh.roundness[v]);
+    if (content.has_tags()) rows.number(content.sharpness(v));
+    rows.values(content.of_vertices, v);
+    rows.end_row();
   }
-  std::vector<double> numbers;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const Mesh_data::Face face = mesh.face(f);
-    write_size_in_binary(out, content, std::size_t(face.size()));
-    for (const Mesh_data::Index v : face) out.little_endian<std::uint32_t>(v);
-    write_values_in_binary(out, content.of_faces, f);
-    for (const Corner_list& list : content.lists) {
-      list.read(f, numbers);
-      write_size_in_binary(out, content, numbers.size());
-      for (const double x : numbers) write_little_endian(out, list.type, x);
-    }
-  }
-  write_edges_in_binary(out, mesh.tags);
 }
 
-void write_in_text(Output_file& out, const Ply_content& content)
+void write_faces(Row_writer& rows, const Ply_content& content)
 {
   std::vector<double> numbers;
-  write_vertices_and_faces(
-    out, content.mesh,
-    [&](std::size_t v) {
-      if (content.mesh.has_control_normals()) {
-        out.text(" ");
-        write_triple(out, content.mesh.control_normals[v]);
-      }
-      if (content.has_roundness()) {
-        out.text(" ");
-        out.number(content.mesh.roundness[v]);
-      }
-      if (content.has_tags()) {
-        out.text(" ");
-        out.number(content.sharpness(v));
-      }
-      write_values(out, content.of_vertices, v);
-    },
-    [&](std::size_t f) {
-      write_values(out, content.of_faces, f);
-      for (const Corner_list& list : content.lists) {
-        list.read(f, numbers);
-        out.text(" ");
-        write_count(out, numbers.size());
-        for (const double x : numbers) {
-          out.text(" ");
-          out.number(x);
-        }
-      }
-    });
-  write_edges_in_text(out, content.mesh.tags);
+  for (std::size_t f = 0; f < content.mesh.number_of_faces(); ++f) {
+    const Mesh_data::Face face = content.mesh.face(f);
+    rows.count(face.size(), size_type(content));
+    for (const Index v : face) rows.count(v);
+    rows.values(content.of_faces, f);
+    for (const Corner_list& list : content.lists) {
+      list.read(f, numbers);
+      rows.count(numbers.size(), size_type(content));
+      for (const double x : numbers) rows.number(x, list.type);
+    }
+    rows.end_row();
+  }
+}
+
+void write_edges(Row_writer& rows, const Crease_tags& tags)
+{
+  for (const Crease_tags::Edge& edge : tags.edges) {
+    for (const std::uint32_t v : edge.ends) rows.count(v);
+    rows.number(edge.sharpness);
+    for (const Triple& tangent : edge.tangents) rows.triple(tangent);
+    rows.end_row();
+  }
 }
 
 } // namespace
@@ -332,10 +274,10 @@ void write_ply(Output_file& out, const Mesh_data& mesh, Encoding encoding)
 {
   const Ply_content content(mesh);
   write_header(out, content, encoding);
-  if (encoding == Encoding::text)
-    write_in_text(out, content);
-  else
-    write_in_binary(out, content);
+  Row_writer rows(out, encoding);
+  write_vertices(rows, content);
+  write_faces(rows, content);
+  write_edges(rows, mesh.tags);
 }
 
 } // namespace pn_subdivide

@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <set>
@@ -72,7 +71,7 @@ void write_facet_in_text(Output_file& out, const Mesh_data& mesh, std::size_t f)
   out.text("facet normal ");
   write_triple(out, face_normal(mesh, f));
   out.text("\nouter loop\n");
-  for (const Mesh_data::Index v : mesh.face(f)) {
+  for (const Index v : mesh.face(f)) {
     out.text("vertex ");
     write_triple(out, mesh.points[v]);
     out.text("\n");
@@ -114,7 +113,7 @@ void write_in_binary(Output_file& out, const Mesh_data& mesh)
   out.little_endian(static_cast<std::uint32_t>(mesh.number_of_faces()));
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     write_floats(out, face_normal(mesh, f));
-    for (const Mesh_data::Index v : mesh.face(f)) write_floats(out, mesh.points[v]);
+    for (const Index v : mesh.face(f)) write_floats(out, mesh.points[v]);
     out.little_endian(std::uint16_t(0));
   }
 }
@@ -124,8 +123,8 @@ double shortest_edge(const Mesh_data& mesh)
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     const Mesh_data::Face face = mesh.face(f);
-    const Mesh_data::Index* last = face.end() - 1;
-    for (const Mesh_data::Index& v : face) {
+    const Index* last = face.end() - 1;
+    for (const Index& v : face) {
       const Triple d = difference(mesh.points[v], mesh.points[*last]);
       const double length = std::hypot(d[0], d[1], d[2]);
       if (length > 0) shortest = (std::min)(shortest, length);
@@ -172,11 +171,8 @@ std::string loss_in_stl(const Mesh_data& mesh)
   if (joined == 0 && moved <= of_size * diagonal_of(Bounding_box(mesh.points)) &&
       moved <= of_edge * shortest_edge(mesh))
     return {};
-  char text[100];
-  std::snprintf(text, sizeof text, "its single precision moves points by up to %.3g", moved);
-  return text +
-         (joined == 0 ? std::string()
-                      : ", and makes " + std::to_string(joined) + " equal to others") +
+  return formatted("its single precision moves points by up to %.3g", moved) +
+         (joined == 0 ? "" : ", and makes " + std::to_string(joined) + " equal to others") +
          "; take --ascii, .ply or .obj, or move the mesh to the origin";
 }
 

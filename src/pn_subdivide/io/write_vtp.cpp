@@ -76,37 +76,6 @@ std::string escaped(std::string_view character)
   }
 }
 
-} // namespace
-
-std::string xml_text(const std::string& text)
-{
-  std::string s;
-  for (std::string_view rest = text; !rest.empty();) {
-    const std::size_t bytes = first_character(rest);
-    s += bytes == 0 ? "?" : escaped(rest.substr(0, bytes));
-    rest.remove_prefix(bytes == 0 ? 1 : bytes);
-  }
-  return s;
-}
-
-bool is_xml_text(const std::string& text)
-{
-  std::string_view rest = text;
-  while (!rest.empty()) {
-    const std::size_t bytes = first_character(rest);
-    if (bytes == 0) return false;
-    rest.remove_prefix(bytes);
-  }
-  return true;
-}
-
-namespace {
-
-bool contains(const Column_group& group, const Column& column)
-{
-  return std::find(group.begin(), group.end(), &column) != group.end();
-}
-
 constexpr const char* ids_of_points = " GlobalIds=\"GlobalPointIds\"";
 constexpr const char* ids_of_cells = " GlobalIds=\"GlobalCellIds\"";
 
@@ -161,53 +130,90 @@ void write_field_data(Vtp_writer& vtp, const Attributes& attributes)
   vtp.line("</FieldData>");
 }
 
-void write_ids(Vtp_writer& vtp, const char* name, const std::vector<std::uint64_t>& ids)
+std::string attributes_of_points(const Vtp_content& content, bool has_normals, bool has_texture,
+                                 bool has_ids)
 {
-  vtp.integers(name, ids.size(), [&vtp, &ids] {
-    for (const std::uint64_t n : ids) vtp.value<std::int64_t>(static_cast<std::int64_t>(n), true);
-  });
-}
-
-std::string point_data_tag(const Vtp_content& content, bool has_normals, bool has_texture)
-{
-  std::string tag = "PointData";
+  std::string tag;
   if (has_normals) tag += " Normals=\"Normals\"";
   if (!content.scalars.empty()) tag += " Scalars=\"" + xml_text(content.scalars[0]->name) + "\"";
   if (has_texture) tag += " TCoords=\"TCoords\"";
-  return tag;
+  return tag + (has_ids ? ids_of_points : "");
 }
 
-void write_point_data(Vtp_writer& vtp, const Mesh_data& mesh, const Vtp_content& content,
-                      const Vtp_ids* ids)
+// of points and of cells, with the numbers that a piece has for them, if it is one
+std::vector<Vtp_array> point_arrays(const Mesh_data& mesh, const Vtp_content& content,
+                                    bool has_texture, const Vtp_ids* ids)
 {
-  if (ids == nullptr && !mesh.has_normals() && mesh.attributes.of_vertices.empty() &&
-      content.texture.empty())
-    return;
-  const std::string tag = point_data_tag(content, mesh.has_normals(), !content.texture.empty());
-  vtp.line(("<" + tag + (ids == nullptr ? "" : ids_of_points) + ">").c_str());
-  if (mesh.has_normals()) vtp.triples("Normals", mesh.normals);
-  if (mesh.has_control_normals()) vtp.triples("control_normals", mesh.control_normals);
-  if (!mesh.roundness.empty()) vtp.columns("roundness", {&content.roundness});
-  for (const Column* column : content.scalars) vtp.columns(column->name, {column});
-  if (!content.vertex_color.empty()) vtp.columns("colors", content.vertex_color);
-  if (!content.texture.empty()) vtp.texture(content.texture, content.texture_type());
-  if (ids != nullptr) write_ids(vtp, "GlobalPointIds", ids->points);
-  vtp.line("</PointData>");
+  std::vector<Vtp_array> arrays;
+  if (mesh.has_normals()) arrays.push_back(triples_array("Normals", mesh.normals));
+  if (mesh.has_control_normals())
+    arrays.push_back(triples_array("control_normals", mesh.control_normals));
+  if (!mesh.roundness.empty()) arrays.push_back(columns_array("roundness", {&content.roundness}));
+  for (const Column* column : content.scalars)
+    arrays.push_back(columns_array(column->name, {column}));
+  if (!content.vertex_color.empty())
+    arrays.push_back(columns_array("colors", content.vertex_color));
+  if (has_texture) arrays.push_back(texture_array(content.texture, content.texture_type()));
+  if (ids != nullptr) arrays.push_back(ids_array("GlobalPointIds", ids->points));
+  return arrays;
 }
 
-void write_cell_data(Vtp_writer& vtp, const Mesh_data& mesh, const Vtp_content& content,
-                     const Vtp_ids* ids)
+std::vector<Vtp_array> cell_arrays(const Mesh_data& mesh, const Vtp_content& content,
+                                   const Vtp_ids* ids)
 {
-  if (ids == nullptr && mesh.attributes.of_faces.empty()) return;
-  vtp.line((std::string("<CellData") + (ids == nullptr ? "" : ids_of_cells) + ">").c_str());
+  std::vector<Vtp_array> arrays;
   for (const Column& column : mesh.attributes.of_faces)
-    if (!contains(content.face_color, column)) vtp.columns(column.name, {&column});
-  if (!content.face_color.empty()) vtp.columns("colors", content.face_color);
-  if (ids != nullptr) write_ids(vtp, "GlobalCellIds", ids->cells);
-  vtp.line("</CellData>");
+    if (!contains(content.face_color, column))
+      arrays.push_back(columns_array(column.name, {&column}));
+  if (!content.face_color.empty()) arrays.push_back(columns_array("colors", content.face_color));
+  if (ids != nullptr) arrays.push_back(ids_array("GlobalCellIds", ids->cells));
+  return arrays;
+}
+
+void write_data(Vtp_writer& vtp, const std::string& tag, const std::string& attributes,
+                std::vector<Vtp_array> arrays)
+{
+  if (arrays.empty()) return;
+  vtp.line("<" + tag + attributes + ">");
+  for (Vtp_array& array : arrays) vtp.array(std::move(array));
+  vtp.line("</" + tag + ">");
+}
+
+// As the file that names the pieces has them.
+std::string tags_of(const std::vector<Vtp_array>& arrays)
+{
+  std::string text;
+  for (const Vtp_array& a : arrays)
+    text +=
+      "<PDataArray type=\"" + a.type + "\" Name=\"" + xml_text(a.name) + "\"" +
+      (a.components == 1 ? "" : " NumberOfComponents=\"" + std::to_string(a.components) + "\"") +
+      "/>\n";
+  return text;
 }
 
 } // namespace
+
+std::string xml_text(const std::string& text)
+{
+  std::string s;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t bytes = first_character(rest);
+    s += bytes == 0 ? "?" : escaped(rest.substr(0, bytes));
+    rest.remove_prefix(bytes == 0 ? 1 : bytes);
+  }
+  return s;
+}
+
+bool is_xml_text(const std::string& text)
+{
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    const std::size_t bytes = first_character(rest);
+    if (bytes == 0) return false;
+    rest.remove_prefix(bytes);
+  }
+  return true;
+}
 
 std::vector<std::string> not_held_by_vtp(const Mesh_data& mesh, Encoding)
 {
@@ -217,28 +223,12 @@ std::vector<std::string> not_held_by_vtp(const Mesh_data& mesh, Encoding)
 std::string pvtp_arrays(const Mesh_data& like, bool has_texture)
 {
   const Vtp_content content(like);
-  const auto array = [](const std::string& type, const std::string& name, std::size_t components) {
-    return "<PDataArray type=\"" + type + "\" Name=\"" + xml_text(name) + "\"" +
-           (components == 1 ? "" : " NumberOfComponents=\"" + std::to_string(components) + "\"") +
-           "/>\n";
-  };
-  const auto of_columns = [&](const std::string& name, const Column_group& group) {
-    return array(traits(group[0]->type).vtk, name, group.size());
-  };
-  std::string text =
-    "<P" + point_data_tag(content, like.has_normals(), has_texture) + ids_of_points + ">\n";
-  if (like.has_normals()) text += array("Float64", "Normals", 3);
-  if (like.has_control_normals()) text += array("Float64", "control_normals", 3);
-  if (!like.roundness.empty()) text += array("Float64", "roundness", 1);
-  for (const Column* column : content.scalars) text += of_columns(column->name, {column});
-  if (!content.vertex_color.empty()) text += of_columns("colors", content.vertex_color);
-  if (has_texture) text += array(traits(content.texture_type()).vtk, "TCoords", 2);
-  text += array("Int64", "GlobalPointIds", 1) + "</PPointData>\n<PCellData" + ids_of_cells + ">\n";
-  for (const Column& column : like.attributes.of_faces)
-    if (!contains(content.face_color, column)) text += of_columns(column.name, {&column});
-  if (!content.face_color.empty()) text += of_columns("colors", content.face_color);
-  return text + array("Int64", "GlobalCellIds", 1) + "</PCellData>\n<PPoints>\n" +
-         array("Float64", "Points", 3) + "</PPoints>\n";
+  const Vtp_ids ids{};
+  return "<PPointData" + attributes_of_points(content, like.has_normals(), has_texture, true) +
+         ">\n" + tags_of(point_arrays(like, content, has_texture, &ids)) +
+         "</PPointData>\n<PCellData" + ids_of_cells + ">\n" +
+         tags_of(cell_arrays(like, content, &ids)) + "</PCellData>\n<PPoints>\n" +
+         tags_of({triples_array("Points", like.points)}) + "</PPoints>\n";
 }
 
 void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding)
@@ -254,24 +244,23 @@ void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding, const
   vtp.begin(mesh.has_normals() ? comment_of(mesh.normal_kind) : "");
   write_field_data(vtp, mesh.attributes);
   vtp.begin_piece(mesh.points.size(), faces);
-  write_point_data(vtp, mesh, content, ids);
-  write_cell_data(vtp, mesh, content, ids);
-  vtp.line("<Points>");
-  vtp.triples("Points", mesh.points);
-  vtp.line("</Points>\n<Polys>");
-  vtp.integers("connectivity", mesh.number_of_corners(), [&] {
+  const bool has_texture = !content.texture.empty(), has_ids = ids != nullptr;
+  write_data(vtp, "PointData",
+             attributes_of_points(content, mesh.has_normals(), has_texture, has_ids),
+             point_arrays(mesh, content, has_texture, ids));
+  write_data(vtp, "CellData", has_ids ? ids_of_cells : "", cell_arrays(mesh, content, ids));
+  write_data(vtp, "Points", "", {triples_array("Points", mesh.points)});
+  const auto connectivity = [&mesh, faces](Vtp_writer& to) {
     for (std::size_t f = 0; f < faces; ++f)
-      for (const Mesh_data::Index& v : mesh.face(f))
-        vtp.value<std::int64_t>(v, &v + 1 == mesh.face(f).end());
-  });
-  vtp.integers("offsets", faces, [&] {
-    std::int64_t end = 0;
-    for (std::size_t f = 0; f < faces; ++f) {
-      end += static_cast<std::int64_t>(mesh.face(f).size());
-      vtp.value<std::int64_t>(end, true);
-    }
-  });
-  vtp.line("</Polys>");
+      for (const Index& v : mesh.face(f)) to.value<std::int64_t>(v, &v + 1 == mesh.face(f).end());
+  };
+  const auto offsets = [&mesh, faces](Vtp_writer& to) {
+    for (std::size_t f = 0; f < faces; ++f)
+      to.value(static_cast<std::int64_t>(mesh.first_corner(f) + mesh.face(f).size()), true);
+  };
+  write_data(vtp, "Polys", "",
+             {{"Int64", "connectivity", 1, 8 * mesh.number_of_corners(), connectivity},
+              {"Int64", "offsets", 1, 8 * faces, offsets}});
   vtp.end();
 }
 

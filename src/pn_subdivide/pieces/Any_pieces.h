@@ -30,8 +30,8 @@ namespace pn_subdivide {
 class Any_pieces
 {
 public:
-  using Piece = CGAL::PN_subdivision_3::Surface_piece<Kernel>;
-  using Size = CGAL::PN_subdivision_3::Level_size;
+  using Piece = PN::Surface_piece<Kernel>;
+  using Size = PN::Level_size;
 
   virtual ~Any_pieces() = default;
   virtual std::size_t number() const = 0;
@@ -51,7 +51,7 @@ std::unique_ptr<Any_pieces> make_pieces(Surface& surface, const Scheme_choice& c
                                         unsigned levels, std::size_t number,
                                         const std::optional<Crease_maps>& creases,
                                         const Limit_choice& limit,
-                                        const CGAL::PN_subdivision_3::Attribute_table& attributes);
+                                        const PN::Attribute_table& attributes);
 
 // The bytes that so many pieces take in a process, about, with so many for each vertex besides.
 double memory_of_pieces(const Surface& surface, const Scheme_choice& choice, unsigned levels,

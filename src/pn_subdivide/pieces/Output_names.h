@@ -11,7 +11,7 @@
 
 #include "io/Output_file.h"
 #include "io/mesh_io.h"
-#include "pieces/Shared_file.h"
+#include "pieces/Ranks.h"
 
 #include <cstddef>
 #include <filesystem>

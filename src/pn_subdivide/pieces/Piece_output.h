@@ -64,13 +64,24 @@ struct Piece_normals
   unsigned rings() const { return are_of_faces || are_of_wedges ? 1 : 0; }
 };
 
+// f(half-edge) for the corners of a face
+template <class Level, class Function>
+void for_each_corner(const Level& level, Any_pieces::Piece::Index face, const Function& f)
+{
+  const auto first = level.halfedge_of_face(face);
+  auto h = first;
+  do {
+    f(h);
+    h = level.next(h);
+  } while (h != first);
+}
+
 // The wedges of vertices that have several: at a vertex in the order of their least half-edges, as Several_wedges has
 // them in the whole surface.
 class Wedges_of_piece
 {
 public:
   using Piece = Any_pieces::Piece;
-  using Index = Piece::Index;
 
   // The piece must stay.
   explicit Wedges_of_piece(const Piece& piece)
@@ -138,13 +149,10 @@ public:
     for (Piece::Index f = 0; f < piece.number_of_faces(); ++f) {
       corners.clear();
       places.clear();
-      const Piece::Index first = level.halfedge_of_face(f);
-      Piece::Index h = first;
-      do {
+      for_each_corner(level, f, [&](Piece::Index h) {
         corners.push_back(level.target(h));
         places.push_back(wedges.at(corners.back()) ? vertices + wedges.of(h) : corners.back());
-        h = level.next(h);
-      } while (h != first);
+      });
       sums.add_face(
         corners.size(), [&](std::size_t i) { return to_triple(piece.points()[corners[i]]); },
         [&](std::size_t i) { return places[i]; });
@@ -224,14 +232,8 @@ public:
     if (piece.attributes() == nullptr) return like();
     const auto& level = piece.connectivity();
     std::vector<std::size_t> corners;
-    for (Piece::Index f = 0; has_texture() && f < piece.number_of_faces(); ++f) {
-      const Piece::Index first = level.halfedge_of_face(f);
-      Piece::Index h = first;
-      do {
-        corners.push_back(h);
-        h = level.next(h);
-      } while (h != first);
-    }
+    for (Piece::Index f = 0; has_texture() && f < piece.number_of_faces(); ++f)
+      for_each_corner(level, f, [&](Piece::Index h) { corners.push_back(h); });
     return of(*piece.attributes(), corners);
   }
 

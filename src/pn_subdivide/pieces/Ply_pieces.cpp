@@ -11,7 +11,6 @@
 #include "io/Error.h"
 #include "io/Ply_header.h"
 #include "pieces/Ranks.h"
-#include "pieces/Shared_file.h"
 
 #include <boost/endian/conversion.hpp>
 
@@ -205,8 +204,6 @@ public:
   }
 
 private:
-  using Index = Any_pieces::Piece::Index;
-
   static std::uint64_t bytes_of(const Columns& columns)
   {
     std::uint64_t bytes = 0;
@@ -224,10 +221,7 @@ private:
   }
   void put_size(Row_writer& rows, Index size) const
   {
-    if (has_short_lists_)
-      rows.little_endian(static_cast<std::uint8_t>(size));
-    else
-      rows.little_endian(static_cast<std::uint32_t>(size));
+    write_little_endian(rows, has_short_lists_ ? Scalar_type::uint8 : Scalar_type::uint32, size);
   }
 
   void write_vertices(const Any_pieces::Piece& piece, const Columns& columns,
@@ -258,14 +252,11 @@ private:
       if (attributes_.has_texture()) texture += level.degree(level.halfedge_of_face(f));
       if (!piece.owns_face(f)) continue;
       rows.begin_row(place_of_face(piece.face_number(f)));
-      const Index first = level.halfedge_of_face(f);
-      const Index degree = level.degree(first);
+      const Index degree = level.degree(level.halfedge_of_face(f));
       put_size(rows, degree);
-      Index h = first;
-      do {
+      for_each_corner(level, f, [&](Index h) {
         rows.little_endian(static_cast<std::uint32_t>(piece.vertex_number(level.target(h))));
-        h = level.next(h);
-      } while (h != first);
+      });
       put(rows, attributes.of_faces, f);
       if (!attributes_.has_texture()) continue;
       put_size(rows, 2 * degree);

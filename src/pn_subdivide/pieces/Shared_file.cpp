@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "pieces/Shared_file.h"
+#include "pieces/Ranks.h"
 
 #include "io/Error.h"
 

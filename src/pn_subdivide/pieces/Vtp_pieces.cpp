@@ -13,7 +13,7 @@
 #include "io/formats.h"
 #include "pieces/Output_names.h"
 #include "pieces/Piece_output.h"
-#include "pieces/Shared_file.h"
+#include "pieces/Ranks.h"
 
 #include <fstream>
 #include <limits>
@@ -25,8 +25,6 @@ namespace fs = std::filesystem;
 
 namespace pn_subdivide {
 namespace {
-
-using Index = Any_pieces::Piece::Index;
 
 // Selects what a piece owns, with a vertex that the piece has twice once.
 class Owned_part
@@ -59,24 +57,19 @@ public:
 
 private:
   template <class Function>
-  void for_each_corner(const Function& f) const
+  void for_each_corner_of_piece(const Function& f) const
   {
     const auto& level = piece_.connectivity();
-    for (Index face = 0; face < piece_.number_of_faces(); ++face) {
-      const Index first = level.halfedge_of_face(face);
-      Index h = first;
-      do {
-        const Index n = level.next(h);
-        f(face, level.target(h), n == first);
-        h = n;
-      } while (h != first);
-    }
+    for (Index face = 0; face < piece_.number_of_faces(); ++face)
+      for_each_corner(level, face, [&](Index h) {
+        f(face, level.target(h), level.next(h) == level.halfedge_of_face(face));
+      });
   }
 
   void list_corners()
   {
     Index corner = 0;
-    for_each_corner([&](Index face, Index v, bool is_last) {
+    for_each_corner_of_piece([&](Index face, Index v, bool is_last) {
       const Index c = corner++;
       if (!piece_.owns_face(face)) return;
       row_[v] = used;
@@ -99,7 +92,7 @@ private:
   {
     mesh_.reserve_faces(faces_.size(), corners_.size());
     std::vector<Index> face;
-    for_each_corner([&](Index f, Index v, bool is_last) {
+    for_each_corner_of_piece([&](Index f, Index v, bool is_last) {
       face.push_back(row_[v]);
       if (!is_last) return;
       if (piece_.owns_face(f)) {

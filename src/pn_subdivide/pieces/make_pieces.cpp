@@ -16,14 +16,11 @@
 
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <vector>
 
 namespace pn_subdivide {
 namespace {
-
-namespace PN = CGAL::PN_subdivision_3;
 
 template <class S>
 class Pieces_of_scheme : public Any_pieces
@@ -70,12 +67,6 @@ auto with_limit(const Limit_choice& limit, const PN::Attribute_table& attributes
                               np);
 }
 
-Roundness_map given_roundness(Surface& surface)
-{
-  const std::optional<Roundness_map> given = roundness_of(surface);
-  return given ? *given : add_roundness(surface);
-}
-
 std::unique_ptr<Any_pieces> pieces_with_creases(Surface& surface, const Scheme_choice& choice,
                                                 unsigned levels, std::size_t number,
                                                 const Crease_maps& creases,
@@ -88,7 +79,7 @@ std::unique_ptr<Any_pieces> pieces_with_creases(Surface& surface, const Scheme_c
                                .edge_is_constrained_map(creases.edges)
                                .vertex_is_constrained_map(creases.vertices));
   if (!normals_of(surface)) {
-    const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+    const Scheme scheme = scheme_of(choice);
     return pieces_of_scheme(surface, PN::linear(scheme), number, np);
   }
   const std::vector<Corner_value> of_corners = take_corner_normals(surface);
@@ -99,6 +90,17 @@ std::unique_ptr<Any_pieces> pieces_with_creases(Surface& surface, const Scheme_c
         PN::parameters::crease_tangent_map(creases.tangents),
         np.vertex_normal_map(Control_corner_normals(of_corners, creases.without_fractions))));
   });
+}
+
+constexpr double mega = 1 << 20;
+constexpr double default_memory = 1024 * mega;
+constexpr double of_the_program = 48 * mega; // with its buffers, and the control mesh
+constexpr double of_limits = 2; // limits are kept beside the last level, which has more rings
+constexpr std::size_t most_pieces = 1 << 20;
+
+std::string in_megabytes(double bytes)
+{
+  return std::to_string(static_cast<unsigned long long>(std::ceil(bytes / mega))) + "M";
 }
 
 } // namespace
@@ -113,11 +115,9 @@ std::unique_ptr<Any_pieces> make_pieces(Surface& surface, const Scheme_choice& c
     return pieces_with_creases(surface, choice, levels, number, *creases, limit, attributes);
   const auto rounds = with_limit(limit, attributes, CGAL::parameters::number_of_iterations(levels));
   const std::optional<Normal_map> normals = normals_of(surface);
-  if (!normals)
-    return pieces_of_scheme(surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)),
-                            number, rounds);
+  if (!normals) return pieces_of_scheme(surface, PN::linear(scheme_of(choice)), number, rounds);
   const auto given = PN::parameters::join(CGAL::parameters::vertex_normal_map(*normals), rounds);
-  const Roundness_map roundness = given_roundness(surface);
+  const Roundness_map roundness = roundness_or_added(surface);
   return with_scheme(choice, [&](const auto& scheme) {
     return pieces_of_scheme(
       surface, scheme, number,
@@ -132,29 +132,13 @@ double memory_of_pieces(const Surface& surface, const Scheme_choice& choice, uns
   size.vertices = surface.number_of_vertices();
   size.edges = surface.number_of_edges();
   size.faces = surface.number_of_faces();
-  for (const Surface::Halfedge_index h : surface.halfedges())
+  for (const Halfedge h : surface.halfedges())
     if (!surface.is_border(h)) ++size.corners;
   // beside those of points, normals and connectivity
   constexpr double bytes_of_vertex = 200;
   return (1 + of_vertex / bytes_of_vertex) *
-         PN::Surface_pieces<Scheme, Kernel>::memory(make_scheme("--scheme", choice.scheme, choice),
-                                                    size, levels, number);
+         PN::Surface_pieces<Scheme, Kernel>::memory(scheme_of(choice), size, levels, number);
 }
-
-namespace {
-
-constexpr double mega = 1 << 20;
-constexpr double default_memory = 1024 * mega;
-constexpr double of_the_program = 48 * mega; // with its buffers, and the control mesh
-constexpr double of_limits = 2; // limits are kept beside the last level, which has more rings
-constexpr std::size_t most_pieces = 1 << 20;
-
-std::string in_megabytes(double bytes)
-{
-  return std::to_string(static_cast<unsigned long long>(std::ceil(bytes / mega))) + "M";
-}
-
-} // namespace
 
 double parse_memory(const std::string& text)
 {

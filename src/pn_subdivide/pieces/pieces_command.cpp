@@ -12,7 +12,6 @@
 #include "io/formats.h"
 #include "pieces/Any_pieces.h"
 #include "pieces/Ranks.h"
-#include "pieces/Shared_file.h"
 
 #include <CGAL/PN_subdivision_3/version.h>
 
@@ -33,7 +32,7 @@ bool is_creased(const Creases& creases)
 // An edge that is still sharp has vertices with a normal on either side.
 bool has_inner_creases(const Surface& surface, const Creases& creases, unsigned levels)
 {
-  for (const Surface::Edge_index e : surface.edges())
+  for (const Edge e : surface.edges())
     if (creases.is_sharp(e) && !surface.is_border(e) && creases.edges[e] > levels) return true;
   return false;
 }
@@ -68,7 +67,7 @@ std::string name_of(const Mesh_data& mesh, const Creases& creases, const Surface
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     const std::uint64_t degree = mesh.face(f).size();
     crc.process_bytes(&degree, sizeof degree);
-    crc.process_bytes(mesh.face(f).begin(), degree * sizeof(Mesh_data::Index));
+    crc.process_bytes(mesh.face(f).begin(), degree * sizeof(Index));
   }
   text << CGAL_PN_SUBDIVISION_3_VERSION << ' ' << scheme.scheme << ' '
        << scheme.normal_scheme.value_or("-");

@@ -19,7 +19,6 @@
 #include "surface/creases.h"
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -205,10 +205,10 @@ void add_up(Limit_summary& summary)
   summary.box = largest[2];
   summary.normal_error = largest[3];
   summary.depth = static_cast<unsigned>(largest[4]);
-  std::vector<double> sums{double(summary.misses), double(summary.stand_ins)};
+  std::vector<double> sums{double(summary.number_of_misses), double(summary.number_of_stand_ins)};
   ranks().take_sums(sums);
-  summary.misses = static_cast<std::size_t>(sums[0]);
-  summary.stand_ins = static_cast<std::size_t>(sums[1]);
+  summary.number_of_misses = static_cast<std::size_t>(sums[0]);
+  summary.number_of_stand_ins = static_cast<std::size_t>(sums[1]);
 }
 
 } // namespace

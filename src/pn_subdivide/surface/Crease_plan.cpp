@@ -6,13 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "surface/Crease_plan.h"
+#include "surface/creases.h"
 
 #include "io/Error.h"
 #include "io/Text_reader.h"
 #include "options.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -20,7 +19,7 @@
 namespace pn_subdivide {
 namespace {
 
-constexpr const char* sharp_surfaces = "--sharp surfaces";
+using Source = Crease_plan::Source;
 
 unsigned parse_min_facets(const std::string& text)
 {
@@ -39,11 +38,11 @@ double parse_tolerance(const std::string& text)
   return tolerance;
 }
 
-double parse_sharp_angle(const std::string& text)
+double parse_angle(const std::string& text, const std::string& option, const std::string& before)
 {
-  const double degrees = parse_numbers(text, 1, "--sharp-angle")[0];
+  const double degrees = parse_numbers(text, 1, option)[0];
   if (!(degrees >= 0 && degrees <= 180))
-    throw Usage_error("--sharp-angle " + text + ": the angle must be between 0 and 180 degrees");
+    throw Usage_error(before + text + ": the angle must be between 0 and 180 degrees");
   return degrees;
 }
 
@@ -60,37 +59,6 @@ std::string given_option(const Crease_options& options)
   return {};
 }
 
-} // namespace
-
-bool wants_surfaces(const Crease_options& options)
-{
-  return options.sharp == "surfaces";
-}
-
-Recognition_plan Recognition_plan::make(const Crease_options& options)
-{
-  Recognition_plan plan;
-  if (options.min_facets) plan.min_facets = parse_min_facets(*options.min_facets);
-  if (options.surface_tolerance) plan.tolerance = parse_tolerance(*options.surface_tolerance);
-  if (options.sharp_angle) plan.sharp_angle = parse_sharp_angle(*options.sharp_angle);
-  const std::string option = given_option(options);
-  if (!option.empty() && !wants_surfaces(options))
-    throw Usage_error(option + " needs " + sharp_surfaces + " or --part");
-  return plan;
-}
-
-namespace {
-
-using Source = Crease_plan::Source;
-
-double parse_angle(const std::string& text)
-{
-  const double degrees = parse_numbers(text, 1, "--sharp angle:DEG")[0];
-  if (!(degrees >= 0 && degrees <= 180))
-    throw Usage_error("--sharp angle:" + text + ": the angle must be between 0 and 180 degrees");
-  return degrees;
-}
-
 double parse_sharpness(const std::string& text)
 {
   if (text == "inf") return std::numeric_limits<double>::infinity();
@@ -101,11 +69,11 @@ double parse_sharpness(const std::string& text)
 
 Border parse_border(const std::string& text)
 {
-  if (text == "surface") return Border::surface;
-  if (text == "curve") return Border::curve;
-  if (text == "corners") return Border::corners;
-  if (text == "fixed") return Border::fixed;
-  throw Usage_error("--border '" + text + "': expected surface, curve, corners or fixed");
+  return parse_word<Border>("--border", text,
+                            {{"surface", Border::surface},
+                             {"curve", Border::curve},
+                             {"corners", Border::corners},
+                             {"fixed", Border::fixed}});
 }
 
 // Words that name no file were meant for something else.
@@ -131,7 +99,7 @@ void parse_sharp(const std::string& text, Crease_plan& plan)
     plan.source = Source::surfaces;
   else if (split_at_colon(text).first == "angle") {
     plan.source = Source::angle;
-    plan.degrees = parse_angle(split_at_colon(text).second);
+    plan.degrees = parse_angle(split_at_colon(text).second, "--sharp angle:DEG", "--sharp angle:");
   } else {
     if (text.empty() || text == "-")
       throw Usage_error(
@@ -149,6 +117,24 @@ void parse_sharp(const std::string& text, Crease_plan& plan)
 }
 
 } // namespace
+
+bool wants_surfaces(const Crease_options& options)
+{
+  return options.sharp == "surfaces";
+}
+
+Recognition_plan Recognition_plan::make(const Crease_options& options)
+{
+  Recognition_plan plan;
+  if (options.min_facets) plan.min_facets = parse_min_facets(*options.min_facets);
+  if (options.surface_tolerance) plan.tolerance = parse_tolerance(*options.surface_tolerance);
+  if (options.sharp_angle)
+    plan.sharp_angle = parse_angle(*options.sharp_angle, "--sharp-angle", "--sharp-angle ");
+  const std::string option = given_option(options);
+  if (!option.empty() && !wants_surfaces(options))
+    throw Usage_error(option + " needs --sharp surfaces or --part");
+  return plan;
+}
 
 Crease_plan Crease_plan::make(const Crease_options& options)
 {

@@ -10,8 +10,6 @@
 
 #include "io/Error.h"
 #include "surface/Recognized_part.h"
-#include "surface/Reference_surface.h"
-#include "surface/part_choice.h"
 #include "surface/refine_surface.h"
 
 #include <CGAL/PN_certificates_3/compare_with_linear.h>
@@ -23,25 +21,12 @@
 namespace pn_subdivide {
 namespace {
 
-namespace PN = CGAL::PN_subdivision_3;
-
-using Edge = Surface::Edge_index;
-using Vertex = Surface::Vertex_index;
 using Shape = PN::internal::Level_shape;
 using Points = std::vector<std::array<double, 3>>;
 
-std::string decimals(double x, int digits)
+std::string decimals(double x)
 {
-  char text[40];
-  std::snprintf(text, sizeof text, std::abs(x) < 1e6 ? "%.*f" : "%.*e", digits, x);
-  return text;
-}
-
-std::string digits(double x)
-{
-  char text[40];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
+  return formatted(std::abs(x) < 1e6 ? "%.3f" : "%.3e", x);
 }
 
 Turning_edges turning_edges_of(Surface& surface, const std::vector<double>& sharpness)
@@ -111,8 +96,8 @@ Turning_edges find_turning_edges(const Mesh_data& mesh, const Creases& creases)
 
 std::string turning_edges_text(std::size_t number, const std::string& edge)
 {
-  return std::to_string(number) + " " + edge + (number == 1 ? " turns" : "s turn") +
-         " by more than " + decimals(PN::internal::degrees_of_turning_edges, 0) + " degrees";
+  return plural(number, edge + " turns", edge + "s turn") +
+         formatted(" by more than %.0f degrees", PN::internal::degrees_of_turning_edges);
 }
 
 bool Mesh_measures::is_swollen() const
@@ -253,15 +238,15 @@ std::vector<std::string> Linear_check::lines() const
   const auto beside = [](const auto& text) { return " (linear " + text + ")"; };
   std::vector<std::string> lines;
   if (m.volume && l.volume)
-    lines.push_back("volume " + decimals(*m.volume, 3) + " of " + reference_ +
-                    beside(decimals(*l.volume, 3)));
-  lines.push_back(std::to_string(m.folded_edges) +
-                  (m.folded_edges == 1 ? " edge folds" : " edges fold") +
-                  " by more than 90 degrees" + beside(std::to_string(l.folded_edges)) + ", " +
+    lines.push_back("volume " + decimals(*m.volume) + " of " + reference_ +
+                    beside(decimals(*l.volume)));
+  lines.push_back(plural(m.folded_edges, "edge folds", "edges fold") + " by more than 90 degrees" +
+                  beside(std::to_string(l.folded_edges)) + ", " +
                   std::to_string(m.sharply_folded_edges) + " by more than 150" +
                   beside(std::to_string(l.sharply_folded_edges)));
-  lines.push_back("farthest from " + reference_ + " " + digits(m.distance) +
-                  beside(digits(l.distance)) + ", at vertex " + std::to_string(m.farthest_vertex));
+  lines.push_back("farthest from " + reference_ + " " + three_digits(m.distance) +
+                  beside(three_digits(l.distance)) + ", at vertex " +
+                  std::to_string(m.farthest_vertex));
   if (of_roundness_below_1_ > 0)
     lines.push_back("roundness 0 at " + std::to_string(of_roundness_0_) + " of " +
                     std::to_string(control_.number_of_vertices()) + " vertices, below 1 at " +
@@ -277,9 +262,9 @@ void Linear_check::print(std::FILE* stream) const
     throw Error("--check: what was measured cannot be printed");
 }
 
-std::vector<Report::Value> Linear_check::values() const
+Report::Row Linear_check::values() const
 {
-  std::vector<Report::Value> values;
+  Report::Row values;
   const auto add = [&](const std::string& before, const Mesh_measures& m) {
     if (m.volume) values.emplace_back(before + "volume", *m.volume);
     values.emplace_back(before + "edges_folded_by_90_degrees", m.folded_edges);

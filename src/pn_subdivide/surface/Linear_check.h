@@ -15,13 +15,48 @@
 #include "surface/creases.h"
 #include "surface/surface_schemes.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace pn_subdivide {
+
+struct Recognized_part;
+
+// What results are held against: a control mesh whose faces on recognized round surfaces are replaced by pieces of these.
+// Coordinates are those of a frame, (x - shift) / scale.
+class Reference_surface
+{
+public:
+  using Triple = std::array<double, 3>;
+  struct Frame
+  {
+    double scale;
+    Triple shift;
+  };
+
+  // points: of the control mesh, in the frame; part: what is recognized there, or nullptr
+  Reference_surface(const Surface& control, const std::vector<Triple>& points, const Frame& frame,
+                    const Recognized_part* part);
+  ~Reference_surface();
+
+  bool has_round_surfaces() const { return has_round_surfaces_; }
+  // by which the volume of closed control meshes is less
+  double gained_volume() const { return gained_volume_; }
+  double distance(const Triple& p) const;
+
+private:
+  class Pieces;
+  struct Tree;
+
+  bool has_round_surfaces_ = false;
+  double gained_volume_ = 0;
+  std::unique_ptr<Tree> tree_;
+};
 
 // Edges that are not sharp and that --sharp angle:40 would make sharp, and all edges.
 struct Turning_edges
@@ -79,7 +114,7 @@ public:
 
   // Throws Error if that cannot be written. To be called before a file is.
   void print(std::FILE* stream) const;
-  std::vector<Report::Value> values() const;
+  Report::Row values() const;
 
 private:
   void make_linear(const Scheme_choice& scheme, const Rounds& rounds);

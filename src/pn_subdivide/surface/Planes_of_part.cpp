@@ -11,7 +11,7 @@
 #include "io/Error.h"
 #include "options.h"
 #include "surface/creases.h"
-#include "surface/output_tags.h"
+#include "surface/output_mesh.h"
 #include "surface/refine_surface.h"
 
 #include <CGAL/PN_recognition_3/triangulate_planes.h>
@@ -28,7 +28,6 @@
 namespace pn_subdivide {
 namespace {
 
-using Vertex = Surface::Vertex_index;
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 // How far some vertices of a mesh move if the others do: harmonically along its edges, which pull the more the shorter they are.
@@ -121,99 +120,6 @@ private:
   std::vector<double> weights_of_;
 };
 
-} // namespace
-
-Planes_of_part::Planes_of_part(const Surface& control, const Recognized_part& part)
-  : control_(control)
-  , part_(part)
-{
-  remove_normals(control_);
-  if (std::optional<Roundness_map> roundness = roundness_of(control_))
-    control_.remove_property_map(*roundness);
-  was_crossed_ = crossed(control_, std::vector<double>(part.segments.begin(), part.segments.end()));
-}
-
-bool Planes_of_part::is_plane(std::size_t segment) const
-{
-  return part_.surfaces[segment].kind == Recognized_surface::Kind::plane;
-}
-
-void Planes_of_part::place_inside(Surface& refined, const std::vector<double>& parents,
-                                  const Scheme_choice& scheme, unsigned levels,
-                                  unsigned threads) const
-{
-  std::vector<bool> is_inside(refined.number_of_vertices(), false);
-  for (const Vertex v : refined.vertices()) {
-    if (refined.is_isolated(v) || refined.is_border(v)) continue;
-    const auto segment_at = [&](Surface::Halfedge_index h) {
-      return part_.segments[std::size_t(parents[refined.face(h)])];
-    };
-    const std::size_t segment = segment_at(refined.halfedge(v));
-    is_inside[v] = is_plane(segment);
-    for (const auto h : CGAL::halfedges_around_target(refined.halfedge(v), refined))
-      is_inside[v] = is_inside[v] && segment_at(h) == segment;
-  }
-  if (std::none_of(is_inside.begin(), is_inside.end(), [](bool is) { return is; })) return;
-  Surface even = control_;
-  Creases all; // sharp
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  all.edges.assign(even.number_of_edges(), infinity);
-  all.vertices.assign(even.number_of_vertices(), infinity);
-  all.number_of_edges = all.edges.size();
-  all.number_of_vertices = all.vertices.size();
-  CGAL::PN_subdivision_3::Attribute_table no_attributes;
-  Refinement rounds;
-  rounds.levels = levels;
-  rounds.threads = threads;
-  rounds.creases = add_creases(even, all);
-  rounds.attributes = &no_attributes;
-  refine_surface(even, scheme, rounds);
-  std::vector<Vector_3> moves;
-  for (const Vertex v : refined.vertices())
-    moves.push_back(is_inside[v] ? CGAL::NULL_VECTOR : refined.point(v) - even.point(v));
-  const Harmonic_moves move(even, is_inside, std::move(moves));
-  for (const Vertex v : move.vertices()) refined.point(v) = even.point(v) + move(v);
-}
-
-std::vector<bool> Planes_of_part::crossed(const Surface& surface,
-                                          const std::vector<double>& segments) const
-{
-  std::vector<bool> result(part_.surfaces.size(), false);
-  const std::vector<std::size_t> numbers(segments.begin(), segments.end());
-  for (const auto& plane :
-       CGAL::PN_subdivision_3::triangulate_planes(surface, Segment_map{&numbers}, part_.surfaces))
-    result[plane.surface] = !plane.is_triangulated;
-  return result;
-}
-
-std::size_t Planes_of_part::number_of_crossed(const Surface& refined,
-                                              const std::vector<double>& segments) const
-{
-  const std::vector<bool> now = crossed(refined, segments);
-  std::size_t number = 0;
-  for (std::size_t s = 0; s < now.size(); ++s) number += now[s] && !was_crossed_[s] ? 1 : 0;
-  return number;
-}
-
-namespace {
-
-using Index = Mesh_data::Index;
-
-// New faces made of old corners.
-class New_faces
-{
-public:
-  std::vector<std::size_t> corners, faces; // what each has been
-  Mesh_data mesh;                          // faces only
-
-  template <class Range>
-  void add(const Range& vertices, std::size_t old_face)
-  {
-    mesh.add_face(vertices);
-    faces.push_back(old_face);
-  }
-};
-
 // The first corner of each vertex in a segment, and its face.
 class First_corners
 {
@@ -245,10 +151,8 @@ private:
 std::vector<Index> kept_vertices(const Mesh_data& mesh, const Mesh_data& faces)
 {
   std::vector<bool> had(mesh.points.size(), false), has(mesh.points.size(), false);
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for (const Index v : mesh.face(f)) had[v] = true;
-  for (std::size_t f = 0; f < faces.number_of_faces(); ++f)
-    for (const Index v : faces.face(f)) has[v] = true;
+  for (const Index v : mesh.vertices_of_corners()) had[v] = true;
+  for (const Index v : faces.vertices_of_corners()) has[v] = true;
   std::vector<Index> kept;
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
     if (has[v] || !had[v]) kept.push_back(static_cast<Index>(v));
@@ -286,6 +190,75 @@ void select_corners(Mesh_data& mesh, const std::vector<std::size_t>& corners)
 
 } // namespace
 
+Planes_of_part::Planes_of_part(const Surface& control, const Recognized_part& part)
+  : control_(control)
+  , part_(part)
+{
+  remove_normals_and_roundness(control_);
+  was_crossed_ = crossed(control_, std::vector<double>(part.segments.begin(), part.segments.end()));
+}
+
+bool Planes_of_part::is_plane(std::size_t segment) const
+{
+  return part_.surfaces[segment].kind == Recognized_surface::Kind::plane;
+}
+
+void Planes_of_part::place_inside(Surface& refined, const std::vector<double>& parents,
+                                  const Scheme_choice& scheme, unsigned levels,
+                                  unsigned threads) const
+{
+  std::vector<bool> is_inside(refined.number_of_vertices(), false);
+  for (const Vertex v : refined.vertices()) {
+    if (refined.is_isolated(v) || refined.is_border(v)) continue;
+    const auto segment_at = [&](Halfedge h) {
+      return part_.segments[std::size_t(parents[refined.face(h)])];
+    };
+    const std::size_t segment = segment_at(refined.halfedge(v));
+    is_inside[v] = is_plane(segment);
+    for (const auto h : CGAL::halfedges_around_target(refined.halfedge(v), refined))
+      is_inside[v] = is_inside[v] && segment_at(h) == segment;
+  }
+  if (std::none_of(is_inside.begin(), is_inside.end(), [](bool is) { return is; })) return;
+  Surface even = control_;
+  Creases all; // sharp
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  all.edges.assign(even.number_of_edges(), infinity);
+  all.vertices.assign(even.number_of_vertices(), infinity);
+  all.number_of_edges = all.edges.size();
+  all.number_of_vertices = all.vertices.size();
+  PN::Attribute_table no_attributes;
+  Refinement rounds;
+  rounds.levels = levels;
+  rounds.threads = threads;
+  rounds.creases = add_creases(even, all);
+  rounds.attributes = &no_attributes;
+  refine_surface(even, scheme, rounds);
+  std::vector<Vector_3> moves;
+  for (const Vertex v : refined.vertices())
+    moves.push_back(is_inside[v] ? CGAL::NULL_VECTOR : refined.point(v) - even.point(v));
+  const Harmonic_moves move(even, is_inside, std::move(moves));
+  for (const Vertex v : move.vertices()) refined.point(v) = even.point(v) + move(v);
+}
+
+std::vector<bool> Planes_of_part::crossed(const Surface& surface,
+                                          const std::vector<double>& segments) const
+{
+  std::vector<bool> result(part_.surfaces.size(), false);
+  const std::vector<std::size_t> numbers(segments.begin(), segments.end());
+  for (const auto& plane : PN::triangulate_planes(surface, Segment_map{&numbers}, part_.surfaces))
+    result[plane.surface] = !plane.is_triangulated;
+  return result;
+}
+
+std::size_t Planes_of_part::number_of_crossed(const Surface& refined,
+                                              const std::vector<double>& segments) const
+{
+  const std::vector<bool> now = crossed(refined, segments);
+  std::size_t number = 0;
+  for (std::size_t s = 0; s < now.size(); ++s) number += now[s] && !was_crossed_[s] ? 1 : 0;
+  return number;
+}
+
 void require_options_for_planes(const Surface_options& options)
 {
   if (!options.planes) return;
@@ -306,8 +279,7 @@ Planes_from_rims::Planes_from_rims(const Surface& surface, const std::vector<dou
   : segment_(segments.begin(), segments.end())
   , is_replaced_(part.surfaces.size(), false)
 {
-  for (const auto& plane :
-       CGAL::PN_subdivision_3::triangulate_planes(surface, Segment_map{&segment_}, part.surfaces)) {
+  for (const auto& plane : PN::triangulate_planes(surface, Segment_map{&segment_}, part.surfaces)) {
     ++(plane.is_triangulated ? replaced_planes_ : kept_planes_);
     is_replaced_[plane.surface] = plane.is_triangulated;
     for (const auto& t : plane.triangles) {
@@ -315,30 +287,31 @@ Planes_from_rims::Planes_from_rims(const Surface& surface, const std::vector<dou
       segment_of_triangle_.push_back(plane.surface);
     }
   }
-  for (const std::size_t s : segment_) ++(is_replaced_[s] ? replaced_faces_ : kept_faces_);
+  for (const std::size_t s : segment_) replaced_faces_ += is_replaced_[s];
 }
 
 void Planes_from_rims::put_into(Mesh_data& mesh) const
 {
-  New_faces now;
+  Mesh_data now;                           // the faces
+  std::vector<std::size_t> corners, faces; // what each has been
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     if (is_replaced_[segment_[f]]) continue;
-    now.add(mesh.face(f), f);
-    for (std::size_t i = 0; i < std::size_t(mesh.face(f).size()); ++i)
-      now.corners.push_back(mesh.first_corner(f) + i);
+    now.add_face(mesh.face(f));
+    faces.push_back(f);
+    for (std::size_t i = 0; i < mesh.face(f).size(); ++i)
+      corners.push_back(mesh.first_corner(f) + i);
   }
   const First_corners old(mesh, segment_, is_replaced_);
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     const std::size_t segment = segment_of_triangle_[t];
-    now.add(triangles_[t], old.at(segment, triangles_[t][0]).face);
-    for (const Index v : triangles_[t]) now.corners.push_back(old.at(segment, v).corner);
+    now.add_face(triangles_[t]);
+    faces.push_back(old.at(segment, triangles_[t][0]).face);
+    for (const Index v : triangles_[t]) corners.push_back(old.at(segment, v).corner);
   }
-  const std::vector<Index> kept = kept_vertices(mesh, now.mesh);
-  select_corners(mesh, now.corners);
-  select(mesh.attributes.of_faces, now.faces);
-  mesh.clear_faces();
-  mesh.reserve_faces(now.mesh.number_of_faces(), now.mesh.number_of_corners());
-  for (std::size_t f = 0; f < now.mesh.number_of_faces(); ++f) mesh.add_face(now.mesh.face(f));
+  const std::vector<Index> kept = kept_vertices(mesh, now);
+  select_corners(mesh, corners);
+  select(mesh.attributes.of_faces, faces);
+  mesh.take_faces(now);
   select_vertices(mesh, kept);
 }
 

@@ -28,7 +28,7 @@ namespace pn_subdivide {
 // The segments of the faces.
 struct Segment_map
 {
-  using key_type = Surface::Face_index;
+  using key_type = Face;
   using value_type = std::size_t;
   using reference = std::size_t;
   using category = boost::readable_property_map_tag;
@@ -88,9 +88,9 @@ public:
 private:
   std::vector<std::size_t> segment_; // of the old faces
   std::vector<bool> is_replaced_;    // the segment
-  std::vector<std::array<Mesh_data::Index, 3>> triangles_;
+  std::vector<std::array<Index, 3>> triangles_;
   std::vector<std::size_t> segment_of_triangle_;
-  std::size_t replaced_planes_ = 0, kept_planes_ = 0, replaced_faces_ = 0, kept_faces_ = 0;
+  std::size_t replaced_planes_ = 0, kept_planes_ = 0, replaced_faces_ = 0;
 };
 
 } // namespace pn_subdivide

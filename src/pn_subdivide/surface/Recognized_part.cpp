@@ -21,18 +21,16 @@
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace pn_subdivide {
 namespace {
 
-namespace Recognition = CGAL::PN_subdivision_3::internal::recognition;
+namespace Recognition = PN::internal::recognition;
 
 using Kind = Recognized_surface::Kind;
 using Recognition::Shape;
 using Recognition::Vec3;
-using Vertex = Surface::Vertex_index;
 
 // Where vertices belong: on all surfaces of the faces around them.
 class Places_on_surfaces
@@ -177,13 +175,6 @@ private:
   std::vector<std::size_t> around_; // a vertex: the surfaces
 };
 
-namespace PN = CGAL::PN_subdivision_3;
-
-using Edge = Surface::Edge_index;
-using Face = Surface::Face_index;
-using Halfedge = Surface::Halfedge_index;
-using Vertex = Surface::Vertex_index;
-using Kind = Recognized_surface::Kind;
 using Patch_map = Surface::Property_map<Face, std::size_t>;
 using Crease_map = Surface::Property_map<Edge, bool>;
 using Normals_of_surfaces = Surface::Property_map<Halfedge, Vector_3>;
@@ -191,9 +182,7 @@ using Normals_of_surfaces = Surface::Property_map<Halfedge, Vector_3>;
 Surface without_normals(const Mesh_data& mesh)
 {
   Surface surface = make_surface(mesh);
-  remove_normals(surface);
-  if (std::optional<Roundness_map> roundness = roundness_of(surface))
-    surface.remove_property_map(*roundness);
+  remove_normals_and_roundness(surface);
   return surface;
 }
 
@@ -415,8 +404,7 @@ void put_surface_normals(Mesh_data& mesh, const Recognized_part& part, bool wher
   for (const Halfedge h : surface.halfedges())
     normals[h] = of_file[h] == CGAL::NULL_VECTOR ? part.normals[h] : of_file[h];
   Mesh_data with_normals = to_mesh_data(surface);
-  mesh.normals = std::move(with_normals.normals);
-  mesh.corner_normals = std::move(with_normals.corner_normals);
+  mesh.take_normals(with_normals);
 }
 
 } // namespace pn_subdivide

@@ -9,12 +9,14 @@
 #ifndef PN_SUBDIVIDE_RECOGNIZED_PART_H
 #define PN_SUBDIVIDE_RECOGNIZED_PART_H
 
-#include "surface/Crease_plan.h"
+#include "options.h"
 #include "surface/Surface.h"
+#include "surface/creases.h"
 
 #include <CGAL/PN_recognition_3/surfaces/Recognized_surface.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace pn_subdivide {
@@ -25,7 +27,7 @@ struct Moved_vertex
   Point_3 point;
 };
 
-using Recognized_surface = CGAL::PN_subdivision_3::Recognized_surface;
+using Recognized_surface = PN::Recognized_surface;
 
 // neither a plane nor unknown
 bool is_round(Recognized_surface::Kind kind);
@@ -71,6 +73,23 @@ void put_on_surfaces(Surface& refined, const std::vector<double>& parents,
 
 // Gives the mesh the normals of the part or, with `where_file_has_none`, only those that the file does not give.
 void put_surface_normals(Mesh_data& mesh, const Recognized_part& part, bool where_file_has_none);
+
+// What --part stands for: --sharp surfaces --planes rims, and --chord 0.02% unless a chord or rounds are given. Throws Usage_error,
+// which names --part, if it does not go with the other options.
+Surface_options with_part(const Surface_options& options);
+
+// A first look: flat patches behind sharp edges at a tenth of some vertices. It takes at most a twentieth of the time of a round.
+bool looks_like_part(const Mesh_data& mesh);
+
+// May --sharp auto take the mesh of a file without tags and normals for a part, as far as the options and the scheme go?
+bool may_be_part(const Surface_options& options, const Scheme_choice& scheme);
+
+// "taken for a part of 6 planes and 2 round surfaces on 100 % of its area ..."
+std::string taken_for_part(const Recognized_part& part);
+
+// What helps to keep edges: --part where surfaces cover half of the area, --sharp angle:40 where few of the edges turn, or nothing.
+enum class Edge_advice { none, part, angle };
+Edge_advice edge_advice(const Recognized_part* part, std::size_t turning, std::size_t edges);
 
 } // namespace pn_subdivide
 

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "surface/Reference_surface.h"
+#include "surface/Linear_check.h"
 
 #include "surface/Recognized_part.h"
 
@@ -31,7 +31,7 @@
 namespace pn_subdivide {
 namespace {
 
-namespace Recognition = CGAL::PN_subdivision_3::internal::recognition;
+namespace Recognition = PN::internal::recognition;
 
 using Recognition::Shape;
 using Recognition::Vec3;
@@ -104,7 +104,7 @@ public:
     } else
       tree_.shapes.resize(1);
     std::size_t split_sides = 0;
-    for (const Surface::Halfedge_index h : control.halfedges())
+    for (const Halfedge h : control.halfedges())
       split_sides += !control.is_border(h) && is_split(h);
     has_round_surfaces_ = split_sides > 0;
     constexpr double most_triangles = 100000, most_steps = 4;
@@ -118,28 +118,28 @@ public:
   // Returns the gain of volume.
   double add_all()
   {
-    for (const Surface::Face_index f : control_.faces()) add(f);
+    for (const Face f : control_.faces()) add(f);
     return gain_ / 6;
   }
 
 private:
-  const Shape& shape(Surface::Halfedge_index h) const
+  const Shape& shape(Halfedge h) const
   {
     static const Shape unknown;
     return control_.is_border(h) ? unknown : tree_.shapes[segments_[control_.face(h)]];
   }
   // Is the triangle over this side of a face to be split? It is round, or its rim is.
-  bool is_split(Surface::Halfedge_index h) const
+  bool is_split(Halfedge h) const
   {
     return is_round(shape(h).kind) || is_round(shape(control_.opposite(h)).kind);
   }
-  Vec3 point(Surface::Vertex_index v) const
+  Vec3 point(Vertex v) const
   {
     const Triple& p = points_[v];
     return {p[0], p[1], p[2]};
   }
 
-  void add(Surface::Face_index f)
+  void add(Face f)
   {
     const auto sides = halfedges_around_face(control_.halfedge(f), control_);
     segment_ = segments_[f];
@@ -167,7 +167,7 @@ private:
   }
 
   // In rows from the side to the mean, which is moved as all that is inside the face.
-  void split(Surface::Halfedge_index h, const Vec3& p, const Vec3& q, const Vec3& mean)
+  void split(Halfedge h, const Vec3& p, const Vec3& q, const Vec3& mean)
   {
     const Shape &own = shape(h), &other = shape(control_.opposite(h));
     const double size = (std::max)({norm(q - p), norm(mean - p), norm(mean - q)});

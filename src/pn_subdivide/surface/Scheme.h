@@ -17,18 +17,25 @@
 
 namespace pn_subdivide {
 
-using Scheme = CGAL::PN_subdivision_3::Any_scheme<double>;
+namespace PN = CGAL::PN_subdivision_3;
+
+using Scheme = PN::Any_scheme<double>;
 
 Scheme make_scheme(const std::string& option, const std::string& name, const Scheme_choice& choice);
+
+inline Scheme scheme_of(const Scheme_choice& choice)
+{
+  return make_scheme("--scheme", choice.scheme, choice);
+}
 
 // Calls f(scheme) with the scheme, which has the normals' if that is another one.
 template <class Function>
 auto with_scheme(const Scheme_choice& choice, const Function& f)
 {
-  const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+  const Scheme scheme = scheme_of(choice);
   if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)
-    return f(CGAL::PN_subdivision_3::with_normal_scheme(
-      scheme, make_scheme("--normal-scheme", *choice.normal_scheme, choice)));
+    return f(PN::with_normal_scheme(scheme,
+                                    make_scheme("--normal-scheme", *choice.normal_scheme, choice)));
   return f(scheme);
 }
 

@@ -14,7 +14,6 @@
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 #include <string>
 #include <unordered_map>
@@ -23,10 +22,6 @@
 
 namespace pn_subdivide {
 namespace {
-
-using Index = Mesh_data::Index;
-using Vertex = Surface::Vertex_index;
-using Halfedge = Surface::Halfedge_index;
 
 constexpr Index none = std::numeric_limits<Index>::max();
 constexpr const char* normals_name = "v:normal";
@@ -121,7 +116,7 @@ void add_faces(Surface& surface, const Mesh_data& mesh, const std::vector<Halfed
   std::size_t first = 0;
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     const auto size = static_cast<std::size_t>(mesh.face(f).size());
-    const Surface::Face_index face = surface.add_face();
+    const Face face = surface.add_face();
     Halfedge last = halfedge_of[first + size - 1];
     surface.set_halfedge(face, last);
     for (std::size_t i = first; i < first + size; ++i) {
@@ -168,6 +163,46 @@ void put_values(Surface& surface, const Mesh_data& mesh)
     ++corner;
   }
 }
+
+// calls f(half-edge, value) for all corners of the wedges
+template <class Function>
+void for_each_corner_of(const Surface& surface, const Wedge_list& wedges, const Function& f)
+{
+  std::unordered_set<Index> begins;
+  for (const auto& wedge : wedges) begins.insert(Index(wedge.first));
+  for (const auto& [first, value] : wedges) {
+    Halfedge h = first;
+    do {
+      f(h, value);
+      h = surface.opposite(surface.next(h));
+    } while (!surface.is_border(h) && begins.count(Index(h)) == 0);
+  }
+}
+
+// The values of corners at vertices that have several.
+class Values_of_several
+{
+public:
+  Values_of_several(const Surface& surface, const Wedge_list& wedges)
+    : has_several_(wedges.empty() ? 0 : surface.number_of_vertices(), false)
+  {
+    for_each_corner_of(surface, wedges, [&](Halfedge h, const Corner_value& value) {
+      of_corner_.emplace(Index(h), value);
+      has_several_[surface.target(h)] = true;
+    });
+  }
+  bool at(Vertex v) const { return !has_several_.empty() && has_several_[v]; }
+  // \pre at(the target)
+  Corner_value operator()(Halfedge h, const Corner_value& of_vertex) const
+  {
+    const auto own = of_corner_.find(Index(h));
+    return own == of_corner_.end() ? of_vertex : own->second;
+  }
+
+private:
+  std::vector<bool> has_several_;
+  std::unordered_map<Index, Corner_value> of_corner_;
+};
 
 } // namespace
 
@@ -216,6 +251,13 @@ void remove_normals(Surface& surface)
     surface.remove_property_map(normals->values);
 }
 
+void remove_normals_and_roundness(Surface& surface)
+{
+  remove_normals(surface);
+  if (std::optional<Roundness_map> roundness = roundness_of(surface))
+    surface.remove_property_map(*roundness);
+}
+
 std::optional<Corner_normal_map> corner_normals_of(const Surface& surface)
 {
   const auto values = find_property_map<Halfedge, Corner_value>(surface, corner_normals_name);
@@ -237,57 +279,12 @@ Corner_normal_map add_corner_normals(Surface& surface)
 
 std::vector<Corner_value> take_corner_normals(Surface& surface)
 {
-  std::optional<Corner_normal_map> normals = corner_normals_of(surface);
-  if (!normals) normals = add_corner_normals(surface);
+  Corner_normal_map normals = corner_normals_or_added(surface);
   std::vector<Corner_value> result;
-  for (const Halfedge h : surface.halfedges()) result.push_back(normals->values[h]);
-  surface.remove_property_map(normals->values);
+  for (const Halfedge h : surface.halfedges()) result.push_back(normals.values[h]);
+  surface.remove_property_map(normals.values);
   return result;
 }
-
-namespace {
-
-// calls f(half-edge, value) for all corners of the wedges
-template <class Function>
-void for_each_corner_of(const Surface& surface, const Wedge_list& wedges, const Function& f)
-{
-  std::unordered_set<Index> begins;
-  for (const auto& wedge : wedges) begins.insert(Index(wedge.first));
-  for (const auto& [first, value] : wedges) {
-    Halfedge h = first;
-    do {
-      f(h, value);
-      h = surface.opposite(surface.next(h));
-    } while (!surface.is_border(h) && begins.count(Index(h)) == 0);
-  }
-}
-
-// The values of corners at vertices that have several.
-class Values_of_several
-{
-public:
-  Values_of_several(const Surface& surface, const Wedge_list& wedges)
-    : has_several_(wedges.empty() ? 0 : surface.number_of_vertices(), false)
-  {
-    for_each_corner_of(surface, wedges, [&](Halfedge h, const Corner_value& value) {
-      of_corner_.emplace(Index(h), value);
-      has_several_[surface.target(h)] = true;
-    });
-  }
-  bool at(Vertex v) const { return !has_several_.empty() && has_several_[v]; }
-  // \pre at(the target)
-  Corner_value operator()(Halfedge h, const Corner_value& of_vertex) const
-  {
-    const auto own = of_corner_.find(Index(h));
-    return own == of_corner_.end() ? of_vertex : own->second;
-  }
-
-private:
-  std::vector<bool> has_several_;
-  std::unordered_map<Index, Corner_value> of_corner_;
-};
-
-} // namespace
 
 void put_corner_normals(Surface& surface, const Wedge_list& wedges)
 {
@@ -300,7 +297,7 @@ std::vector<Halfedge> corners_of(const Surface& surface)
 {
   std::vector<Halfedge> corners;
   corners.reserve(surface.number_of_halfedges());
-  for (const Surface::Face_index f : surface.faces())
+  for (const Face f : surface.faces())
     for (const Halfedge h : halfedges_around_face(surface.halfedge(f), surface))
       corners.push_back(h);
   return corners;
@@ -326,7 +323,7 @@ Mesh_data to_mesh_data(const Surface& surface, const Wedge_list& wedges)
   const Values_of_several of_several(surface, wedges);
   std::vector<Corner_normal> several;
   std::vector<Index> face;
-  for (const Surface::Face_index f : surface.faces()) {
+  for (const Face f : surface.faces()) {
     face.clear();
     for (const Halfedge h : halfedges_around_face(surface.halfedge(f), surface)) {
       const Vertex v = surface.target(h);

@@ -25,15 +25,21 @@
 
 namespace pn_subdivide {
 
-using Normal_map = Surface::Property_map<Surface::Vertex_index, Vector_3>;
-using Roundness_map = Surface::Property_map<Surface::Vertex_index, double>;
+namespace PN = CGAL::PN_subdivision_3;
+
+using Vertex = Surface::Vertex_index;
+using Halfedge = Surface::Halfedge_index;
+using Edge = Surface::Edge_index;
+using Face = Surface::Face_index;
+using Normal_map = Surface::Property_map<Vertex, Vector_3>;
+using Roundness_map = Surface::Property_map<Vertex, double>;
 // of a half-edge's face at its target
-using Corner_value = CGAL::PN_subdivision_3::internal::Normal_and_roundness<Kernel>;
+using Corner_value = PN::internal::Normal_and_roundness<Kernel>;
 
 // The normals of corners, with their roundness.
 struct Corner_normal_map
 {
-  using key_type = Surface::Halfedge_index;
+  using key_type = Halfedge;
   using value_type = Vector_3;
   using reference = Vector_3;
   using category = boost::read_write_property_map_tag;
@@ -46,12 +52,12 @@ struct Corner_normal_map
   friend Vector_3 get(const Corner_normal_map& map, key_type h) { return map[h]; }
   friend void put(const Corner_normal_map& map, key_type h, const Vector_3& n) { map[h] = n; }
 
-  Surface::Property_map<Surface::Halfedge_index, Corner_value> values;
+  Surface::Property_map<Halfedge, Corner_value> values;
 };
 
 // Of vertices with several wedges what these have, with the half-edges that they begin at, clockwise. The first
 // wedge of a border vertex may be missing, and has the normal and the roundness of the vertex.
-using Wedge_list = std::vector<std::pair<Surface::Halfedge_index, Corner_value>>;
+using Wedge_list = std::vector<std::pair<Halfedge, Corner_value>>;
 
 inline Point_3 to_point(const Triple& t)
 {
@@ -98,6 +104,18 @@ Roundness_map add_roundness(Surface& surface);
 // Gives each corner the normal of its vertex, which there must be, and its roundness.
 Corner_normal_map add_corner_normals(Surface& surface);
 
+// What it has or, where it has none, gets.
+inline Corner_normal_map corner_normals_or_added(Surface& surface)
+{
+  const std::optional<Corner_normal_map> given = corner_normals_of(surface);
+  return given ? *given : add_corner_normals(surface);
+}
+inline Roundness_map roundness_or_added(Surface& surface)
+{
+  const std::optional<Roundness_map> given = roundness_of(surface);
+  return given ? *given : add_roundness(surface);
+}
+
 // Takes the values of the corners off the mesh, in the order of its half-edges; those of the vertices if there
 // are none.
 std::vector<Corner_value> take_corner_normals(Surface& surface);
@@ -105,6 +123,7 @@ std::vector<Corner_value> take_corner_normals(Surface& surface);
 void put_corner_normals(Surface& surface, const Wedge_list& wedges);
 // those of vertices and of corners
 void remove_normals(Surface& surface);
+void remove_normals_and_roundness(Surface& surface);
 
 // zero at all vertices; the mesh must have none yet
 Normal_map add_normals(Surface& surface);
@@ -114,13 +133,13 @@ Mesh_data to_mesh_data(const Surface& surface, const Wedge_list& wedges = {});
 
 // The half-edges that stand for the corners of the faces, face by face in the order of to_mesh_data():
 // each ends at its corner.
-std::vector<Surface::Halfedge_index> corners_of(const Surface& surface);
+std::vector<Halfedge> corners_of(const Surface& surface);
 
 struct Triangulation
 {
   std::size_t split_faces = 0;
   // For each half-edge of a face the one that stood for its corner before; empty if no face was split.
-  std::vector<Surface::Halfedge_index> old_corner;
+  std::vector<Halfedge> old_corner;
 };
 
 // Splits each face of n > 3 vertices into n - 2 triangles, also one without area. Corners keep their normals.

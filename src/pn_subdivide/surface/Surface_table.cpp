@@ -9,14 +9,13 @@
 #include "surface/Surface_table.h"
 
 #include "surface/Surface.h"
-#include "surface/output_tags.h"
+#include "surface/output_mesh.h"
 
 #include <CGAL/PN_recognition_3/internal/recognition.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numeric>
 #include <set>
@@ -33,7 +32,7 @@ struct Face_place
 
 namespace {
 
-namespace PN_recognition = CGAL::PN_subdivision_3::internal::recognition;
+namespace PN_recognition = PN::internal::recognition;
 
 using Kind = Recognized_surface::Kind;
 
@@ -65,13 +64,6 @@ Kind_words words_of(Kind kind)
   return {5, "unknown segment", "unknown segments"};
 }
 
-std::string digits(double x)
-{
-  char text[40];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
-}
-
 PN_recognition::Vec3 as_vec3(const Vector_3& v)
 {
   return {v.x(), v.y(), v.z()};
@@ -92,13 +84,13 @@ Deviation largest(const Deviation& a, const Deviation& b)
   return {(std::max)(a.of_vertices, b.of_vertices), (std::max)(a.of_faces, b.of_faces)};
 }
 
-Face_place place_of(const Surface& surface, Surface::Face_index f)
+Face_place place_of(const Surface& surface, Face f)
 {
-  const Surface::Halfedge_index first = surface.halfedge(f);
+  const Halfedge first = surface.halfedge(f);
   const Point_3& origin = surface.point(surface.target(first));
   Vector_3 sum(0, 0, 0), area(0, 0, 0), before(0, 0, 0);
   double squared_size = 0, n = 1;
-  for (Surface::Halfedge_index h = surface.next(first); h != first; h = surface.next(h), ++n) {
+  for (Halfedge h = surface.next(first); h != first; h = surface.next(h), ++n) {
     const Vector_3 d = surface.point(surface.target(h)) - origin;
     sum += d;
     area += CGAL::cross_product(before, d);
@@ -108,12 +100,12 @@ Face_place place_of(const Surface& surface, Surface::Face_index f)
   return {origin + sum / n, area, std::sqrt(squared_size)};
 }
 
-Deviation of_face(const Surface& surface, Surface::Face_index f, const PN_recognition::Shape& shape)
+Deviation of_face(const Surface& surface, Face f, const PN_recognition::Shape& shape)
 {
   const auto distance = [&](const Point_3& p) { return std::abs(shape.distance(as_vec3(p))); };
   Deviation result{0, distance(place_of(surface, f).middle)};
-  const Surface::Halfedge_index first = surface.halfedge(f);
-  Surface::Halfedge_index h = first;
+  const Halfedge first = surface.halfedge(f);
+  Halfedge h = first;
   do {
     const Point_3 &p = surface.point(surface.source(h)), &q = surface.point(surface.target(h));
     result = largest(result, {distance(q), distance(CGAL::midpoint(p, q))});
@@ -134,7 +126,7 @@ std::vector<Deviation> deviations(const Surface& surface, const std::vector<doub
   std::vector<Deviation> result(surfaces.size());
   std::vector<PN_recognition::Shape> shapes;
   for (const Recognized_surface& s : surfaces) shapes.push_back(as_shape(s));
-  for (const Surface::Face_index f : surface.faces()) {
+  for (const Face f : surface.faces()) {
     const auto segment = static_cast<std::size_t>(segments[f]);
     if (surfaces[segment].kind != Kind::unknown)
       result[segment] = largest(result[segment], of_face(surface, f, shapes[segment]));
@@ -158,9 +150,9 @@ std::string columns(const std::array<std::string, 6>& words)
 
 std::string radius_of(const Recognized_surface& s)
 {
-  if (s.kind == Kind::torus) return digits(s.radius) + "/" + digits(s.tube_radius);
-  return words_of(s.kind).has_radius ? digits(s.radius)
-                                     : digits(s.half_angle * 180 / CGAL_PI) + " deg";
+  if (s.kind == Kind::torus) return three_digits(s.radius) + "/" + three_digits(s.tube_radius);
+  return words_of(s.kind).has_radius ? three_digits(s.radius)
+                                     : three_digits(s.half_angle * 180 / CGAL_PI) + " deg";
 }
 
 // Prisms that are not round: how many of their sides, and with which --min-facets they were.
@@ -184,11 +176,11 @@ Surface_table::Surface_table(const Recognized_part& part, const Surface& control
   , after_(before_)
   , along_(part.surfaces.size(), 0.)
 {
-  for (const Surface::Face_index f : control.faces()) {
+  for (const Face f : control.faces()) {
     const Face_place place = place_of(control, f);
     along_[part.segments[f]] += along(place, part.segments[f]);
   }
-  for (const Surface::Face_index f : control.faces())
+  for (const Face f : control.faces())
     was_folded_.push_back(is_folded(place_of(control, f), part.segments[f]));
 }
 
@@ -218,7 +210,7 @@ void Surface_table::measure(const Surface& refined, Attributes& attributes)
 {
   std::vector<double>& numbers = *segments_of(attributes);
   std::set<std::size_t> folded;
-  for (const Surface::Face_index f : refined.faces()) {
+  for (const Face f : refined.faces()) {
     const auto parent = std::size_t(numbers[f]);
     const std::size_t segment = part_.segments[parent];
     if (!was_folded_[parent] && is_folded(place_of(refined, f), segment)) folded.insert(parent);
@@ -260,9 +252,9 @@ std::string Surface_table::text() const
     if (!is_round(s.kind) || rounds++ >= most) continue;
     if (rounds == 1)
       text += "\n" + columns({"surface", "radius", "faces", "residual", "before", "after"});
-    text +=
-      "\n" + columns({words_of(s.kind).one, radius_of(s), std::to_string(s.number_of_faces),
-                      digits(s.residual), digits(before_[i].of_faces), digits(after_[i].of_faces)});
+    text += "\n" + columns({words_of(s.kind).one, radius_of(s), std::to_string(s.number_of_faces),
+                            three_digits(s.residual), three_digits(before_[i].of_faces),
+                            three_digits(after_[i].of_faces)});
   }
   if (rounds > most)
     text += "\n  and " + std::to_string(rounds - most) + " more, which --report has";
@@ -306,7 +298,7 @@ void Surface_table::warn(const std::string& input, Report& report) const
                 " % of the area is on no recognized surface: this is no tessellation of a CAD part "
                 "(decimated, remeshed or free-form)");
   if (part_.other_segments > 0)
-    report.warn(input + ": with --surface-tolerance " + digits(part_.other_tolerance) +
+    report.warn(input + ": with --surface-tolerance " + three_digits(part_.other_tolerance) +
                 " there are " + std::to_string(part_.other_segments) +
                 " segments in the place of " + std::to_string(part_.surfaces.size()) +
                 ": its coordinates have all digits, as those of a file of fewer that has been "
@@ -337,7 +329,7 @@ void Surface_table::report_chord(double chord, const std::string& output, Report
   std::size_t worst = 0;
   for (std::size_t i = 1; i < after_.size(); ++i)
     if (beyond_residual(i) > beyond_residual(worst)) worst = i;
-  const std::string distance = digits(after_[worst].of_faces);
+  const std::string distance = three_digits(after_[worst].of_faces);
   std::size_t unknown = 0;
   for (const Recognized_surface& s : part_.surfaces)
     if (s.kind == Kind::unknown) unknown += s.number_of_faces;
@@ -345,7 +337,8 @@ void Surface_table::report_chord(double chord, const std::string& output, Report
               (unknown == 0 ? "" : "; " + plural(unknown, "face", "faces") + " of none"));
   if (beyond_residual(worst) > much * chord)
     report.warn(output + ": up to " + distance + " from a recognized " +
-                words_of(part_.surfaces[worst].kind).one + ", more than --chord " + digits(chord));
+                words_of(part_.surfaces[worst].kind).one + ", more than --chord " +
+                three_digits(chord));
 }
 
 } // namespace pn_subdivide

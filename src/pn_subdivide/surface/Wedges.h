@@ -28,8 +28,8 @@ struct Wedges
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   std::vector<std::size_t> of_corner; // of the face of a half-edge at its target; by half-edge
-  std::vector<Surface::Vertex_index> vertex; // of each wedge
-  std::vector<std::size_t> number;           // at each vertex
+  std::vector<Vertex> vertex;         // of each wedge
+  std::vector<std::size_t> number;    // at each vertex
 
   // `is_sharp(edge)`
   template <class Is_sharp>
@@ -46,8 +46,6 @@ struct Wedges
   }
 
 private:
-  using Halfedge = Surface::Halfedge_index;
-
   // Both ways round the vertex.
   template <class Is_sharp>
   void fill(const Surface& surface, const Is_sharp& is_sharp, Halfedge first)
@@ -81,7 +79,7 @@ struct Control_corner_normals
       without_fractions = nullptr; // those of the control mesh
   }
 
-  using key_type = Surface::Halfedge_index;
+  using key_type = Halfedge;
   using value_type = Vector_3;
   using reference = const Vector_3&;
   using category = boost::readable_property_map_tag;

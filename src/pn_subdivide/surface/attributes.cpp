@@ -15,7 +15,6 @@
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <numeric>
 #include <sstream>
@@ -33,9 +32,8 @@ std::vector<Range> ranges_of(const Columns& columns)
   const Column_group color = find_color(columns);
   std::vector<Range> ranges;
   for (const Column& column : columns) {
-    const bool is_color = std::find(color.begin(), color.end(), &column) != color.end();
     Range range(-infinity, infinity);
-    if (is_color && !column.values.empty()) {
+    if (contains(color, column) && !column.values.empty()) {
       const auto ends = std::minmax_element(column.values.begin(), column.values.end());
       range = {(std::min)(*ends.first, 0.), (std::max)(*ends.second, 1.)};
       if (traits(column.type).is_integer) range = {0, traits(column.type).highest};
@@ -92,31 +90,17 @@ std::vector<std::string> names_of_directions(const Columns& columns, const std::
   return names;
 }
 
-struct Rule_name
-{
-  const char* name;
-  Texture_rule rule;
-};
-constexpr std::array<Rule_name, 6> rule_names{{{"none", Texture_rule::none},
-                                               {"corners-only", Texture_rule::corners_only},
-                                               {"corners-plus1", Texture_rule::corners_plus1},
-                                               {"corners-plus2", Texture_rule::corners_plus2},
-                                               {"boundaries", Texture_rule::boundaries},
-                                               {"all", Texture_rule::all}}};
-
 } // namespace
 
 Texture_rule parse_texture_rule(const std::string& text)
 {
-  std::vector<std::string> names;
-  for (const Rule_name& known : rule_names) {
-    if (text == known.name) return known.rule;
-    names.emplace_back(known.name);
-  }
-  throw Usage_error("--texture-rule '" + text +
-                    "': expected none, corners-only, corners-plus1, "
-                    "corners-plus2, boundaries or all" +
-                    did_you_mean(text, names));
+  return parse_word<Texture_rule>("--texture-rule", text,
+                                  {{"none", Texture_rule::none},
+                                   {"corners-only", Texture_rule::corners_only},
+                                   {"corners-plus1", Texture_rule::corners_plus1},
+                                   {"corners-plus2", Texture_rule::corners_plus2},
+                                   {"boundaries", Texture_rule::boundaries},
+                                   {"all", Texture_rule::all}});
 }
 
 void set_rules(Attributes& attributes, const std::optional<std::string>& nearest,
@@ -125,8 +109,7 @@ void set_rules(Attributes& attributes, const std::optional<std::string>& nearest
   Columns& columns = attributes.of_vertices;
   const Column_group color = find_color(columns);
   for (Column& column : columns)
-    column.is_label = traits(column.type).is_integer &&
-                      std::find(color.begin(), color.end(), &column) == color.end();
+    column.is_label = traits(column.type).is_integer && !contains(color, column);
   for (const std::string& name : names_in(nearest.value_or(""))) {
     Column* const column = find(columns, name);
     if (column == nullptr) throw_unknown("--nearest", name, columns);
@@ -158,7 +141,7 @@ Old_elements::Old_elements(const Surface& surface)
   , face_(surface.number_of_halfedges())
 {
   std::size_t corner = 0;
-  for (const Surface::Halfedge_index h : corners_of(surface)) {
+  for (const Halfedge h : corners_of(surface)) {
     corner_[h] = corner++;
     face_[h] = surface.face(h);
   }
@@ -168,9 +151,9 @@ void Old_elements::follow(const Surface& surface, const Triangulation& triangula
                           Attributes& attributes) const
 {
   std::vector<std::size_t> corners, faces;
-  for (const Surface::Halfedge_index h : corners_of(surface))
+  for (const Halfedge h : corners_of(surface))
     corners.push_back(corner_[triangulation.old_corner[h]]);
-  for (const Surface::Face_index f : surface.faces())
+  for (const Face f : surface.faces())
     faces.push_back(face_[triangulation.old_corner[surface.halfedge(f)]]);
   select(attributes.texture, corners);
   select(attributes.of_faces, faces);
@@ -187,12 +170,12 @@ Carried_attributes::Carried_attributes(const Surface& surface, Attributes attrib
   table_.has_face_parents = !attributes_.of_faces.empty();
   if (attributes_.texture.empty()) return;
 
-  CGAL::PN_subdivision_3::Attribute_array texture;
+  PN::Attribute_array texture;
   texture.rule = rule;
   texture.dimension = has_depth(attributes_.texture) ? 3 : 2;
   texture.values.resize(texture.dimension * surface.number_of_halfedges());
   std::size_t corner = 0;
-  for (const Surface::Halfedge_index h : corners_of(surface)) {
+  for (const Halfedge h : corners_of(surface)) {
     std::copy_n(attributes_.texture[corner++].begin(), texture.dimension,
                 texture.values.begin() + std::ptrdiff_t(texture.dimension * std::size_t(h)));
   }
@@ -204,9 +187,9 @@ void Carried_attributes::add_directions()
 {
   const Columns& columns = attributes_.of_vertices;
   for (const auto& names : attributes_.directions) {
-    CGAL::PN_subdivision_3::Attribute_array array;
+    PN::Attribute_array array;
     array.dimension = names.size();
-    array.rule_of_vertices = CGAL::PN_subdivision_3::Attribute_rule::direction;
+    array.rule_of_vertices = PN::Attribute_rule::direction;
     std::size_t component = 0;
     for (const std::string& name : names) {
       const Column& column = *find_column(columns, name);
@@ -232,8 +215,8 @@ void Carried_attributes::add_others(std::size_t vertices)
     table_.vertices.back().values = std::move(column.values);
   }
   if (!has_labels) return;
-  CGAL::PN_subdivision_3::Attribute_array numbers;
-  numbers.rule_of_vertices = CGAL::PN_subdivision_3::Attribute_rule::nearest;
+  PN::Attribute_array numbers;
+  numbers.rule_of_vertices = PN::Attribute_rule::nearest;
   numbers.values.resize(vertices);
   std::iota(numbers.values.begin(), numbers.values.end(), 0.);
   table_.vertices.push_back(std::move(numbers));
@@ -242,8 +225,7 @@ void Carried_attributes::add_others(std::size_t vertices)
 void Carried_attributes::suit(const Surface& surface, const std::string& scheme,
                               const std::string& input, Report& report)
 {
-  if (!table_.corners.empty() && !keeps_edges(scheme) &&
-      CGAL::PN_subdivision_3::has_seam(surface, table_.corners[0])) {
+  if (!table_.corners.empty() && !keeps_edges(scheme) && PN::has_seam(surface, table_.corners[0])) {
     table_.corners.clear();
     report.warn_of_dropped(
       input +

@@ -37,7 +37,7 @@ private:
   std::vector<std::size_t> corner_, face_; // by half-edge
 };
 
-using Texture_rule = CGAL::PN_subdivision_3::Corner_rule;
+using Texture_rule = PN::Corner_rule;
 
 // Throws Usage_error unless it is one of the words of --texture-rule.
 Texture_rule parse_texture_rule(const std::string& text);
@@ -56,7 +56,7 @@ void set_rules(Attributes& attributes, const std::optional<std::string>& nearest
 class Carried_attributes
 {
 public:
-  using Table = CGAL::PN_subdivision_3::Attribute_table;
+  using Table = PN::Attribute_table;
 
   Carried_attributes(const Surface& surface, Attributes attributes, Texture_rule rule);
 

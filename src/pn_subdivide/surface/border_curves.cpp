@@ -6,8 +6,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "surface/border_curves.h"
+#include "surface/Recognized_part.h"
 #include "surface/Surface.h"
+#include "surface/creases.h"
 
 #include <CGAL/PN_recognition_3/recognize_arcs.h>
 
@@ -22,10 +23,6 @@
 
 namespace pn_subdivide {
 namespace {
-
-using Index = Mesh_data::Index;
-using Edge = Surface::Edge_index;
-using Halfedge = Surface::Halfedge_index;
 
 constexpr double forever = std::numeric_limits<double>::infinity();
 
@@ -76,7 +73,7 @@ public:
     for (const Edge e : edges_)
       for (const int side : {0, 1}) {
         const Halfedge h = surface_.halfedge(e, side);
-        const Surface::Vertex_index v = surface_.source(h);
+        const Vertex v = surface_.source(h);
         const Index from = original(v), to = original(surface_.target(h));
         if (is_corner_[from]) creases.vertices[v] = forever;
         creases.tangents[h] = tangent(from, to, is_straight);
@@ -84,11 +81,11 @@ public:
   }
 
 private:
-  Index original(Surface::Vertex_index v) const { return mesh_.original(Index(v)); }
+  Index original(Vertex v) const { return mesh_.original(Index(v)); }
   const std::vector<Index>& neighbors(Index v) const { return neighbors_.at(v); }
 
   // where a copy has no crease through it
-  void find_corner(const Creases& creases, Surface::Vertex_index v)
+  void find_corner(const Creases& creases, Vertex v)
   {
     const bool is_at_border = surface_.is_border(v);
     std::size_t ends = 0;
@@ -134,44 +131,6 @@ private:
   std::vector<bool> is_corner_;
 };
 
-} // namespace
-
-void put_common_curves(Creases& creases, const Mesh_data& mesh)
-{
-  if (mesh.copied_from.empty()) return;
-  const Surface surface = make_surface(mesh);
-  Common_curves curves(surface, mesh);
-  if (!curves.any()) return;
-  curves.put(creases);
-  creases.count();
-}
-
-void share_roundness(Mesh_data& mesh)
-{
-  if (mesh.copied_from.empty() || mesh.roundness.empty()) return;
-  const Surface surface = make_surface(mesh);
-  const Common_curves curves(surface, mesh);
-  if (!curves.any()) return;
-  std::vector<double> least(mesh.roundness);
-  for (Index v = 0; v < least.size(); ++v)
-    if (const Index* first = curves.find(v))
-      least[*first] = (std::min)(least[*first], mesh.roundness[v]);
-  for (Index v = 0; v < least.size(); ++v)
-    if (const Index* first = curves.find(v)) mesh.roundness[v] = least[*first];
-  if (mesh.corner_roundness.empty()) return;
-  std::size_t corner = 0;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for (const Index v : mesh.face(f)) {
-      if (curves.find(v) != nullptr) mesh.corner_roundness[corner] = mesh.roundness[v];
-      ++corner;
-    }
-}
-
-namespace {
-
-namespace PN = CGAL::PN_subdivision_3;
-
-using Halfedge = Surface::Halfedge_index;
 using Loop = std::vector<Halfedge>; // half-edges of the border in a row
 
 Vector_3 unit(const Vector_3& v)
@@ -216,10 +175,7 @@ private:
   {
     return part_.surfaces[segment(h)].kind == Recognized_surface::Kind::plane;
   }
-  void put_corner(Surface::Vertex_index v)
-  {
-    creases_.vertices[v] = std::numeric_limits<double>::infinity();
-  }
+  void put_corner(Vertex v) { creases_.vertices[v] = forever; }
 
   // Does the border end where this half-edge begins, for another surface or at a corner?
   bool is_end(Halfedge before, Halfedge h) const
@@ -274,7 +230,7 @@ private:
     if (arc.kind == PN::Recognized_arc::Kind::unknown) return;
     const Vector_3 along = direction(h);
     const bool is_line = arc.kind == PN::Recognized_arc::Kind::line;
-    const auto tangent = [&](Surface::Vertex_index v) {
+    const auto tangent = [&](Vertex v) {
       const Vector_3 r = unit(surface_.point(v) - to_point(arc.center));
       return is_line ? along : tangent_of_circle(along, r, h);
     };
@@ -295,6 +251,34 @@ private:
 };
 
 } // namespace
+
+void put_common_curves(Creases& creases, const Mesh_data& mesh)
+{
+  if (mesh.copied_from.empty()) return;
+  const Surface surface = make_surface(mesh);
+  Common_curves curves(surface, mesh);
+  if (!curves.any()) return;
+  curves.put(creases);
+  creases.count();
+}
+
+void share_roundness(Mesh_data& mesh)
+{
+  if (mesh.copied_from.empty() || mesh.roundness.empty()) return;
+  const Surface surface = make_surface(mesh);
+  const Common_curves curves(surface, mesh);
+  if (!curves.any()) return;
+  std::vector<double> least(mesh.roundness);
+  for (Index v = 0; v < least.size(); ++v)
+    if (const Index* first = curves.find(v))
+      least[*first] = (std::min)(least[*first], mesh.roundness[v]);
+  for (Index v = 0; v < least.size(); ++v)
+    if (const Index* first = curves.find(v)) mesh.roundness[v] = least[*first];
+  if (mesh.corner_roundness.empty()) return;
+  for (std::size_t c = 0; c < mesh.number_of_corners(); ++c)
+    if (const Index v = mesh.vertices_of_corners()[c]; curves.find(v) != nullptr)
+      mesh.corner_roundness[c] = mesh.roundness[v];
+}
 
 void put_part_borders(Creases& creases, const Mesh_data& mesh, const Recognized_part& part)
 {

@@ -11,7 +11,6 @@
 #include "io/Error.h"
 #include "io/Text_reader.h"
 #include "io/mesh_normals.h"
-#include "io/shading_normals.h"
 #include "surface/Surface.h"
 #include "surface/Wedges.h"
 
@@ -20,15 +19,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace pn_subdivide {
 namespace {
-
-namespace PN = CGAL::PN_subdivision_3;
 
 using Source = Normals_option::Source;
 
@@ -73,13 +68,13 @@ void estimate(Mesh_data& mesh, PN::Control_normal_estimate how)
 {
   mesh.normals.clear();
   Surface surface = make_surface(mesh);
-  auto normals = surface.add_property_map<Surface::Vertex_index, Vector_3>("v:normal").first;
+  auto normals = surface.add_property_map<Vertex, Vector_3>("v:normal").first;
   const Roundness_map roundness = add_roundness(surface);
   PN::estimate_control_normals(
     surface, normals, PN::parameters::control_normal_estimate(how).vertex_roundness_map(roundness));
   mesh.roundness.clear();
   mesh.corner_roundness.clear();
-  for (const Surface::Vertex_index v : surface.vertices()) {
+  for (const Vertex v : surface.vertices()) {
     mesh.normals.push_back(to_triple(normals[v]));
     mesh.roundness.push_back(roundness[v]);
   }
@@ -101,7 +96,7 @@ std::size_t mixed_vertices(const Surface& surface, const Wedges& wedges, Corner_
 {
   std::vector<Triple> first(wedges.vertex.size());
   std::vector<bool> is_known(first.size(), false), is_mixed(surface.number_of_vertices(), false);
-  for (const Surface::Halfedge_index h : surface.halfedges()) {
+  for (const Halfedge h : surface.halfedges()) {
     if (surface.is_border(h)) continue;
     const std::size_t wedge = wedges.of_corner[h];
     const Triple n = to_triple(normals[h]);
@@ -121,8 +116,7 @@ void normalize_corners(Mesh_data& mesh, const Creases& creases, const std::strin
   const Wedges wedges(surface, [&](auto e) { return creases.is_sharp(e); });
   const std::size_t mixed = mixed_vertices(surface, wedges, *corner_normals_of(surface));
   if (mixed > 0)
-    report.warn(name + ": " + std::to_string(mixed) +
-                (mixed == 1 ? " vertex has" : " vertices have") +
+    report.warn(name + ": " + plural(mixed, "vertex has", "vertices have") +
                 " several normals that no crease separates; their normalized sum is taken");
 }
 
@@ -140,15 +134,12 @@ void estimate_between_creases(Mesh_data& mesh, std::optional<PN::Control_normal_
                .edge_is_constrained_map(maps.edges)
                .vertex_is_constrained_map(maps.vertices));
   const Wedges wedges(surface, [&](auto e) { return creases.is_sharp(e); });
-  for (const Surface::Halfedge_index h : surface.halfedges())
+  for (const Halfedge h : surface.halfedges())
     if (!surface.is_border(h) && (of_all || wedges.number[surface.target(h)] > 1))
       normals.values[h] = {estimated[h], get(estimated.roundness_map(), h)};
   Mesh_data with_normals = to_mesh_data(surface);
-  mesh.normals = std::move(with_normals.normals);
-  mesh.corner_normals = std::move(with_normals.corner_normals);
-  if (!of_all && !mesh.roundness.empty()) return;
-  mesh.roundness = std::move(with_normals.roundness);
-  mesh.corner_roundness = std::move(with_normals.corner_roundness);
+  mesh.take_normals(with_normals);
+  if (of_all || mesh.roundness.empty()) mesh.take_roundness(with_normals);
 }
 
 // With the roundness that the estimate has.
@@ -185,8 +176,8 @@ void report_estimated_wedges(const Mesh_data& mesh, const Creases& creases, cons
   const auto several =
     std::count_if(wedges.number.begin(), wedges.number.end(), [](std::size_t n) { return n > 1; });
   if (several > 0)
-    report.warn(name + ": " + std::to_string(several) +
-                (several == 1 ? " vertex on creases has" : " vertices on creases have") +
+    report.warn(name + ": " +
+                plural(std::size_t(several), "vertex on creases has", "vertices on creases have") +
                 " one normal in the file and need several, which are estimated");
 }
 
@@ -211,48 +202,34 @@ bool smooth(Mesh_data& mesh, const Creases& creases, const std::string& name, Re
                                                CGAL::parameters::edge_is_constrained_map(
                                                  add_creases(surface, creases).edges))
                   : PN::smooth_control_normals(surface, *normals_of(surface));
-  char text[200];
-  std::snprintf(
-    text, sizeof text,
-    ": the normals in the file have a noise of about %.2g degrees and miss arcs by %.2g: ",
-    done.noise, done.arc_defect);
+  const std::string text = name + formatted(": the normals in the file have a noise of about %.2g "
+                                            "degrees and miss arcs by %.2g: ",
+                                            done.noise, done.arc_defect);
   if (done.changed_normals == 0 && done.roundness == 1) {
-    const std::string left = name + text +
-                             "left as they are, since this does not stand out "
-                             "from what the shape itself does to arcs; ";
     const bool is_rough = done.mean_turn > done.linear_mean_turn;
-    std::snprintf(text, sizeof text,
-                  "the faces turn by %.3g degrees on average, those of the linear result by %.3g%s",
-                  done.mean_turn, done.linear_mean_turn,
-                  is_rough ? ": if that is rough take --roundness 0.5, or --linear" : "");
-    report.warn(left + text);
+    report.warn(
+      text +
+      formatted("left as they are, since this does not stand out from what the shape itself does "
+                "to arcs; the faces turn by %.3g degrees on average, those of the linear result by "
+                "%.3g%s",
+                done.mean_turn, done.linear_mean_turn,
+                is_rough ? ": if that is rough take --roundness 0.5, or --linear" : ""));
     return false;
   }
   std::string change = "left as they are";
-  char number[80];
   if (done.changed_normals > 0) {
-    std::snprintf(number, sizeof number, " smoothed, by up to %.2g degrees", done.largest_turn);
-    change = std::to_string(done.changed_normals) + number;
+    change =
+      formatted("%zu smoothed, by up to %.2g degrees", done.changed_normals, done.largest_turn);
     Mesh_data smoothed = to_mesh_data(surface);
-    mesh.normals = std::move(smoothed.normals);
-    mesh.corner_normals = std::move(smoothed.corner_normals);
+    mesh.take_normals(smoothed);
   }
   if (done.roundness < 1) {
     mesh.roundness.assign(mesh.points.size(), done.roundness);
     mesh.corner_roundness.clear();
-    std::snprintf(number, sizeof number, "; the points have noise, too: roundness %g",
-                  done.roundness);
-    change += number;
+    change += formatted("; the points have noise, too: roundness %g", done.roundness);
   }
-  report.remark(name + text + change);
+  report.remark(text + change);
   return done.changed_normals > 0;
-}
-
-void drop_normals(Mesh_data& mesh)
-{
-  mesh.normals.clear();
-  mesh.corner_normals.clear();
-  mesh.vertices_with_several_normals = 0;
 }
 
 // A file of this command gets a warning, because there is one with which its rounds go on.
@@ -269,23 +246,21 @@ void drop_shading(Mesh_data& mesh, const std::string& name, Report& report)
   else
     report.warn(text + "; --output-normals both writes a file from which a further round takes "
                        "the control normals");
-  drop_normals(mesh);
+  mesh.drop_normals();
 }
 
 // They are estimated.
 void set_aside(Mesh_data& mesh, const Stray_normals& stray, const Creases& creases,
                const std::string& name, Report& report)
 {
-  char text[200];
-  std::snprintf(text, sizeof text,
-                ": the normals in the file are %.0f degrees off those of the faces on %zu of %zu "
-                "components in the median and are set aside there: they are estimated (--normals "
-                "file takes them)",
-                stray.degrees, stray.components, stray.of);
-  report.remark(name + text);
-  if (stray.components == stray.of) return drop_normals(mesh);
+  report.remark(name +
+                formatted(": the normals in the file are %.0f degrees off those of the faces on "
+                          "%zu of %zu components in the median and are set aside there: they are "
+                          "estimated (--normals file takes them)",
+                          stray.degrees, stray.components, stray.of));
+  if (stray.components == stray.of) return mesh.drop_normals();
   Mesh_data estimated = mesh;
-  drop_normals(estimated);
+  estimated.drop_normals();
   set_estimated_normals(estimated, creases);
   mesh.roundness.assign(mesh.points.size(), 1.);
   mesh.corner_roundness.assign(estimated.corner_roundness.size(), 1.);
@@ -296,7 +271,7 @@ void set_aside(Mesh_data& mesh, const Stray_normals& stray, const Creases& creas
     }
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     std::size_t corner = mesh.first_corner(f);
-    for (const Mesh_data::Index v : mesh.face(f)) {
+    for (const Index v : mesh.face(f)) {
       if (stray.is_stray[v] && !mesh.corner_normals.empty())
         mesh.corner_normals[corner] = estimated.corner_normals.empty()
                                         ? estimated.normals[v]
@@ -315,22 +290,7 @@ Normals_option parse_normals_option(const std::string& text)
   Normals_option option;
   const auto [name, arguments] = split_at_colon(text);
 
-  if (text == "auto")
-    option.source = Source::automatic;
-  else if (text == "file")
-    option.source = Source::file;
-  else if (text == "smooth") {
-    option.source = Source::file;
-    option.smooths = true;
-  } else if (text == "estimate" || text == "coherent")
-    option.source = Source::estimate;
-  else if (text == "reciprocal")
-    option.source = Source::reciprocal;
-  else if (text == "angle")
-    option.source = Source::angle;
-  else if (text == "none")
-    option.source = Source::none;
-  else if (name == "sphere") {
+  if (name == "sphere") {
     const std::vector<double> x = parse_numbers(arguments, 3, "--normals sphere:X,Y,Z");
     option.source = Source::sphere;
     option.center = {x[0], x[1], x[2]};
@@ -342,40 +302,31 @@ Normals_option parse_normals_option(const std::string& text)
     const double largest = (std::max)({std::abs(x[3]), std::abs(x[4]), std::abs(x[5])});
     option.axis = {x[3] / largest, x[4] / largest, x[5] / largest};
   } else
-    throw Usage_error("--normals '" + text +
-                      "': expected auto, file, smooth, estimate, coherent, reciprocal, " +
-                      "angle, none, sphere:X,Y,Z or cylinder:X,Y,Z,DX,DY,DZ");
+    option.source = parse_word<Source>("--normals", text,
+                                       {{"auto", Source::automatic},
+                                        {"file", Source::file},
+                                        {"smooth", Source::file},
+                                        {"estimate", Source::estimate},
+                                        {"coherent", Source::estimate},
+                                        {"reciprocal", Source::reciprocal},
+                                        {"angle", Source::angle},
+                                        {"none", Source::none},
+                                        {"sphere:X,Y,Z", Source::sphere},
+                                        {"cylinder:X,Y,Z,DX,DY,DZ", Source::cylinder}});
+  option.smooths = text == "smooth";
   return option;
 }
 
 void set_control_normals(Mesh_data& mesh, const Normals_option& option)
 {
-  switch (option.source) {
-  case Source::file:
-    if (!mesh.has_normals())
-      throw Error(std::string("--normals ") + (option.smooths ? "smooth" : "file") +
-                  ", but the file has no vertex normals; --normals estimate makes some");
-    break;
-  case Source::automatic:
-    if (!mesh.has_normals()) estimate(mesh, default_of(option));
-    break;
-  case Source::estimate:
-    estimate(mesh, default_of(option));
-    break;
-  case Source::reciprocal:
-    estimate(mesh, PN::Control_normal_estimate::reciprocal);
-    break;
-  case Source::angle:
-    estimate(mesh, PN::Control_normal_estimate::angle);
-    break;
-  case Source::none:
-    mesh.normals.clear();
-    break;
-  case Source::sphere:
-  case Source::cylinder:
-    point_away(mesh, option);
-    break;
-  }
+  const bool is_shape = option.source == Source::sphere || option.source == Source::cylinder;
+  if (option.source == Source::file && !mesh.has_normals())
+    throw Error(std::string("--normals ") + (option.smooths ? "smooth" : "file") +
+                ", but the file has no vertex normals; --normals estimate makes some");
+  if (const std::optional<PN::Control_normal_estimate> how = estimate_of_all(mesh, option))
+    estimate(mesh, *how);
+  if (option.source == Source::none) mesh.normals.clear();
+  if (is_shape) point_away(mesh, option);
   mesh.corner_normals.clear();
   for (Triple& n : mesh.normals) n = to_triple(unit_normal(to_vector(n)));
 }
@@ -411,8 +362,7 @@ void put_estimated_roundness(Mesh_data& mesh, const Creases& creases)
   points.corner_normals.clear();
   points.attributes = Attributes();
   set_estimated_normals(points, creases);
-  mesh.roundness = std::move(points.roundness);
-  mesh.corner_roundness = std::move(points.corner_roundness);
+  mesh.take_roundness(points);
 }
 
 constexpr const char* no_creases = " (--sharp none takes none)";
@@ -424,12 +374,11 @@ void settle_file_normals(Mesh_data& mesh, const Normals_option& option, const Cr
   const bool may_drop = option.source == Source::automatic;
   if (are_all_zero(mesh)) {
     if (!may_drop) return;
-    drop_normals(mesh);
+    mesh.drop_normals();
     return report.remark(name + ": the normals of the file are all zero, which is none: they are "
                                 "estimated; --normals file leaves them zero");
   }
-  const std::string edges =
-    std::to_string(creases.number_of_edges) + (creases.number_of_edges == 1 ? " edge" : " edges");
+  const std::string edges = plural(creases.number_of_edges, "edge", "edges");
   const Flat_shading& flat = mesh.flat_shading;
   if (!flat.is_there()) {
     if (creases.are_by_normals)
@@ -452,7 +401,7 @@ void settle_file_normals(Mesh_data& mesh, const Normals_option& option, const Cr
   if (may_drop) {
     text += (has_edges ? ", " : "") +
             std::string("normals are estimated as if there were none (--normals file takes them)");
-    drop_normals(mesh);
+    mesh.drop_normals();
   }
   if (has_edges || may_drop) report.remark(text);
 }

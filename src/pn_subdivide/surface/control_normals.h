@@ -13,7 +13,9 @@
 #include "io/Report.h"
 #include "surface/creases.h"
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace pn_subdivide {
 
@@ -53,6 +55,46 @@ void put_estimated_roundness(Mesh_data& mesh, const Creases& creases);
 // flat shading that makes no creases, or shading normals. `can_be_sharp`: whether --sharp file could make some.
 void settle_file_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,
                          bool can_be_sharp, const std::string& name, Report& report);
+
+// Where the roundness of control vertices comes from, as --roundness says it.
+struct Roundness_option
+{
+  enum class Source { automatic, file, estimate, constant };
+
+  Source source = Source::automatic;
+  double value = 1; // of all, if it is constant
+
+  std::optional<double> constant() const
+  {
+    return source == Source::constant ? std::optional<double>(value) : std::nullopt;
+  }
+};
+
+// auto | file | estimate | X. Throws Usage_error.
+Roundness_option parse_roundness_option(const std::string& text);
+
+// What a mesh had.
+struct Roundness_of_file
+{
+  // The mesh has none afterwards.
+  explicit Roundness_of_file(Mesh_data& mesh);
+  void put_into(Mesh_data& mesh);
+
+  std::vector<double> of_vertices, of_corners;
+};
+
+// Chooses between the roundness of the file and that of an estimate of normals, if there was one: `of_file` and
+// `mesh.roundness`, which is empty afterwards where all is 1. Throws Error if the file was to have one and has none, or
+// a number that is not from 0 to 1, naming the vertex.
+void set_roundness(Mesh_data& mesh, const Roundness_option& option, Roundness_of_file&& of_file,
+                   bool has_normals_of_file, const Creases& creases);
+
+// Drops what is not to be written: 1 everywhere, or beside normals that are no control normals.
+void suit_roundness(Mesh_data& mesh);
+
+// Where it varies ", roundness 0 at 130 of 160 vertices" (or "below 1 at 130" if it is 0 at none), where it is 0 "at all
+// 160", for the closing line.
+std::string roundness_description(const std::vector<double>& roundness);
 
 } // namespace pn_subdivide
 

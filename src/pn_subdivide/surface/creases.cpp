@@ -21,9 +21,6 @@
 namespace pn_subdivide {
 namespace {
 
-using Index = Mesh_data::Index;
-using Edge = Surface::Edge_index;
-using Vertex = Surface::Vertex_index;
 using Source = Crease_plan::Source;
 
 constexpr const char* edges_name = "e:sharpness";
@@ -181,8 +178,7 @@ std::vector<bool> edges_of_angle(Surface& surface, double degrees, Creases& crea
   const auto map = surface.add_property_map<Edge, bool>("e:is_sharp", false).first;
   const auto number_above = [&](double angle) {
     constexpr double margin = 0.1; // that detect_creases() adds
-    if (angle >= margin)
-      return CGAL::PN_subdivision_3::detect_creases(surface, (std::min)(angle - margin, 180.), map);
+    if (angle >= margin) return PN::detect_creases(surface, (std::min)(angle - margin, 180.), map);
     const auto all = surface.edges();
     return std::size_t(
       std::count_if(all.begin(), all.end(), [&](Edge e) { return !surface.is_border(e); }));
@@ -190,7 +186,7 @@ std::vector<bool> edges_of_angle(Surface& surface, double degrees, Creases& crea
   constexpr double close = 1 + 1e-6; // angles in whole degrees count whatever their rounding
   creases.degrees = degrees;
   creases.number_of_close_edges = number_above(degrees - close) - number_above(degrees + close);
-  CGAL::PN_subdivision_3::detect_creases(surface, degrees, map);
+  PN::detect_creases(surface, degrees, map);
   std::vector<bool> result;
   for (const Edge e : surface.edges()) result.push_back(map[e]);
   return result;
@@ -347,14 +343,13 @@ std::optional<Crease_maps> creases_of(const Surface& copy, const std::optional<C
   return Crease_maps{find_property_map<Edge, double>(copy, edges_name).value(),
                      find_property_map<Vertex, double>(copy, vertices_name).value(),
                      maps->border,
-                     {find_property_map<Surface::Halfedge_index, Vector_3>(copy, tangents_name)}};
+                     {find_property_map<Halfedge, Vector_3>(copy, tangents_name)}};
 }
 
 std::vector<bool> sharp_edges_of(const Surface& surface)
 {
   std::vector<bool> are_sharp;
-  if (const auto sharpness =
-        CGAL::PN_subdivision_3::internal::find_property_map<Edge, double>(surface, edges_name))
+  if (const auto sharpness = PN::internal::find_property_map<Edge, double>(surface, edges_name))
     for (const Edge e : surface.edges()) are_sharp.push_back((*sharpness)[e] > 0);
   return are_sharp;
 }
@@ -368,8 +363,7 @@ Crease_maps add_creases(Surface& surface, const Creases& creases, bool with_tang
                    creases.without_fractions};
   if (with_tangents || !creases.tangents.empty())
     maps.tangents.map =
-      surface.add_property_map<Surface::Halfedge_index, Vector_3>(tangents_name, Vector_3(0, 0, 0))
-        .first;
+      surface.add_property_map<Halfedge, Vector_3>(tangents_name, Vector_3(0, 0, 0)).first;
   if (!creases.tangents.empty())
     for (const auto h : surface.halfedges()) put(maps.tangents, h, creases.tangents[h]);
   if (!creases.edges.empty())

@@ -9,18 +9,65 @@
 #ifndef PN_SUBDIVIDE_CREASES_H
 #define PN_SUBDIVIDE_CREASES_H
 
+#include "io/Limit_choice.h"
+#include "io/Mesh_data.h"
 #include "io/Report.h"
-#include "surface/Crease_plan.h"
+#include "io/mesh_io.h"
 #include "surface/Surface.h"
+#include "surface/surface_schemes.h"
+
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace pn_subdivide {
+
+struct Crease_options;
+struct Surface_options;
+
+// How --sharp surfaces looks for surfaces, as --min-facets, --surface-tolerance and --sharp-angle say it.
+struct Recognition_plan
+{
+  unsigned min_facets = 8;
+  std::optional<double> tolerance; // without: of the rounding of the file
+  double sharp_angle = 30;         // in degrees
+  bool tries_tolerances = true;    // whether another one recognizes more
+
+  // Throws Usage_error, also if the options are given without --sharp surfaces.
+  static Recognition_plan make(const Crease_options& options);
+};
+
+bool wants_surfaces(const Crease_options& options);
+
+using Border = PN::Border;
+
+// What is to be sharp, as --sharp, --sharpness and --border say it.
+struct Crease_plan
+{
+  enum class Source { automatic, none, normals, angle, selection, surfaces };
+
+  Source source = Source::automatic;
+  double degrees = 0;  // of an angle
+  std::string file;    // of a selection
+  Selection selection; // what is in it
+  double sharpness = std::numeric_limits<double>::infinity();
+  bool has_sharpness = false;
+  Border border = Border::surface;
+  Recognition_plan recognition; // of surfaces
+
+  // Throws Usage_error, and Error if the file of a selection cannot be read.
+  static Crease_plan make(const Crease_options& options);
+
+  // Throws Usage_error if the plan needs rules for creases that the schemes do not have. Without a
+  // name the scheme is one that has.
+  void require_schemes(const Crease_options& options, const Scheme_choice& choice) const;
+};
 
 // Of the mesh without edges whose sharpness is less than 1, where these have estimated normals beside them: what an edge leads
 // to as its sharpness goes to 0. By half-edge; the roundness may be that of the mesh.
@@ -45,7 +92,7 @@ struct Creases
 
   void count(); // what is sharp
   bool any() const { return number_of_edges + number_of_vertices > 0; }
-  bool is_sharp(Surface::Edge_index e) const { return !edges.empty() && edges[e] > 0; }
+  bool is_sharp(Edge e) const { return !edges.empty() && edges[e] > 0; }
   std::string description() const; // empty, or for the closing line: ", 14 sharp edges"
 };
 
@@ -60,19 +107,19 @@ void put_surface_creases(Creases& creases, const Mesh_data& mesh, const Recogniz
 Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::string& scheme,
                      const Recognized_part* part, const std::string& name, Report& report);
 
-using Edge_sharpness = Surface::Property_map<Surface::Edge_index, double>;
-using Vertex_sharpness = Surface::Property_map<Surface::Vertex_index, double>;
+using Edge_sharpness = Surface::Property_map<Edge, double>;
+using Vertex_sharpness = Surface::Property_map<Vertex, double>;
 
 // The tangents of creases, from the source of a half-edge along it. Without a map none are given, and those
 // that are got are dropped.
 struct Crease_tangents
 {
-  using key_type = Surface::Halfedge_index;
+  using key_type = Halfedge;
   using value_type = Vector_3;
   using reference = Vector_3;
   using category = boost::read_write_property_map_tag;
 
-  std::optional<Surface::Property_map<Surface::Halfedge_index, Vector_3>> map;
+  std::optional<Surface::Property_map<Halfedge, Vector_3>> map;
 
   friend Vector_3 get(const Crease_tangents& t, key_type h)
   {
@@ -102,6 +149,17 @@ void remove_creases(Surface& surface, Crease_maps& maps);
 std::vector<bool> sharp_edges_of(const Surface& surface);
 // the maps of a copy
 std::optional<Crease_maps> creases_of(const Surface& copy, const std::optional<Crease_maps>& maps);
+
+// Copies that were made of edges of more than two faces become creases with the same tangents, and with corners where one of
+// them has a corner: the sheets keep one curve, which they would leave each by its own normals.
+void put_common_curves(Creases& creases, const Mesh_data& mesh);
+
+// The other half of that, when the roundness is known: the least of the copies is that of all.
+void share_roundness(Mesh_data& mesh);
+
+// Borders of a part that is open become curves: lines and arcs where they are those of planes, with corners between them, and
+// elsewhere with corners where they turn by more than arcs do.
+void put_part_borders(Creases& creases, const Mesh_data& mesh, const Recognized_part& part);
 
 } // namespace pn_subdivide
 

@@ -20,8 +20,6 @@
 namespace pn_subdivide {
 namespace {
 
-namespace PN = CGAL::PN_subdivision_3;
-
 // Are there control points for which surfaces pass through given ones?
 bool can_interpolate(const Scheme& scheme)
 {
@@ -32,13 +30,13 @@ bool can_interpolate(const Scheme& scheme)
 
 bool can_interpolate(const Scheme_choice& choice)
 {
-  const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+  const Scheme scheme = scheme_of(choice);
   return !scheme.interpolates() && can_interpolate(scheme);
 }
 
 void require_interpolation(const Scheme_choice& choice)
 {
-  const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+  const Scheme scheme = scheme_of(choice);
   if (!scheme.interpolates() && !can_interpolate(scheme))
     throw Usage_error("--interpolate: surfaces of " + choice.scheme +
                       " cannot be made to pass through points; take catmull-clark, loop or their "
@@ -63,12 +61,10 @@ Interpolation_report interpolate_with_creases(Surface& surface, const Scheme& sc
                     .vertex_is_constrained_map(creases.vertices);
   if (!normals_of(surface))
     return PN::interpolate_limit_points<Tag>(surface, PN::linear(scheme), np);
-  std::optional<Corner_normal_map> normals = corner_normals_of(surface);
-  if (!normals) normals = add_corner_normals(surface);
   return PN::interpolate_limit_points<Tag>(
     surface, scheme,
     PN::parameters::join(PN::parameters::crease_tangent_map(creases.tangents),
-                         np.vertex_normal_map(*normals)));
+                         np.vertex_normal_map(corner_normals_or_added(surface))));
 }
 
 } // namespace
@@ -78,21 +74,21 @@ Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& 
                                          const std::optional<Crease_maps>& creases)
 {
   const Threads most_threads(interpolation.threads);
-  const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+  const Scheme scheme = scheme_of(choice);
   if (scheme.interpolates()) return {}; // the net is the data
   if (creases) return interpolate_with_creases(surface, scheme, interpolation.mode, *creases);
   const auto how = PN::parameters::interpolation_mode(interpolation.mode);
   const std::optional<Normal_map> normals = normals_of(surface);
   if (!normals) return PN::interpolate_limit_points<Tag>(surface, PN::linear(scheme), how);
-  const std::optional<Roundness_map> given = roundness_of(surface);
-  Roundness_map roundness = given ? *given : add_roundness(surface);
+  const bool has_roundness = roundness_of(surface).has_value();
+  Roundness_map roundness = roundness_or_added(surface);
   using Normals = PN::Limit_interpolation::Normals;
   auto report = PN::interpolate_limit_points<Tag>(
     surface, scheme,
     how.interpolation_normals(interpolation.improves_normals ? Normals::natural : Normals::given)
       .vertex_roundness_map(roundness)
       .vertex_normal_map(*normals));
-  if (!given) surface.remove_property_map(roundness);
+  if (!has_roundness) surface.remove_property_map(roundness);
   return report;
 }
 #else // parse_interpolation() has refused

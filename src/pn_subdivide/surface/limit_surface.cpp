@@ -24,8 +24,6 @@
 namespace pn_subdivide {
 namespace {
 
-namespace PN = CGAL::PN_subdivision_3;
-
 using Tag = CGAL::Parallel_if_available_tag;
 using Limit_report = PN::Limit_report;
 using Limit_point = PN::Limit_point<Kernel>;
@@ -34,7 +32,7 @@ using Limit_point = PN::Limit_point<Kernel>;
 class Limit_map
 {
 public:
-  using key_type = Surface::Vertex_index;
+  using key_type = Vertex;
   using value_type = Limit_point;
   using reference = void;
   using category = boost::writable_property_map_tag;
@@ -58,17 +56,11 @@ Limit_report limits_of(const Surface& surface, const std::optional<Normal_map>& 
                        const Scheme_choice& choice, const Limit_map& limits, const Options& options)
 {
   if (!normals)
-    return PN::limit_points<Tag>(
-      surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)), limits, options);
-  const auto given = CGAL::parameters::vertex_normal_map(*normals);
-  const std::optional<Roundness_map> roundness = roundness_of(surface);
+    return PN::limit_points<Tag>(surface, PN::linear(scheme_of(choice)), limits, options);
   return with_scheme(choice, [&](const auto& scheme) {
-    return roundness
-             ? PN::limit_points<Tag>(
-                 surface, scheme, limits,
-                 PN::parameters::join(options, PN::parameters::vertex_roundness_map(*roundness),
-                                      given))
-             : PN::limit_points<Tag>(surface, scheme, limits, PN::parameters::join(options, given));
+    return with_normals_of_vertices(surface, *normals, [&](const auto& np) {
+      return PN::limit_points<Tag>(surface, scheme, limits, PN::parameters::join(options, np));
+    });
   });
 }
 
@@ -86,42 +78,29 @@ Limit_report move_to_limits(Surface& surface, Corner_normal_map normals, const S
 }
 
 template <class Options>
-Limit_report move_to_linear_limits(Surface& surface, Corner_normal_map normals,
-                                   const Scheme_choice& choice, const Crease_maps& creases,
-                                   const Options& options)
-{
-  const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
-  return move_to_limits(surface, normals, PN::linear(scheme), creases, options);
-}
-
-template <class Options>
 Limit_report move_to_limits_of(Surface& surface, const Scheme_choice& choice,
                                const Crease_maps& creases, bool surface_normals,
                                const Options& options)
 {
   const bool is_linear = !normals_of(surface);
-  if (is_linear && !surface_normals) {
-    Corner_normal_map unused{
-      surface.add_property_map<Surface::Halfedge_index, Corner_value>("h:unused").first};
-    const Limit_report report = move_to_linear_limits(surface, unused, choice, creases, options);
-    surface.remove_property_map(unused.values);
-    return report;
-  }
   if (is_linear) add_normals(surface);
-  std::optional<Corner_normal_map> normals = corner_normals_of(surface);
-  if (!normals) normals = add_corner_normals(surface);
-  if (is_linear) return move_to_linear_limits(surface, *normals, choice, creases, options);
-  return with_scheme(choice, [&](const auto& scheme) {
-    return move_to_limits(surface, *normals, scheme, creases,
-                          options.crease_tangent_map(creases.tangents));
-  });
+  const Corner_normal_map normals = corner_normals_or_added(surface);
+  if (!is_linear)
+    return with_scheme(choice, [&](const auto& scheme) {
+      return move_to_limits(surface, normals, scheme, creases,
+                            options.crease_tangent_map(creases.tangents));
+    });
+  const Limit_report report =
+    move_to_limits(surface, normals, PN::linear(scheme_of(choice)), creases, options);
+  if (!surface_normals) remove_normals(surface);
+  return report;
 }
 
 // Writes over the points and the normals, whichever are asked for.
 Limit_map write_limits(Surface& surface, std::optional<Normal_map> normals,
                        const Limit_choice& choice)
 {
-  return Limit_map([&surface, normals, &choice](Surface::Vertex_index v, const Limit_point& limit) {
+  return Limit_map([&surface, normals, &choice](Vertex v, const Limit_point& limit) {
     if (choice.points) surface.point(v) = limit.point;
     if (!normals) return;
     Normal_map written = *normals;
@@ -140,9 +119,7 @@ auto make_options(const Limit_choice& choice, unsigned levels)
 bool are_limits_known(const Surface& surface, const Scheme_choice& choice,
                       const std::optional<Crease_maps>& creases)
 {
-  if (is_grid_scheme(choice.scheme) ||
-      !make_scheme("--scheme", choice.scheme, choice).keeps_vertices())
-    return false;
+  if (is_grid_scheme(choice.scheme) || !scheme_of(choice).keeps_vertices()) return false;
   if (!creases) return true;
   const auto is_settled = [](double sharpness) {
     return !(sharpness > 0) || std::isinf(sharpness);
@@ -160,11 +137,11 @@ void remove_normals_on_creases(const Surface& surface, Corner_normal_map normals
                                const Crease_maps& creases)
 {
   std::vector<bool> is_on_crease(surface.number_of_vertices());
-  for (const Surface::Edge_index e : surface.edges())
+  for (const Edge e : surface.edges())
     if (creases.edges[e] > 0 || (creases.border != Border::surface && surface.is_border(e)))
       is_on_crease[surface.vertex(e, 0)] = is_on_crease[surface.vertex(e, 1)] = true;
-  for (const Surface::Halfedge_index h : surface.halfedges()) {
-    const Surface::Vertex_index v = surface.target(h);
+  for (const Halfedge h : surface.halfedges()) {
+    const Vertex v = surface.target(h);
     if (is_on_crease[v] || creases.vertices[v] > 0) normals[h] = Vector_3(0, 0, 0);
   }
 }
@@ -216,7 +193,7 @@ bool move_to_surface(Surface& surface, const Scheme_choice& scheme,
   const Threads most_threads(threads);
   const std::optional<Normal_map> control = normals_of(surface);
   Normal_map normals = control ? *control : add_normals(surface);
-  const Limit_map limits([&](Surface::Vertex_index v, const Limit_point& limit) {
+  const Limit_map limits([&](Vertex v, const Limit_point& limit) {
     surface.point(v) = limit.point;
     normals[v] = limit.has_surface_normal ? limit.surface_normal : Vector_3(0, 0, 0);
   });

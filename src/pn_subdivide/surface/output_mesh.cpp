@@ -10,6 +10,7 @@
 
 #include "io/Error.h"
 #include "io/Mesh_data.h"
+#include "io/Text_reader.h"
 #include "options.h"
 #include "surface/Surface.h"
 
@@ -30,14 +31,12 @@ using Choice = Output_normals::Choice;
 
 Choice parse(const std::string& text)
 {
-  if (text == "auto") return Choice::automatic;
-  if (text == "surface") return Choice::surface;
-  if (text == "control") return Choice::control;
-  if (text == "both") return Choice::both;
-  if (text == "none") return Choice::none;
-  throw Usage_error("--output-normals '" + text +
-                    "': expected auto, surface, control, both or none" +
-                    did_you_mean(text, {"auto", "surface", "control", "both", "none"}));
+  return parse_word<Choice>("--output-normals", text,
+                            {{"auto", Choice::automatic},
+                             {"surface", Choice::surface},
+                             {"control", Choice::control},
+                             {"both", Choice::both},
+                             {"none", Choice::none}});
 }
 
 Choice choice_of(const Surface_options& options, const Mesh_file& output)
@@ -46,42 +45,10 @@ Choice choice_of(const Surface_options& options, const Mesh_file& output)
   if (!options.output_normals) return is_flag ? Choice::surface : Choice::automatic;
   const Choice choice = parse(*options.output_normals);
   const std::string option = "--output-normals " + *options.output_normals;
-  if (choice == Choice::both && !holds_control_normals(output))
+  if (choice == Choice::both && !held_by(output).control_normals)
     throw Usage_error(option + ": " + output.title("standard output") + " (" + output.format +
                       ") cannot hold both, only .ply, .vtp and .pvtp can");
   return choice;
-}
-
-} // namespace
-
-Output_normals Output_normals::make(const Surface_options& options, const Mesh_file& output)
-{
-  Output_normals normals;
-  normals.choice = choice_of(options, output);
-  // many programs refuse NOFF
-  const bool are_wanted = options.output_normals || (options.levels == 0 && options.normals);
-  const bool is_bare = !holds_normals(output) || (output.format == "off" && !are_wanted);
-  if (normals.choice == Choice::automatic && is_bare) normals.choice = Choice::none;
-  const bool is_default = normals.choice == Choice::automatic || normals.choice == Choice::both;
-  const bool has_control_normals = !options.linear && options.normals != "none";
-  if (normals.choice == Choice::surface || (is_default && options.chord) ||
-      (is_default && options.limit.points && has_control_normals))
-    normals.kind = Normal_kind::of_surface;
-  else if (is_default && options.levels > 0)
-    normals.kind = Normal_kind::of_mesh;
-  normals.copies = normals.choice == Choice::automatic && options.levels == 0 &&
-                   !options.limit.points && !options.interpolate;
-  return normals;
-}
-
-void Output_normals::suit(const Mesh_data& mesh)
-{
-  if (copies) kind = mesh.normal_kind;
-  if (mesh.points.empty()) return;
-  const Bounding_box box(mesh.points);
-  double size = 0;
-  for (std::size_t i = 0; i < 3; ++i) size = (std::max)(size, box.high[i] - box.low[i]);
-  if (size > 0 && std::isfinite(size)) scale = std::ldexp(1., -std::ilogb(size));
 }
 
 // The wedges of vertices that have several, which are few where a mesh is large: runs of faces round the vertex between
@@ -89,15 +56,12 @@ void Output_normals::suit(const Mesh_data& mesh)
 class Several_wedges
 {
 public:
-  using Vertex = Surface::Vertex_index;
-  using Halfedge = Surface::Halfedge_index;
-
   // `is_sharp(edge)`
   template <class Is_sharp>
   Several_wedges(const Surface& surface, const Is_sharp& is_sharp)
     : has_several_(surface.number_of_vertices(), false)
   {
-    for (const Surface::Edge_index e : surface.edges())
+    for (const Edge e : surface.edges())
       if (is_sharp(e))
         for (const Halfedge h : {surface.halfedge(e), surface.opposite(surface.halfedge(e))})
           has_several_[surface.target(h)] = true;
@@ -152,11 +116,6 @@ private:
   std::unordered_map<std::uint32_t, std::size_t> of_corner_;
 };
 
-namespace {
-
-using Halfedge = Surface::Halfedge_index;
-using Vertex = Surface::Vertex_index;
-
 // The places of normals: those of the vertices, and behind them those of the wedges of vertices that have several.
 class Places_of_corners
 {
@@ -175,9 +134,8 @@ public:
     if (std::none_of(face.begin(), face.end(), [&](auto v) { return wedges_.at(Vertex(v)); }))
       return places_;
     auto place = places_.begin();
-    for (const Halfedge h :
-         halfedges_around_face(surface_.halfedge(Surface::Face_index(f)), surface_)) {
-      if (wedges_.at(Vertex(static_cast<Mesh_data::Index>(*place))))
+    for (const Halfedge h : halfedges_around_face(surface_.halfedge(Face(f)), surface_)) {
+      if (wedges_.at(Vertex(static_cast<Index>(*place))))
         *place = mesh_.points.size() + wedges_.of(h);
       ++place;
     }
@@ -199,7 +157,7 @@ void set_normals_of_wedges(Mesh_data& mesh, const Surface& surface, const Severa
   Places_of_corners places(surface, mesh, wedges);
   Area_normals sums(vertices + wedges.size(), scale);
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const Mesh_data::Index* const corner = mesh.face(f).begin();
+    const Index* const corner = mesh.face(f).begin();
     const std::vector<std::size_t>& place = places.of(f);
     sums.add_face(
       place.size(), [&](std::size_t i) { return mesh.points[corner[i]]; },
@@ -225,7 +183,7 @@ void set_normals_of_vertices(Mesh_data& mesh, double scale)
 {
   Area_normals sums(mesh.points.size(), scale);
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const Mesh_data::Index* const corner = mesh.face(f).begin();
+    const Index* const corner = mesh.face(f).begin();
     sums.add_face(
       std::size_t(mesh.face(f).size()), [&](std::size_t i) { return mesh.points[corner[i]]; },
       [&](std::size_t i) { return corner[i]; });
@@ -238,7 +196,7 @@ std::optional<Several_wedges> wedges_of(const Surface& surface,
                                         const std::optional<Crease_maps>& creases)
 {
   if (!creases) return std::nullopt;
-  Several_wedges wedges(surface, [&](Surface::Edge_index e) { return creases->edges[e] > 0; });
+  Several_wedges wedges(surface, [&](Edge e) { return creases->edges[e] > 0; });
   if (wedges.size() == 0) return std::nullopt;
   return wedges;
 }
@@ -259,6 +217,32 @@ Mesh_data with_normals_of_faces(Surface& surface, std::optional<Crease_maps>& cr
 
 } // namespace
 
+Output_normals Output_normals::make(const Surface_options& options, const Mesh_file& output)
+{
+  Output_normals normals;
+  normals.choice = choice_of(options, output);
+  // many programs refuse NOFF
+  const bool are_wanted = options.output_normals || (options.levels == 0 && options.normals);
+  const bool is_bare = !held_by(output).normals || (output.format == "off" && !are_wanted);
+  if (normals.choice == Choice::automatic && is_bare) normals.choice = Choice::none;
+  const bool is_default = normals.choice == Choice::automatic || normals.choice == Choice::both;
+  const bool has_control_normals = !options.linear && options.normals != "none";
+  if (normals.choice == Choice::surface || (is_default && options.chord) ||
+      (is_default && options.limit.points && has_control_normals))
+    normals.kind = Normal_kind::of_surface;
+  else if (is_default && options.levels > 0)
+    normals.kind = Normal_kind::of_mesh;
+  normals.copies = normals.choice == Choice::automatic && options.levels == 0 &&
+                   !options.limit.points && !options.interpolate;
+  return normals;
+}
+
+void Output_normals::suit(const Mesh_data& mesh)
+{
+  if (copies) kind = mesh.normal_kind;
+  scale = scale_to_unit_size(mesh.points);
+}
+
 Kept_normals kept_normals(const Surface& surface, const Wedge_list& wedges)
 {
   Mesh_data mesh = to_mesh_data(surface, wedges);
@@ -267,11 +251,10 @@ Kept_normals kept_normals(const Surface& surface, const Wedge_list& wedges)
             std::move(mesh.corner_roundness)};
   std::vector<Triple> of_corners;
   of_corners.reserve(mesh.number_of_corners());
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for (const Mesh_data::Index v : mesh.face(f)) {
-      of_corners.push_back(mesh.normals[v]);
-      if (!mesh.roundness.empty()) mesh.corner_roundness.push_back(mesh.roundness[v]);
-    }
+  for (const Index v : mesh.vertices_of_corners()) {
+    of_corners.push_back(mesh.normals[v]);
+    if (!mesh.roundness.empty()) mesh.corner_roundness.push_back(mesh.roundness[v]);
+  }
   for (const Corner_normal& n : mesh.several_normals) {
     of_corners[n.corner] = n.normal;
     if (!mesh.roundness.empty()) mesh.corner_roundness[n.corner] = n.roundness;

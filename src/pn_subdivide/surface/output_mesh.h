@@ -9,13 +9,17 @@
 #ifndef PN_SUBDIVIDE_OUTPUT_MESH_H
 #define PN_SUBDIVIDE_OUTPUT_MESH_H
 
+#include "io/Error.h"
 #include "io/Mesh_data.h"
+#include "io/Output_file.h"
+#include "io/Report.h"
 #include "io/mesh_io.h"
 #include "io/mesh_normals.h"
 #include "surface/Surface.h"
 #include "surface/creases.h"
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -76,6 +80,7 @@ private:
 };
 
 struct Surface_options;
+struct Recognized_part;
 
 // Which normals are written, as --output-normals and the old --surface-normals say it.
 struct Output_normals
@@ -118,6 +123,58 @@ Mesh_data output_mesh(Surface& surface, std::optional<Crease_maps>& creases,
 
 // The same of a mesh that is neither refined nor moved.
 void put_control_normals(Mesh_data& mesh, const Output_normals& normals);
+
+// Throws Usage_error or Error if the file of --write-tags cannot be one, or is one of `others`.
+void require_tags_place(const Surface_options& options, const std::vector<std::string>& others);
+
+// Are the tags of the result written anywhere?
+bool are_tags_written(const Surface_options& options, const Output_normals& normals);
+
+// Leaves those tags in the mesh that its own file gets, and warns of what is not written.
+void suit_tags(Mesh_data& mesh, const Mesh_file& output, const Surface_options& options,
+               const Output_normals& normals, Report& report);
+
+// A file beside OUTPUT, which appears by commit(), or none.
+class Side_file
+{
+public:
+  Side_file() = default;
+  // write(Output_file&)
+  template <class Function>
+  Side_file(const std::string& name, const Function& write)
+    : name_(name)
+  {
+    naming(name, [&] {
+      file_ = std::make_unique<Output_file>(name);
+      write(*file_);
+    });
+  }
+  void commit()
+  {
+    if (file_ != nullptr) naming(name_, [&] { file_->commit(); });
+  }
+
+private:
+  std::string name_;
+  std::unique_ptr<Output_file> file_;
+};
+
+// The selection of --write-tags.
+Side_file tags_file(const Surface_options& options, const Crease_tags& tags, Report& report);
+// The file of --surface-labels: the segment of each control face, one a line.
+Side_file labels_file(const Surface_options& options, const Recognized_part* part);
+
+// The numbers of segments as a property of the faces of the result.
+
+// Adds the property, which the children of the faces get, too. One of the user's with this name gives way.
+void add_segments(Mesh_data& mesh, const Recognized_part& part, const std::string& name,
+                  Report& report);
+// The same of a part that was not asked for, under a name that no file has, and not to be written.
+void add_hidden_segments(Mesh_data& mesh, const Recognized_part& part);
+// That property; nullptr if there is none.
+std::vector<double>* segments_of(Attributes& attributes);
+// It stays where files have properties of faces, without a word elsewhere.
+void suit_segments(Mesh_data& mesh, const Mesh_file& output);
 
 } // namespace pn_subdivide
 

@@ -6,17 +6,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "surface/output_tags.h"
+#include "surface/output_mesh.h"
 
 #include "io/Error.h"
 #include "io/mesh_io.h"
 #include "options.h"
+#include "surface/Recognized_part.h"
 #include "surface/surface_schemes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 namespace pn_subdivide {
 namespace {
@@ -30,6 +30,20 @@ bool has_control_normals(const Output_normals& normals)
 bool ends_with(const std::string& text, const std::string& end)
 {
   return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+constexpr const char* column_name = "surface";
+constexpr const char* hidden_name = "surface, not to be written";
+
+void drop_column(Columns& columns, const char* name)
+{
+  const auto is_ours = [name](const Column& column) { return column.name == name; };
+  columns.erase(std::remove_if(columns.begin(), columns.end(), is_ours), columns.end());
+}
+
+void add_column(Columns& columns, const char* name, const Recognized_part& part)
+{
+  columns.push_back({name, Scalar_type::int32, {part.segments.begin(), part.segments.end()}});
 }
 
 } // namespace
@@ -62,9 +76,8 @@ void suit_tags(Mesh_data& mesh, const Mesh_file& output, const Surface_options& 
                                     "it to a file of its own",
                                   {"what is sharp"});
   Columns& columns = mesh.attributes.of_vertices;
-  const auto has_name = [](const Column& column) { return column.name == "sharpness"; };
-  if (output.format != "ply" || std::none_of(columns.begin(), columns.end(), has_name)) return;
-  columns.erase(std::remove_if(columns.begin(), columns.end(), has_name), columns.end());
+  if (output.format != "ply" || find_column(columns, "sharpness") == nullptr) return;
+  drop_column(columns, "sharpness");
   report.warn_of_dropped(name +
                            ": the property 'sharpness' of vertices gives way to that of corners",
                          {"'sharpness' of vertices"});
@@ -87,28 +100,6 @@ Side_file tags_file(const Surface_options& options, const Crease_tags& tags, Rep
                 (edges + vertices == 1 ? " is" : " are") + " sharp for some rounds only");
   return file;
 }
-
-namespace {
-
-constexpr const char* column_name = "surface";
-constexpr const char* hidden_name = "surface, not to be written";
-
-void drop_column(Columns& columns, const char* name)
-{
-  const auto is_ours = [name](const Column& column) { return column.name == name; };
-  columns.erase(std::remove_if(columns.begin(), columns.end(), is_ours), columns.end());
-}
-
-void add_column(Columns& columns, const char* name, const Recognized_part& part)
-{
-  Column column;
-  column.name = name;
-  column.type = Scalar_type::int32;
-  column.values.assign(part.segments.begin(), part.segments.end());
-  columns.push_back(std::move(column));
-}
-
-} // namespace
 
 Side_file labels_file(const Surface_options& options, const Recognized_part* part)
 {
@@ -150,8 +141,7 @@ std::vector<double>* segments_of(Attributes& attributes)
 void suit_segments(Mesh_data& mesh, const Mesh_file& output)
 {
   Columns& columns = mesh.attributes.of_faces;
-  const auto is_hidden = [](const Column& column) { return column.name == hidden_name; };
-  if (std::any_of(columns.begin(), columns.end(), is_hidden))
+  if (find_column(columns, hidden_name) != nullptr)
     return drop_column(columns, hidden_name); // one of the user's stays
   if (output.format != "ply" && output.format != "vtp") drop_column(columns, column_name);
 }

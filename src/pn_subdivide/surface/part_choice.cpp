@@ -6,8 +6,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "surface/part_choice.h"
-
 #include "io/Error.h"
 #include "io/Mesh_data.h"
 #include "pieces/pieces_command.h"
@@ -28,7 +26,7 @@ namespace {
 class Star
 {
 public:
-  void add(const Mesh_data& mesh, std::size_t f, Mesh_data::Index v)
+  void add(const Mesh_data& mesh, std::size_t f, Index v)
   {
     const Mesh_data::Face face = mesh.face(f);
     const auto n = std::size_t(face.size());
@@ -65,7 +63,7 @@ public:
 private:
   struct Side
   {
-    Mesh_data::Index before, next;
+    Index before, next;
     Vector_3 normal;
   };
 
@@ -74,7 +72,7 @@ private:
                       const Vector_3& normal)
   {
     constexpr double part_of_size = 1e-4;
-    return std::all_of(face.begin(), face.end(), [&](Mesh_data::Index v) {
+    return std::all_of(face.begin(), face.end(), [&](Index v) {
       const Vector_3 d = to_point(mesh.points[v]) - p;
       return std::abs(d * normal) <= part_of_size * std::sqrt(d.squared_length());
     });
@@ -93,12 +91,12 @@ struct Look
 Look look_at(const Mesh_data& mesh, std::size_t step)
 {
   constexpr std::size_t most_faces = 64;
-  const auto is_looked_at = [step](Mesh_data::Index v) {
+  const auto is_looked_at = [step](Index v) {
     return step == 1 || (v * std::uint64_t(0x9e3779b97f4a7c15) >> 32) % step == 0;
   };
-  std::unordered_map<Mesh_data::Index, std::vector<std::size_t>> faces; // of these
+  std::unordered_map<Index, std::vector<std::size_t>> faces; // of these
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for (const Mesh_data::Index v : mesh.face(f))
+    for (const Index v : mesh.face(f))
       if (is_looked_at(v)) faces[v].push_back(f);
   Look look;
   for (const auto& [v, around] : faces) {

@@ -26,8 +26,6 @@
 namespace pn_subdivide {
 namespace {
 
-namespace PN = CGAL::PN_subdivision_3;
-
 constexpr double seconds_of_an_entry = 5e-9; // as measured, on a usual computer
 constexpr unsigned large = 1000;
 
@@ -35,42 +33,12 @@ constexpr unsigned large = 1000;
 bool has_large_rings(const Surface& surface)
 {
   std::vector<unsigned> valence(surface.num_vertices(), 0), degree(surface.num_faces(), 0);
-  for (const Surface::Halfedge_index h : surface.halfedges()) {
+  for (const Halfedge h : surface.halfedges()) {
     if (++valence[surface.target(h)] >= large) return true;
     if (!surface.is_border(h) && ++degree[surface.face(h)] >= large) return true;
   }
   return false;
 }
-
-} // namespace
-
-double expected_seconds(Surface& surface, const Scheme_choice& choice, unsigned levels)
-{
-  if (!has_large_rings(surface)) return 0;
-  const PN::Level_connectivity level =
-    PN::internal::checked_level(PN::internal::Surface_mesh_access<Surface>(surface));
-  const auto entries = [&](const Scheme& scheme) {
-    return PN::estimated_row_entries(scheme, level, levels);
-  };
-  double sum = entries(make_scheme("--scheme", choice.scheme, choice));
-  if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)
-    sum += entries(make_scheme("--normal-scheme", *choice.normal_scheme, choice));
-  return seconds_of_an_entry * sum;
-}
-
-void require_threads(unsigned threads)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  (void)threads;
-#else
-  if (threads > 1)
-    throw Usage_error("--threads: this program was built without TBB and has one thread only");
-#endif
-}
-
-namespace {
-
-namespace PN = CGAL::PN_subdivision_3;
 
 struct Round_visitor
 {
@@ -90,14 +58,14 @@ struct Isolated_normals
 {
   Isolated_normals(const Surface& surface, Normal_map normals)
   {
-    for (const Surface::Vertex_index v : surface.vertices())
+    for (const Vertex v : surface.vertices())
       if (surface.is_isolated(v)) of_vertices.emplace_back(v, normals[v]);
   }
   void put_back(Normal_map normals) const
   {
     for (const auto& [v, n] : of_vertices) normals[v] = n;
   }
-  std::vector<std::pair<Surface::Vertex_index, Vector_3>> of_vertices;
+  std::vector<std::pair<Vertex, Vector_3>> of_vertices;
 };
 
 // With one thread the result is the same as with several, bit for bit.
@@ -121,16 +89,14 @@ void refine_with_creases(Surface& surface, const Scheme_choice& choice,
                        .vertex_is_constrained_map(creases.vertices);
   std::optional<Normal_map> of_vertices = normals_of(surface);
   if (!of_vertices) {
-    const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+    const Scheme scheme = scheme_of(choice);
     return refine(surface, PN::linear(scheme), refinement, sharp);
   }
   const std::vector<Corner_value> of_corners = take_corner_normals(surface);
   const Isolated_normals isolated(surface, *of_vertices);
   const Wedge_normals normals{
     {of_corners, creases.without_fractions}, *of_vertices, refinement.wedges};
-  // edges that end change it
-  const std::optional<Roundness_map> given = roundness_of(surface);
-  const Roundness_map roundness = given ? *given : add_roundness(surface);
+  const Roundness_map roundness = roundness_or_added(surface); // edges that end change it
   with_scheme(choice, [&](const auto& scheme) {
     refine(surface, scheme, refinement,
            PN::parameters::join(
@@ -142,6 +108,30 @@ void refine_with_creases(Surface& surface, const Scheme_choice& choice,
 
 } // namespace
 
+double expected_seconds(Surface& surface, const Scheme_choice& choice, unsigned levels)
+{
+  if (!has_large_rings(surface)) return 0;
+  const PN::Level_connectivity level =
+    PN::internal::checked_level(PN::internal::Surface_mesh_access<Surface>(surface));
+  const auto entries = [&](const Scheme& scheme) {
+    return PN::estimated_row_entries(scheme, level, levels);
+  };
+  double sum = entries(scheme_of(choice));
+  if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)
+    sum += entries(make_scheme("--normal-scheme", *choice.normal_scheme, choice));
+  return seconds_of_an_entry * sum;
+}
+
+void require_threads(unsigned threads)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  (void)threads;
+#else
+  if (threads > 1)
+    throw Usage_error("--threads: this program was built without TBB and has one thread only");
+#endif
+}
+
 void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinement& refinement)
 {
   const Threads most_threads(refinement.threads);
@@ -152,16 +142,11 @@ void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinem
     return refine(surface, PN::linear(PN::CatmullClark_scheme::Grid()), refinement,
                   CGAL::parameters::default_values());
   if (!normals)
-    return refine(surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)), refinement,
+    return refine(surface, PN::linear(scheme_of(choice)), refinement,
                   CGAL::parameters::default_values());
-  const auto given = CGAL::parameters::vertex_normal_map(*normals);
-  const std::optional<Roundness_map> roundness = roundness_of(surface);
   const auto refine_by = [&](const auto& scheme) {
-    if (roundness)
-      refine(surface, scheme, refinement,
-             PN::parameters::join(PN::parameters::vertex_roundness_map(*roundness), given));
-    else
-      refine(surface, scheme, refinement, given);
+    with_normals_of_vertices(surface, *normals,
+                             [&](const auto& np) { refine(surface, scheme, refinement, np); });
   };
   if (is_grid)
     refine_by(PN::CatmullClark_scheme::Grid());

@@ -56,13 +56,23 @@ struct Refinement
   unsigned levels = 1;
   unsigned threads = 1;
   std::optional<Crease_maps> creases;
-  Wedge_list* wedges = nullptr;                                  // with creases: gets the normals
-  CGAL::PN_subdivision_3::Attribute_table* attributes = nullptr; // there must be one, perhaps empty
-  std::function<void(unsigned, std::size_t)> round_done;         // (round, faces), after each round
+  Wedge_list* wedges = nullptr;                          // with creases: gets the normals
+  PN::Attribute_table* attributes = nullptr;             // there must be one, perhaps empty
+  std::function<void(unsigned, std::size_t)> round_done; // (round, faces), after each round
 };
 
 // Throws Usage_error if this program was built without TBB and there is more than one thread.
 void require_threads(unsigned threads);
+
+// f(named parameters) of the normals of vertices, and the roundness if there is some
+template <class Function>
+auto with_normals_of_vertices(const Surface& surface, Normal_map normals, const Function& f)
+{
+  const auto np = CGAL::parameters::vertex_normal_map(normals);
+  if (const std::optional<Roundness_map> roundness = roundness_of(surface))
+    return f(PN::parameters::join(PN::parameters::vertex_roundness_map(*roundness), np));
+  return f(np);
+}
 
 // Refines with the scheme, point-normal if the mesh has normals, linear if not. Old vertices come
 // first in the result, in their order, but for Doo-Sabin. With creases, which the schemes must have
@@ -79,8 +89,7 @@ struct Tessellation
 {
   double bound = 0;
   bool reached = true;
-  CGAL::PN_subdivision_3::Tessellation_result::Obstacle obstacle =
-    CGAL::PN_subdivision_3::Tessellation_result::Obstacle::none;
+  PN::Tessellation_result::Obstacle obstacle = PN::Tessellation_result::Obstacle::none;
   std::size_t triangles = 0;
   unsigned depth = 0;
   std::size_t worst_face = 0;
@@ -93,8 +102,7 @@ struct Tessellation
 // normals of vertices, with creases of corners; without creases and control data. Passes on the library's exceptions.
 Tessellation tessellate_surface(Surface& surface, const Scheme_choice& scheme,
                                 const std::optional<Crease_maps>& creases, double chord,
-                                bool is_proven, unsigned threads,
-                                CGAL::PN_subdivision_3::Attribute_table& attributes);
+                                bool is_proven, unsigned threads, PN::Attribute_table& attributes);
 
 // Says what was reached, and warns if that is not what was asked for.
 void report_tessellation(const Tessellation& tessellation, double chord, const std::string& output,

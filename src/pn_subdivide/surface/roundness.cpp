@@ -6,14 +6,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "surface/roundness.h"
-
 #include "io/Error.h"
 #include "io/Text_reader.h"
 #include "surface/control_normals.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 namespace pn_subdivide {
@@ -26,13 +23,11 @@ void require_range(const Mesh_data& mesh)
   const auto require = [](double w, const auto& name) {
     // schemes with negative weights write what is a little beyond
     if (w >= -0.5 && w <= 1.5) return;
-    char number[40];
-    std::snprintf(number, sizeof number, "%g", w);
-    throw Error(name() + " has the roundness " + number + ": it must be from 0 to 1");
+    throw Error(name() + formatted(" has the roundness %g: it must be from 0 to 1", w));
   };
   for (std::size_t v = 0; v < mesh.roundness.size(); ++v)
     require(mesh.roundness[v],
-            [&] { return "vertex " + std::to_string(mesh.number_in_file(Mesh_data::Index(v))); });
+            [&] { return "vertex " + std::to_string(mesh.number_in_file(Index(v))); });
   if (mesh.corner_roundness.empty()) return;
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     for (std::size_t i = 0; i < mesh.face(f).size(); ++i)

@@ -9,19 +9,15 @@
 #include "surface/split_polygon.h"
 
 #include "surface/Ear_clipping.h"
-#include "surface/Polygon_in_plane.h"
 #include "surface/Surface.h"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 namespace pn_subdivide {
 namespace {
-
-using Index = std::uint32_t;
 
 // More corners are not worth cubic time.
 constexpr std::size_t corners_for_the_best_split = 200;
@@ -130,31 +126,6 @@ bool has_double_edge(const std::vector<Corner_triangle>& triangles, const Is_edg
   });
 }
 
-} // namespace
-
-std::vector<Corner_triangle> split_polygon(const std::vector<Point_3>& points,
-                                           const Is_edge& is_edge)
-{
-  const Polygon_in_plane polygon(points);
-  std::vector<Corner_triangle> triangles = Ear_clipping(polygon, is_edge).triangles();
-  bool is_good = has_no_fold(polygon, triangles);
-  if (points.size() <= corners_for_the_best_split &&
-      (!is_good || has_double_edge(triangles, is_edge, points.size()))) {
-    triangles = Best_split(polygon, is_edge).triangles();
-    is_good = has_no_fold(polygon, triangles);
-  }
-  if (is_good) triangles = Polygon_flips(polygon, is_edge, triangles).triangles();
-  std::sort(triangles.begin(), triangles.end(),
-            [](const Corner_triangle& a, const Corner_triangle& b) {
-              return std::make_tuple(a[2] - a[0], a[0]) < std::make_tuple(b[2] - b[0], b[0]);
-            });
-  return triangles;
-}
-
-namespace {
-
-using Halfedge = Surface::Halfedge_index;
-
 // New half-edges are behind the old ones. Those that end at a corner of an old face lie between the
 // two old ones there.
 std::vector<Halfedge> old_corners(const Surface& surface, Surface::size_type old_halfedges)
@@ -174,7 +145,7 @@ std::vector<Halfedge> old_corners(const Surface& surface, Surface::size_type old
 // As long as the shorter of the two walks round the vertices.
 bool are_joined(const Surface& surface, Halfedge to_a, Halfedge to_b)
 {
-  const Surface::Vertex_index a = surface.target(to_a), b = surface.target(to_b);
+  const Vertex a = surface.target(to_a), b = surface.target(to_b);
   Halfedge i = to_a, j = to_b;
   do {
     if (surface.source(i) == b || surface.source(j) == a) return true;
@@ -189,7 +160,7 @@ bool are_joined(const Surface& surface, Halfedge to_a, Halfedge to_b)
 Halfedge cut_corner_off(Surface& surface, Halfedge before)
 {
   const Halfedge corner = surface.next(before), behind = surface.next(corner);
-  const Surface::Face_index rest = surface.face(before), triangle = surface.add_face();
+  const Face rest = surface.face(before), triangle = surface.add_face();
   const Halfedge diagonal = surface.add_edge(surface.target(before), surface.target(behind));
   const Halfedge inside = surface.opposite(diagonal);
   surface.set_next(diagonal, surface.next(behind));
@@ -213,7 +184,7 @@ public:
     })
   {}
 
-  void operator()(Surface::Face_index f)
+  void operator()(Face f)
   {
     corners_.clear();
     points_.clear();
@@ -258,10 +229,29 @@ private:
 
 } // namespace
 
+std::vector<Corner_triangle> split_polygon(const std::vector<Point_3>& points,
+                                           const Is_edge& is_edge)
+{
+  const Polygon_in_plane polygon(points);
+  std::vector<Corner_triangle> triangles = Ear_clipping(polygon, is_edge).triangles();
+  bool is_good = has_no_fold(polygon, triangles);
+  if (points.size() <= corners_for_the_best_split &&
+      (!is_good || has_double_edge(triangles, is_edge, points.size()))) {
+    triangles = Best_split(polygon, is_edge).triangles();
+    is_good = has_no_fold(polygon, triangles);
+  }
+  if (is_good) triangles = Polygon_flips(polygon, is_edge, triangles).triangles();
+  std::sort(triangles.begin(), triangles.end(),
+            [](const Corner_triangle& a, const Corner_triangle& b) {
+              return std::make_tuple(a[2] - a[0], a[0]) < std::make_tuple(b[2] - b[0], b[0]);
+            });
+  return triangles;
+}
+
 Triangulation triangulate(Surface& surface)
 {
   Triangulation result;
-  for (const Surface::Face_index f : surface.faces())
+  for (const Face f : surface.faces())
     if (surface.degree(f) > 3) ++result.split_faces;
   if (result.split_faces == 0) return result;
 
@@ -269,7 +259,7 @@ Triangulation triangulate(Surface& surface)
   const Surface::size_type old_faces = surface.number_of_faces();
   Split_faces split(surface);
   for (Surface::size_type f = 0; f < old_faces; ++f)
-    if (surface.degree(Surface::Face_index(f)) > 3) split(Surface::Face_index(f));
+    if (surface.degree(Face(f)) > 3) split(Face(f));
   result.old_corner = old_corners(surface, old_halfedges);
   if (const std::optional<Corner_normal_map> normals = corner_normals_of(surface))
     for (const Halfedge h : surface.halfedges())

@@ -22,16 +22,6 @@
 namespace pn_subdivide {
 namespace {
 
-namespace PN = CGAL::PN_subdivision_3;
-
-std::string enumeration(const std::vector<std::string>& names, const std::string& last_link)
-{
-  std::string s;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    s += (i == 0 ? "" : i + 1 == names.size() ? " " + last_link + " " : ", ") + names[i];
-  return s;
-}
-
 constexpr const char* grid_name = PN::CatmullClark_scheme::Grid::name();
 
 // What the command asks of CatmullClark_scheme::Grid. What would average its rows as those of others is refused.
@@ -181,7 +171,7 @@ void require_surface_schemes(const Scheme_choice& choice)
   require_use_of_parameters(choice);
   if (choice.normal_scheme) make_scheme("--normal-scheme", *choice.normal_scheme, choice);
   if (choice.scheme.empty()) return;
-  const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+  const Scheme scheme = scheme_of(choice);
   if (choice.normal_scheme)
     require_that_they_go_together(choice, scheme,
                                   make_scheme("--normal-scheme", *choice.normal_scheme, choice));

@@ -9,6 +9,7 @@
 #include "surface/refine_surface.h"
 
 #include "io/Error.h"
+#include "io/Text_reader.h"
 #include "options.h"
 #include "surface/Scheme.h"
 #include "surface/Surface.h"
@@ -17,13 +18,11 @@
 #include <CGAL/PN_limit_surface_3/tessellate.h>
 #include <CGAL/PN_subdivision_3.h>
 
-#include <cstdio>
 #include <utility>
 
 namespace pn_subdivide {
 namespace {
 
-namespace PN = CGAL::PN_subdivision_3;
 using Tag = CGAL::Parallel_if_available_tag;
 using PN::Attribute_table;
 using Result = PN::Tessellation_result;
@@ -40,11 +39,10 @@ auto with_tessellation_parameters(Surface& surface, const Scheme_choice& choice,
                                   const std::optional<Crease_maps>& creases, const Function& f)
 {
   const std::optional<Normal_map> of_vertices = normals_of(surface);
-  const auto linear = [&] { return PN::linear(make_scheme("--scheme", choice.scheme, choice)); };
+  const auto linear = [&] { return PN::linear(scheme_of(choice)); };
   if (!creases) {
     if (!of_vertices) return f(linear(), CGAL::parameters::default_values());
-    const std::optional<Roundness_map> given = roundness_of(surface);
-    const auto np = PN::parameters::vertex_roundness_map(given ? *given : add_roundness(surface))
+    const auto np = PN::parameters::vertex_roundness_map(roundness_or_added(surface))
                       .vertex_normal_map(*of_vertices);
     return with_scheme(choice, [&](const auto& scheme) { return f(scheme, np); });
   }
@@ -52,10 +50,8 @@ auto with_tessellation_parameters(Surface& surface, const Scheme_choice& choice,
                        .edge_is_constrained_map(creases->edges)
                        .vertex_is_constrained_map(creases->vertices);
   if (!of_vertices) return f(linear(), sharp);
-  std::optional<Corner_normal_map> normals = corner_normals_of(surface);
-  if (!normals) normals = add_corner_normals(surface);
   const auto np = PN::parameters::join(PN::parameters::crease_tangent_map(creases->tangents),
-                                       sharp.vertex_normal_map(*normals));
+                                       sharp.vertex_normal_map(corner_normals_or_added(surface)));
   return with_scheme(choice, [&](const auto& scheme) { return f(scheme, np); });
 }
 
@@ -93,10 +89,7 @@ const char* text_of(Result::Obstacle obstacle)
 void require_chord_bound(const Surface_options& options)
 {
   if (!options.chord_bound) return;
-  const std::string& bound = *options.chord_bound;
-  if (bound != "estimated" && bound != "proven")
-    throw Usage_error("--chord-bound '" + bound + "': expected estimated or proven" +
-                      did_you_mean(bound, {"estimated", "proven"}));
+  parse_word<bool>("--chord-bound", *options.chord_bound, {{"estimated", false}, {"proven", true}});
   if (!options.chord) throw Usage_error("--chord-bound needs --chord");
 }
 
@@ -134,19 +127,15 @@ void report_tessellation(const Tessellation& tessellation, double chord, const s
                            {"bound", tessellation.bound},
                            {"asked", chord},
                            {"triangles", tessellation.triangles}});
-  char text[300];
   const char* const what = tessellation.is_proven ? "proven bound" : "estimated error";
-  std::snprintf(text, sizeof text, "chord: %.6g asked for, %s %.3g against the limit surface",
-                chord, what, tessellation.bound);
-  report.note(text);
+  report.note(formatted("chord: %.6g asked for, %s %.3g against the limit surface", chord, what,
+                        tessellation.bound));
   if (tessellation.reached) return;
   const auto& p = tessellation.worst_place;
-  std::snprintf(text, sizeof text,
-                ": --chord %.6g is not reached%s: the %s is %.3g at control face %zu, "
-                "near %.6g %.6g %.6g",
-                chord, text_of(tessellation.obstacle), what, tessellation.bound,
-                tessellation.worst_face, p[0], p[1], p[2]);
-  report.warn(output + text);
+  report.warn(output + formatted(": --chord %.6g is not reached%s: the %s is %.3g at control face "
+                                 "%zu, near %.6g %.6g %.6g",
+                                 chord, text_of(tessellation.obstacle), what, tessellation.bound,
+                                 tessellation.worst_face, p[0], p[1], p[2]));
 }
 
 } // namespace pn_subdivide

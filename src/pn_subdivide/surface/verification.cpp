@@ -21,8 +21,6 @@
 namespace pn_subdivide {
 namespace {
 
-namespace PN = CGAL::PN_subdivision_3;
-
 constexpr double ulp = std::numeric_limits<double>::epsilon(); // 2^-52
 
 template <class Point, class Vector>
@@ -41,13 +39,6 @@ Curve_kernel::Vector_3 of_size_one(const Curve_kernel::Vector_3& d)
 {
   const int e = -std::ilogb((std::max)({std::abs(d.x()), std::abs(d.y()), std::abs(d.z())}));
   return {std::scalbn(d.x(), e), std::scalbn(d.y(), e), std::scalbn(d.z(), e)};
-}
-
-std::string short_number(double x)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
 }
 
 } // namespace
@@ -164,9 +155,8 @@ void Verification::measure(const Curve_data& curve)
 
 void Verification::print(std::FILE* stream) const
 {
-  std::fprintf(
-    stream, "deviation %s (D/R in 2^-52: %s) bound %s\n", short_number(deviation_).c_str(),
-    short_number(deviation_ / parts_.radius / ulp).c_str(), short_number(bound_).c_str());
+  std::fprintf(stream, "deviation %.6g (D/R in 2^-52: %.6g) bound %.6g\n", deviation_,
+               deviation_ / parts_.radius / ulp, bound_);
   if (std::fflush(stream) != 0 || std::ferror(stream))
     throw Error("--verify: the deviation cannot be printed");
 }
@@ -174,9 +164,8 @@ void Verification::print(std::FILE* stream) const
 void Verification::require_tolerance() const
 {
   if (tolerance_ && deviation_ > *tolerance_ * parts_.radius)
-    throw Tolerance_error("the deviation " + short_number(deviation_) + " is more than " +
-                          short_number(*tolerance_) + " times the radius " +
-                          short_number(parts_.radius));
+    throw Tolerance_error(formatted("the deviation %.6g is more than %.6g times the radius %.6g",
+                                    deviation_, *tolerance_, parts_.radius));
 }
 
 } // namespace pn_subdivide

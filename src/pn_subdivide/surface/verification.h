@@ -49,8 +49,8 @@ public:
 private:
   // In exact numbers: the square of a double is not a double.
   using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
-  using Shape = std::variant<Exact::Circle_2, Exact::Circle_3, Exact::Sphere_3,
-                             CGAL::PN_subdivision_3::Cylinder_3<Exact>>;
+  using Shape =
+    std::variant<Exact::Circle_2, Exact::Circle_3, Exact::Sphere_3, PN::Cylinder_3<Exact>>;
 
   struct Parts
   {

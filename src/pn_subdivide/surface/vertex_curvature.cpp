@@ -9,12 +9,12 @@
 #include "surface/vertex_curvature.h"
 
 #include "io/Error.h"
+#include "io/Text_reader.h"
 #include "surface/Wedges.h"
 #include "surface/refine_surface.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <utility>
 
@@ -81,22 +81,6 @@ Color from_lab(const Numbers& lab)
   return color;
 }
 
-} // namespace
-
-Color diverging_color(double value)
-{
-  static const Numbers ends[] = {to_lab(blue), to_lab(white), to_lab(red)};
-  const double t = std::clamp(value, -1., 1.);
-  const Numbers &end = t < 0 ? ends[0] : ends[2], &middle = ends[1];
-  Numbers lab;
-  for (std::size_t k = 0; k < 3; ++k) lab[k] = middle[k] + std::abs(t) * (end[k] - middle[k]);
-  return from_lab(lab);
-}
-
-namespace {
-
-namespace PN = CGAL::PN_subdivision_3;
-
 const char* name_of(Curvature_kind kind)
 {
   return kind == Curvature_kind::gaussian ? "gaussian_curvature" : "mean_curvature";
@@ -112,9 +96,7 @@ double end_of_colors(const Mesh_data& mesh, const std::vector<double>& values, C
   if (sizes.empty()) return 1;
   const auto rank = static_cast<std::ptrdiff_t>(share_within * double(sizes.size() - 1));
   std::nth_element(sizes.begin(), sizes.begin() + rank, sizes.end());
-  CGAL::Bbox_3 box;
-  for (const Triple& p : mesh.points) box += to_point(p).bbox();
-  const double diameter = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  const double diameter = diagonal_of(Bounding_box(mesh.points));
   const double least = kind == Curvature_kind::mean ? flat / diameter : flat / diameter / diameter;
   const double end = sizes[static_cast<std::size_t>(rank)];
   if (end > least) return end;
@@ -125,7 +107,7 @@ double end_of_colors(const Mesh_data& mesh, const std::vector<double>& values, C
 // Writes the curvature that is asked for, and nothing else.
 struct Scalar_map
 {
-  using key_type = Surface::Vertex_index;
+  using key_type = Vertex;
   using value_type = PN::Vertex_curvature<Kernel>;
   using reference = void;
   using category = boost::writable_property_map_tag;
@@ -167,11 +149,10 @@ Surface cut_between(const Surface& surface, const Wedges& wedges)
   const std::optional<Normal_map> normals = normals_of(surface);
   const std::optional<Corner_normal_map> of_corners = corner_normals_of(surface);
   Mesh_data mesh;
-  for (const Surface::Vertex_index v : wedges.vertex)
-    mesh.points.push_back(to_triple(surface.point(v)));
+  for (const Vertex v : wedges.vertex) mesh.points.push_back(to_triple(surface.point(v)));
   if (normals) mesh.normals.resize(mesh.points.size());
   std::vector<std::size_t> face;
-  for (const Surface::Face_index f : surface.faces()) {
+  for (const Face f : surface.faces()) {
     face.clear();
     for (const auto h : halfedges_around_face(surface.halfedge(f), surface)) {
       face.push_back(wedges.of_corner[h]);
@@ -232,37 +213,44 @@ void require_size_for_curvature(const Surface& surface)
   for (const Point_3& p : surface.points()) box += p.bbox();
   const double size = (std::max)({box.x_span(), box.y_span(), box.z_span()});
   if (!(size > 0) || std::abs(std::ilogb(size)) <= largest_exponent) return;
-  char text[160];
-  std::snprintf(
-    text, sizeof text,
+  throw Error(formatted(
     "--curvature: the mesh has a size of %.3g, and curvatures are measured between 1e-135 "
     "and 1e135 only: scale its coordinates",
-    size);
-  throw Error(text);
+    size));
 }
 
 } // namespace
+
+Color diverging_color(double value)
+{
+  static const Numbers ends[] = {to_lab(blue), to_lab(white), to_lab(red)};
+  const double t = std::clamp(value, -1., 1.);
+  const Numbers &end = t < 0 ? ends[0] : ends[2], &middle = ends[1];
+  Numbers lab;
+  for (std::size_t k = 0; k < 3; ++k) lab[k] = middle[k] + std::abs(t) * (end[k] - middle[k]);
+  return from_lab(lab);
+}
 
 Curvature_kind parse_curvature_option(const std::string& text, const Mesh_file& output)
 {
 #if !__has_include(<Eigen/Core>)
   throw Usage_error("--curvature: this program was built without Eigen");
 #endif
-  if (text != "gaussian" && text != "mean")
-    throw Usage_error("--curvature '" + text + "': expected gaussian or mean");
-  if (!holds_scalars(output))
+  const auto kind = parse_word<Curvature_kind>(
+    "--curvature", text, {{"gaussian", Curvature_kind::gaussian}, {"mean", Curvature_kind::mean}});
+  if (!held_by(output).scalars)
     throw Usage_error("--curvature: " + output.title("standard output") + " (" + output.format +
                       ") cannot hold it, only .ply and .vtp can");
-  return text == "mean" ? Curvature_kind::mean : Curvature_kind::gaussian;
+  return kind;
 }
 
 std::string Curvature_range::description(Curvature_kind kind) const
 {
-  char text[200];
-  std::snprintf(text, sizeof text, "%s curvature from %.4g to %.4g, colors from %.4g to %.4g",
-                kind == Curvature_kind::gaussian ? "Gaussian" : "mean", least, greatest, -end, end);
+  const std::string text =
+    formatted("%s curvature from %.4g to %.4g, colors from %.4g to %.4g",
+              kind == Curvature_kind::gaussian ? "Gaussian" : "mean", least, greatest, -end, end);
   if (without_estimate == 0) return text;
-  return text + ("; " + std::to_string(without_estimate)) +
+  return text + "; " + std::to_string(without_estimate) +
          " vertices allow no estimate (too few neighbors, no area or out of range) and get 0";
 }
 
@@ -272,7 +260,7 @@ Curvature_values measure_curvature(const Surface& surface,
 {
   require_size_for_curvature(surface);
   if (!creases) return measure(surface, kind, threads);
-  const Wedges wedges(surface, [&](Surface::Edge_index e) { return creases->edges[e] > 0; });
+  const Wedges wedges(surface, [&](Edge e) { return creases->edges[e] > 0; });
   return means_of_wedges(measure(cut_between(surface, wedges), kind, threads), wedges);
 }
 

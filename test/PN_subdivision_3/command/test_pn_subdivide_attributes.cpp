@@ -15,7 +15,6 @@
 
 #include "io/Error.h"
 #include "io/formats.h"
-#include "io/merge_points.h"
 #include "io/mesh_io.h"
 #include "io/soup_repair.h"
 

@@ -12,7 +12,6 @@
 #include "Temporary_folder.h"
 
 #include "io/Error.h"
-#include "io/merge_points.h"
 #include "io/mesh_io.h"
 #include "io/soup_check.h"
 #include "io/soup_repair.h"

@@ -10,8 +10,8 @@
 
 #include "Command_test.h"
 
-#include "io/merge_points.h"
 #include "io/mesh_io.h"
+#include "io/soup_repair.h"
 
 #include <gtest/gtest.h>
 

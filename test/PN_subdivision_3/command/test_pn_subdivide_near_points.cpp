@@ -10,7 +10,7 @@
 // all pairs finds them.
 
 #include "io/Error.h"
-#include "io/merge_points.h"
+#include "io/soup_repair.h"
 
 #include <gtest/gtest.h>
 
