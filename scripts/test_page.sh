@@ -43,7 +43,11 @@ fi
 export PN_PAGE=$page PN_LIBRARY=build/page/library PN_MODELER=build/page/modeler PN_SUBDIVIDE=$command
 node --test $tests/test_*.mjs
 if [[ -x ${FIREFOX:-/usr/bin/firefox-esr} ]]; then
-  PN_BROWSER=firefox node --test $tests/test_{page,visits,worker,outputs,library}.mjs
+  # what a visit begins with, and of the rest what browsers do each in their way
+  export PN_BROWSER=firefox
+  node --test $tests/test_visits.mjs
+  node --test --test-name-pattern="browsers|chosen last|beside a surface|dropped together|every scheme takes every roundness: made|nobody has caught|own file|no manifold|GLB is|belongs to a mesh|announced|OBJ, STL|files are those|surfaces with creases|flat or smooth" \
+    $tests/test_{library,worker,page,outputs,pictures}.mjs
 else
   echo "left out: Firefox is not installed"
 fi

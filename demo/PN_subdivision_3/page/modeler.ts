@@ -15,8 +15,11 @@ import type { Modeler } from "./modeler_types";
 export type * from "./modeler_types";
 
 export async function inflate(bytes: Uint8Array, format: CompressionFormat): Promise<Uint8Array> {
-  const stream = new Blob([bytes as BlobPart]).stream().pipeThrough(new DecompressionStream(format));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+  // not by Response, of which Firefox reports what is damaged as an error that nobody has caught
+  const reader = new Blob([bytes as BlobPart]).stream().pipeThrough(new DecompressionStream(format)).getReader();
+  const parts: BlobPart[] = [];
+  for (let part = await reader.read(); !part.done; part = await reader.read()) parts.push(part.value as BlobPart);
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
 }
 
 export async function loadModeler(): Promise<{ modeler: Modeler; module: WebAssembly.Module }> {

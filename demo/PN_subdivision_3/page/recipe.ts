@@ -25,7 +25,8 @@ const classes: Record<string, string> = {
   bilinear: "Bilinear_scheme",
 };
 
-const stemOf = ({ name }: Editor): string => name.replace(/\.[^.]*$/, "") || "mesh";
+/** Without the dashes of options. */
+const stemOf = ({ name }: Editor): string => name.replace(/\.[^.]*$/, "").replace(/^-+/, "") || "mesh";
 
 /** The files that "Control mesh" and "Surface" take with you. */
 export const controlFile = (editor: Editor): string => `${stemOf(editor)}_control.ply`;

@@ -8,7 +8,9 @@
 
 // What the tests do with the page, and what they see on it.
 import assert from "node:assert/strict";
+import { readFile, writeFile } from "node:fs/promises";
 import path from "node:path";
+import { isFirefox } from "./browser.mjs";
 
 /** Binary PLY as the page and the command write it: vertices of doubles, of which the first three are the point, then faces. */
 export function readPly(bytes) {
@@ -29,11 +31,34 @@ export function readPly(bytes) {
   return { vertices, points, faces: Number(/element face (\d+)/.exec(header)[1]), hasNormals, normals, roundness };
 }
 
+/** The file that a button saves: its name and bytes. Of those of Firefox Playwright is not told. */
+export async function saved(page, button) {
+  if (!isFirefox) {
+    const [item] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
+    return { name: item.suggestedFilename(), bytes: await readFile(await item.path()) };
+  }
+  const [name, address] = await page.evaluate((selector) => new Promise((resolve) => {
+    const { createObjectURL } = URL;
+    const { click } = HTMLAnchorElement.prototype;
+    const reader = new FileReader();
+    URL.createObjectURL = (content) => {
+      reader.readAsDataURL(content);
+      return createObjectURL.call(URL, content);
+    };
+    HTMLAnchorElement.prototype.click = function () {
+      URL.createObjectURL = createObjectURL;
+      HTMLAnchorElement.prototype.click = click;
+      reader.onload = () => resolve([this.download, reader.result]);
+    };
+    document.querySelector(selector).click();
+  }), button);
+  return { name, bytes: Buffer.from(address.split(",")[1] ?? "", "base64") };
+}
+
 export async function download(page, button, folder) {
-  const [item] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
-  const name = path.join(folder, item.suggestedFilename());
-  await item.saveAs(name);
-  return name;
+  const { name, bytes } = await saved(page, button);
+  await writeFile(path.join(folder, name), bytes);
+  return path.join(folder, name);
 }
 
 export function largestDifference(a, b) {

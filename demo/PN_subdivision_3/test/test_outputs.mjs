@@ -56,9 +56,10 @@ test("OBJ, STL and GLB hold the surface", async () => {
     const product = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
     assert.ok(largestDifference(normal, product.map((x) => x / Math.hypot(...product))) < 1e-5);
     checkGlb(await readFile(saved.glb), start, 2 * faces);
-    await drop(page, "again.obj", await readFile(saved.obj));
-    await page.waitForFunction(() => window.page.editor.name === "again.obj");
+    await drop(page, "-again.obj", await readFile(saved.obj));
+    await page.waitForFunction(() => window.page.editor.name === "-again.obj");
     assert.deepEqual(await page.evaluate(() => Array.from(window.page.editor.handles.points)), start);
+    assert.equal(path.basename(await download(page, "#save-control")), "again_control.ply", "no option of the command");
   });
 });
 

@@ -16,7 +16,7 @@ import path from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { chromiumOnly, withBrowser, withPage } from "./browser.mjs";
-import { drop, frontWedge, message, points, tipOf } from "./page_actions.mjs";
+import { drop, frontWedge, message, points, saved, tipOf } from "./page_actions.mjs";
 
 const file = path.resolve(process.env.PN_PAGE);
 const telephone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
@@ -113,7 +113,7 @@ test("who leaves with edits that no link holds is asked, and finds them again", 
     // until it is saved
     other = await open();
     await other.click("#unsaved-open");
-    await Promise.all([other.waitForEvent("download"), other.click("#save-control")]);
+    await saved(other, "#save-control");
     await other.waitForTimeout(1500);
     assert.equal(await leave(other), false);
     other = await open();
