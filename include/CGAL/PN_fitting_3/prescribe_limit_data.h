@@ -99,7 +99,8 @@ std::vector<Prescribed_form> read_prescribed_forms(const Access& access,
       f.vertex = v;
       f.along = std::ldexp(value->along, exponent);
       f.across = std::ldexp(value->across, exponent);
-      f.direction = {close_double(d.x()), close_double(d.y()), close_double(d.z())};
+      if (f.along != f.across)
+        f.direction = {close_double(d.x()), close_double(d.y()), close_double(d.z())};
       if (!std::isfinite(f.along) || !std::isfinite(f.across) || !f.direction.allFinite())
         throw std::invalid_argument("PN_subdivision_3: the curvature that is prescribed at " +
                                     access.vertex_name(v) +

@@ -21,6 +21,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -133,7 +134,8 @@ TEST(Round_curvature, CanBePrescribed)
     const Vertex v(0);
     const Limit before = limits(mesh, PN::Loop_scheme::Tuned())[v];
     const auto curvatures = mesh.add_property_map<Vertex, std::optional<Curvature>>("v:c").first;
-    curvatures[v] = Curvature{-0.4, -0.4, {}};
+    const double unused = std::numeric_limits<double>::quiet_NaN();
+    curvatures[v] = Curvature{-0.4, -0.4, {unused, unused, unused}};
     const auto report = PN::prescribe_limit_data(
       mesh, PN::Loop_scheme::Tuned(),
       PN::parameters::join(
@@ -151,7 +153,7 @@ TEST(Round_curvature, NeedsRoundnessAtIrregularVertices)
 {
   Surface_mesh mesh = star(7, 0.05, 0);
   const auto curvatures = mesh.add_property_map<Vertex, std::optional<Curvature>>("v:c").first;
-  curvatures[Vertex(0)] = Curvature{-0.2, -0.2, {}};
+  curvatures[Vertex(0)] = Curvature{-0.2, -0.2};
   try {
     PN::prescribe_limit_data(
       mesh, PN::Loop_scheme::Tuned(),
