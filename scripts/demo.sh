@@ -106,17 +106,20 @@ if [[ -n $file ]]; then
 fi
 
 "$program" -o "$results"
-names=(bearing_housing head cube_on_sphere creature)
-titles=("part, sharp edges" head cube creature)
+names=(bearing_housing bearing_housing head cube_on_sphere creature)
+titles=("part, sharp edges" "a hole of it" head cube creature)
+zooms=(1 6 1 1 1)
+shifts=(0,0 -0.36,-0.16 0,0 0,0 0,0)
 meshes=()
 options=()
 for kind in linear point_normal; do
   for i in "${!names[@]}"; do
     meshes+=("$results/${names[$i]}_$kind.ply")
-    options+=(--control "$results/${names[$i]}_control.ply" --caption "${titles[$i]}, ${kind/_/-}")
+    options+=(--control "$results/${names[$i]}_control.ply" --caption "${titles[$i]}, ${kind/_/-}"
+      --zoom "${zooms[$i]}" "--shift=${shifts[$i]}")
   done
 done
-draw "$build/subdivided.png" --columns 4 --tile 400 --view=-35,22 --shading split "${options[@]}" \
+draw "$build/subdivided.png" --columns 5 --tile 400 --view=-35,22 --shading split "${options[@]}" \
   "${meshes[@]}"
 echo "Meshes:  $PWD/$results"
 echo "The same with a mesh of your own (PLY, OFF, OBJ, STL):  scripts/demo.sh FILE"

@@ -19,6 +19,7 @@ import fnmatch
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tarfile
@@ -111,6 +112,13 @@ class Control_meshes:
         with zipfile.ZipFile(FURNITURE / f"{collection}.sh3f") as archive:
             path.write_bytes(archive.read(f"{collection.lower()}/{path.stem}/{path.name}"))
 
+    def openscad(self, path: Path) -> None:
+        """PART_SIDES.stl, with so many sides of a circle."""
+        if not shutil.which("openscad"):
+            raise Missing("openscad is missing (Debian package openscad)")
+        part, sides = path.stem.rsplit("_", 1)
+        run("openscad", "-q", "-D", f"$fn={sides}", "-o", path, ROOT / f"scripts/control_meshes/{part}.scad")
+
     def interpolate_samples(self, path: Path) -> None:
         run(self.example("interpolate_samples"), path.parent)
 
@@ -133,7 +141,8 @@ class Control_meshes:
 
 SOURCES: dict[str, Callable[[Control_meshes, Path], None]] = {
     "made": Control_meshes.made, "readme": Control_meshes.readme, "cgal": Control_meshes.cgal,
-    "sweethome3d": Control_meshes.sweethome3d, "interpolate_samples": Control_meshes.interpolate_samples,
+    "sweethome3d": Control_meshes.sweethome3d, "openscad": Control_meshes.openscad,
+    "interpolate_samples": Control_meshes.interpolate_samples,
     "prescribe_normals": Control_meshes.prescribe_normals, "rings": Control_meshes.rings}
 
 JOIN = """
@@ -189,6 +198,11 @@ class Drawing:
         options = shlex.split(picture["draw"])
         if any("control" in tile for tile in tiles):
             options += [word for tile in tiles for word in ("--control", str(self.control(tile)))]
+        for name, default in (("zoom", "1"), ("shift", "0,0")):
+            if any(name in tile for tile in tiles):
+                options += [f"--{name}={tile.get(name, default)}" for tile in tiles]
+        if "truth" in picture:
+            options += ["--truth", str(self.control_meshes.find(picture["truth"]))]
         options += [word for tile in tiles if "caption" in tile for word in ("--caption", tile["caption"])]
         output.parent.mkdir(parents=True, exist_ok=True)
         status = subprocess.run(["scripts/render.py", "--output", output, *options, *meshes], cwd=ROOT).returncode

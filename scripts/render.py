@@ -45,7 +45,7 @@ def parse_arguments() -> argparse.Namespace:
                                              "split: the same, but not across sharp edges")
     parser.add_argument("--edges", action="store_true", help="draw the edges of the faces")
     parser.add_argument("--normals", action="store_true", help="draw the vertex normals")
-    parser.add_argument("--control", type=Path, action="append", default=[], metavar="MESH",
+    parser.add_argument("--control", type=Path, action="append", metavar="MESH",
                         help="draw this mesh's edges over it, faint where it hides them; once for all, or once per mesh "
                              "('none' for a mesh that has none)")
     parser.add_argument("--control-normals", action="store_true",
@@ -62,9 +62,12 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--caption", action="append", default=[], metavar="TEXT",
                         help="once per mesh (default: file name and number of faces)")
     parser.add_argument("--columns", type=int, help="tiles in a row (default: nearly square)")
-    parser.add_argument("--zoom", type=float, default=1.0, help="enlarge, past the tile's edges")
-    parser.add_argument("--shift", metavar="RIGHT,UP", default="0,0",
-                        help="what is to be in the middle, in halves of the picture without zoom (write --shift=-0.3,0.1)")
+    parser.add_argument("--zoom", type=float, action="append", help="enlarge, past the tile's edges; once for all, or once per mesh")
+    parser.add_argument("--shift", type=shift_of, action="append", metavar="RIGHT,UP",
+                        help="what is to be in the middle, in halves of the picture without zoom (write --shift=-0.3,0.1); "
+                             "once for all, or once per mesh")
+    parser.add_argument("--truth", type=Path, metavar="MESH",
+                        help="captions may have {triangles} and {distance}, the largest to this mesh in percent of its diagonal")
     parser.add_argument("--tile", type=int, default=480, help="pixels of a tile's side")
     arguments = parser.parse_args()
     check_arguments(parser, arguments)
@@ -73,11 +76,14 @@ def parse_arguments() -> argparse.Namespace:
 
 def check_arguments(parser: argparse.ArgumentParser, arguments: argparse.Namespace) -> None:
     count = len(arguments.meshes)
-    if len(arguments.control) not in (0, 1, count):
-        parser.error("give --control once, or once per mesh")
+    for name, default in (("control", Path("none")), ("zoom", 1.0), ("shift", (0.0, 0.0))):
+        values = getattr(arguments, name) or [default]
+        if len(values) not in (1, count):
+            parser.error(f"give --{name} once, or once per mesh")
+        setattr(arguments, name, values if len(values) == count else values * count)
     if len(arguments.caption) not in (0, count):
         parser.error("give --caption once per mesh")
-    if arguments.zoom <= 0:
+    if min(arguments.zoom) <= 0:
         parser.error("--zoom must be positive")
     if arguments.tile < 16 or (arguments.columns is not None and arguments.columns < 1):
         parser.error("--tile must be at least 16, --columns at least 1")
@@ -85,11 +91,7 @@ def check_arguments(parser: argparse.ArgumentParser, arguments: argparse.Namespa
         view_angles(arguments.view)
     except ValueError:
         parser.error(f"--view: '{arguments.view}' is neither a name nor AZIMUTH,ELEVATION")
-    try:
-        arguments.shift = shift_of(arguments.shift)
-    except ValueError:
-        parser.error(f"--shift: '{arguments.shift}' is not RIGHT,UP")
-    for path in arguments.meshes + arguments.control:
+    for path in [*arguments.meshes, *arguments.control, *filter(None, [arguments.truth])]:
         if not path.is_file() and not (str(path) == "none" and path in arguments.control):
             parser.error(f"{path}: no such file")
 
@@ -104,7 +106,10 @@ def view_angles(view: str) -> tuple[float, float] | None:
 
 
 def shift_of(shift: str) -> tuple[float, float]:
-    right, up = map(float, shift.split(","))
+    try:
+        right, up = map(float, shift.split(","))
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"'{shift}' is not RIGHT,UP") from None
     return right, up
 
 

@@ -29,9 +29,10 @@ class View:
     center: np.ndarray
     half_size: float
 
-    def move(self, right: float, up: float) -> None:
-        """By half sizes."""
-        self.center = self.center + self.half_size * (right * self.axes[0] + up * self.axes[2])
+    def closer(self, zoom: float, right: float, up: float) -> "View":
+        """Its middle is moved by half sizes."""
+        middle = self.center + self.half_size * (right * self.axes[0] + up * self.axes[2])
+        return View(self.axes, middle, self.half_size / zoom)
 
     def apply(self, renderer: vtkRenderer) -> None:
         camera = renderer.GetActiveCamera()

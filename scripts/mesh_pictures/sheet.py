@@ -16,6 +16,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the renderer)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLogger, vtkObject
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersModeling import vtkHausdorffDistancePointSetFilter
 from vtkmodules.vtkRenderingCore import (vtkLight, vtkRenderer, vtkRenderWindow, vtkTextActor,
                                          vtkWindowToImageFilter)
 
@@ -36,8 +37,7 @@ def draw(options: Namespace, angles: tuple[float, float] | None) -> None:
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # what newer versions print besides
     meshes = [read_mesh(path, options.checker is not None) for path in options.meshes]
     controls = [None if str(path) == "none" else read_mesh(path) for path in options.control]
-    if len(controls) == 1:
-        controls *= len(meshes)
+    truth = read_mesh(options.truth) if options.truth else None
     limit = actors.scalar_limit(meshes, options.scalars, options.range) if options.scalars else 0.0
     columns = min(options.columns or square_columns(len(meshes)), len(meshes))
     rows = -(-len(meshes) // columns)
@@ -51,22 +51,20 @@ def draw(options: Namespace, angles: tuple[float, float] | None) -> None:
     view: View | None = None
     for i, mesh in enumerate(meshes):
         renderer = new_tile(i, columns, rows, bar / height)
-        control = controls[i] if controls else None
+        control = controls[i]
         if view is None or not options.same_view:
             seen = [*meshes, *controls] if options.same_view else [mesh, control]
             points = np.concatenate([points_of(m) for m in seen if m])
             view = fitted_view(points, angles, options.up)
-            view.move(*options.shift)
-            view.half_size /= options.zoom
         add_mesh(renderer, mesh, options, limit)
         if control:
             for actor in actors.control_edges(control):
                 renderer.AddActor(actor)
             if options.control_normals:
                 renderer.AddActor(actors.normal_needles(control))
-        view.apply(renderer)
+        view.closer(options.zoom[i], *options.shift[i]).apply(renderer)
         window.AddRenderer(renderer)
-        renderer.AddViewProp(caption(i, mesh, options, renderer))
+        renderer.AddViewProp(caption(words_of(i, mesh, truth, options), options, renderer))
     if options.scalars:
         strip = vtkRenderer()
         strip.SetViewport(0, 0, 1, bar / height)
@@ -115,12 +113,32 @@ def add_mesh(renderer: vtkRenderer, mesh: vtkPolyData, options: Namespace, limit
         renderer.AddActor(actors.normal_needles(mesh))
 
 
-def caption(i: int, mesh: vtkPolyData, options: Namespace, renderer: vtkRenderer) -> vtkTextActor:
+def words_of(i: int, mesh: vtkPolyData, truth: vtkPolyData | None, options: Namespace) -> str:
+    faces = mesh.GetNumberOfPolys()
+    if not options.caption:
+        return f"{options.meshes[i].name}, {faces + mesh.GetNumberOfStrips()} faces"
+    words = options.caption[i]
+    if truth:
+        triangles = mesh.GetPolys().GetNumberOfConnectivityIds() - 2 * faces
+        words = words.replace("{triangles}", str(triangles))
+        words = words.replace("{distance}", f"{100 * distance(mesh, truth) / truth.GetLength():.2g}")
+    return words
+
+
+def distance(a: vtkPolyData, b: vtkPolyData) -> float:
+    """The largest from the vertices of either mesh to the other one."""
+    measure = vtkHausdorffDistancePointSetFilter()
+    measure.SetInputData(0, a)
+    measure.SetInputData(1, b)
+    measure.SetTargetDistanceMethodToPointToCell()
+    measure.Update()
+    return measure.GetHausdorffDistance()
+
+
+def caption(words: str, options: Namespace, renderer: vtkRenderer) -> vtkTextActor:
     """In smaller letters where it is wider than the tile, and shortened where they become too small."""
-    count = mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips()
     text = vtkTextActor()
-    text.SetInput(options.caption[i] if options.caption
-                  else f"{options.meshes[i].name}, {count} faces")
+    text.SetInput(words)
     margin = 0.03 * options.tile
     text.SetPosition(margin, 0.025 * options.tile)
     style = text.GetTextProperty()
@@ -131,7 +149,6 @@ def caption(i: int, mesh: vtkPolyData, options: Namespace, renderer: vtkRenderer
     while width_of(text, renderer) > room and size > SMALLEST_CAPTION:
         size -= 1
         style.SetFontSize(size)
-    words = text.GetInput()
     for kept in range(len(words) - 1, 0, -1):
         if width_of(text, renderer) <= room:
             break

@@ -121,6 +121,24 @@ class Render(unittest.TestCase):
         self.assertAlmostEqual(middles[1][0] - middles[0][0], -0.5 * TILE / 4, delta=1.5)
         self.assertAlmostEqual(middles[1][1] - middles[0][1], -0.25 * TILE / 4, delta=1.5)
 
+    def test_a_tile_of_its_own_zoom(self) -> None:
+        ball = MESHES / "sphere_triangles.ply"
+        both = self.draw("--zoom", 0.5, "--zoom", 2, "--shift", "0,0", "--shift=0.5,0", "--caption", "", "--caption", "", ball, ball)
+        for i, zoom, shift in ((0, 0.5, "0,0"), (1, 2, "0.5,0")):
+            alone = self.draw("--zoom", zoom, f"--shift={shift}", "--caption", "", ball)
+            blue, expected = ([[b > r + 15 for r, g, b in row] for row in rows]
+                              for rows in ([row[i * TILE:(i + 1) * TILE] for row in both], alone))
+            self.assertLess(sum(a != b for x, y in zip(blue, expected) for a, b in zip(x, y)), TILE // 4)
+
+    def test_captions_tell_triangles_and_distance(self) -> None:
+        """A cube and one of 11/10 its size, whose corners are 0.1/2.2 of their diagonal from the smaller cube."""
+        lines = (MESHES / "cube.off").read_text().splitlines()
+        corners = [" ".join(str(1.1 * float(x)) for x in line.split()) for line in lines[2:10]]
+        (self.folder / "larger.off").write_text("\n".join(lines[:2] + corners + lines[10:]))
+        told, typed = (self.draw("--truth", self.folder / "larger.off", "--caption", words, MESHES / "cube.off")
+                       for words in ("{triangles}, {distance}", "12, 4.5"))
+        self.assertEqual(told, typed)
+
     def test_captions_end_before_their_tile(self) -> None:
         for caption in (LONG, "bearing housing, linear", "x" * 300):
             with self.subTest(caption):
