@@ -42,10 +42,9 @@ __all__ = ["KINDS", "Limit_surface", "Mesh", "Refiner", "curve", "estimate_norma
 __version__ = _core.version
 KINDS = ("unknown", "plane", "cylinder", "cone", "sphere", "torus")
 # as the structures of C++, aligned
-_POINT = np.dtype([*((name, float, 3) for name in ("point", "normal", "du", "dv", "duu", "duv", "dvv")), ("derivatives", np.uint32),
-                   ("error", float), ("normal_error", float), ("rounds", np.uint32)], align=True)
-_HIT = np.dtype([("face", np.int32), ("uv", float, 2), ("point", float, 3), ("normal", float, 3), ("distance", float), ("error", float)],
-                align=True)
+_POINT = np.dtype({"names": "point normal du dv duu duv dvv derivatives error normal_error rounds".split(),
+                   "formats": 7 * ["3d"] + ["u4", "d", "d", "u4"]}, align=True)
+_HIT = np.dtype({"names": "face uv point normal distance error".split(), "formats": "i4 2d 3d 3d d d".split()}, align=True)
 
 
 def reals(name, values, columns=None):
@@ -87,9 +86,9 @@ def choice(name, value, words):
 
 def sharp(name, given, columns, vertices):
     """Vertices and numbers of what is sharp: given alone, for ever, or as a tuple with the numbers of rounds."""
-    is_tuple = isinstance(given, tuple) and len(given) == 2 and np.ndim(given[0]) == columns
-    elements, rounds = given if is_tuple else (() if given is None else given, None)
-    elements = integers(name, elements, vertices)
+    is_tuple = isinstance(given, tuple) and len(given) == 2 and (given[0] is None or np.ndim(given[0]) == columns)
+    elements, rounds = given if is_tuple else (given, None)
+    elements = integers(name, () if elements is None else elements, vertices)
     rounds = np.full(len(elements) // columns, np.inf) if rounds is None else reals(f"the sharpness of {name}", rounds)
     if (columns * len(rounds), *rounds.shape[1:]) != elements.shape:
         raise ValueError(f"{name} must have the shape (k{', 2' * (columns - 1)}), and their sharpness the shape (k,)")
@@ -118,15 +117,13 @@ class Mesh:
     def faces(self):
         """An array (m, d) if all faces have d corners, else a list of arrays."""
         degrees = np.diff(self.offsets)
-        if len(degrees) and (degrees == degrees[0]).all():
-            return self.indices.reshape(-1, degrees[0])
-        return np.split(self.indices, self.offsets[1:-1]) if len(degrees) else np.empty((0, 3), np.int64)
+        most = degrees.max(initial=3)
+        return self.indices.reshape(-1, most) if (degrees == most).all() else np.split(self.indices, self.offsets[1:-1])
 
     def triangles(self):
         """(t, 3): the faces as fans of triangles."""
-        degrees = np.diff(self.offsets) - 2
-        first = np.repeat(self.offsets[:-1], degrees)
-        second = first + 1 + np.arange(len(first)) - np.repeat(np.cumsum(degrees) - degrees, degrees)
+        first = np.repeat(self.offsets[:-1], np.diff(self.offsets) - 2)
+        second = np.delete(np.arange(len(self.indices)), np.concatenate([self.offsets[:-1], self.offsets[1:] - 1]))
         return self.indices[np.stack([first, second, second + 1], axis=1)]
 
     def to_trimesh(self):
@@ -148,13 +145,6 @@ class Mesh:
                                           self.indices[self.offsets[:-1][degrees == d][:, None] + np.arange(d)])
                                          for d in np.unique(degrees)])
 
-    def _options(self):
-        """What functions take besides points and faces."""
-        given = {"creases": (self.creases, self.crease_sharpness), "corners": (self.corners, self.corner_sharpness)}
-        given = {name: sharp for name, sharp in given.items() if sharp[0] is not None}
-        names = ("normals", "roundness", "uv", "attributes")
-        return {**given, **{name: getattr(self, name) for name in names if getattr(self, name) is not None}}
-
 
 def polygons(faces):
     """Offsets and indices of an array (m, d), of a tuple (offsets, indices), or of a list of polygons."""
@@ -168,29 +158,22 @@ def polygons(faces):
         raise ValueError("faces must have the shape (m, 3) or (m, 4), or be a list of polygons or a tuple (offsets, indices)") from None
 
 
-def unpadded(flat):
-    """The polygons of an array with the size of each before its vertices."""
-    while len(flat):
-        yield flat[1:flat[0] + 1]
-        flat = flat[flat[0] + 1:]
-
-
-OTHER_MESHES = {  # what they have, and points and faces of it: those of trimesh, meshio and pyvista
-    ("vertices", "faces"): lambda mesh: (mesh.vertices, np.asarray(mesh.faces)),
-    ("points", "cells"): lambda mesh: (mesh.points, [face for block in mesh.cells for face in block.data
-                                                     if block.type in ("triangle", "quad") or block.type.startswith("polygon")]),
-    ("points", "faces"): lambda mesh: (mesh.points, list(unpadded(np.asarray(mesh.faces))))}
-
-
 def control_mesh(mesh, faces, options):
     """Of points and faces, of a Mesh with what it has unless something else is given, or of a mesh of another library."""
     if faces is not None:
         return Control(mesh, faces, **options)
     if isinstance(mesh, Mesh):
-        return Control(mesh.points, (mesh.offsets, mesh.indices), **{**mesh._options(), **options})
-    for names, parts in OTHER_MESHES.items():
-        if all(hasattr(mesh, name) for name in names):
-            return Control(*parts(mesh), **options)
+        own = {name: getattr(mesh, name) for name in ("normals", "roundness", "uv", "attributes")}
+        own.update(creases=(mesh.creases, mesh.crease_sharpness), corners=(mesh.corners, mesh.corner_sharpness))
+        return Control(mesh.points, (mesh.offsets, mesh.indices), **{**own, **options})
+    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):  # trimesh
+        return Control(mesh.vertices, np.asarray(mesh.faces), **options)
+    if hasattr(mesh, "points") and hasattr(mesh, "cells"):  # meshio
+        blocks = (b for b in mesh.cells if b.type in ("triangle", "quad") or b.type.startswith("polygon"))
+        return Control(mesh.points, [face for b in blocks for face in b.data], **options)
+    if hasattr(mesh, "points") and hasattr(mesh, "faces"):  # pyvista, with the size of each face before its vertices
+        numbers = iter(np.asarray(mesh.faces).tolist())
+        return Control(mesh.points, [[next(numbers) for _ in range(size)] for size in numbers], **options)
     raise ValueError("points need faces, unless they are a mesh: one of this module, trimesh, pyvista or meshio")
 
 
@@ -206,22 +189,21 @@ class Control(_core.Control):
             raise ValueError("the offsets of the faces must ascend from 0 to the number of their corners")
         if threads < 1 or (threads > 1 and not _core.has_threads):
             raise ValueError(f"threads {threads}: " + ("at least 1" if threads < 1 else "this module was built without TBB"))
-        if scheme is None:
-            scheme = "loop" if (np.diff(offsets) == 3).all() else "catmull-clark"
-        name, parameters = scheme if isinstance(scheme, tuple) else (scheme, {})
-        super().__init__(points, offsets, indices, name, parameters, linear, threads)
-        self.size, self.number_of_faces, self.carried = (len(points), len(indices)), len(offsets) - 1, {}
+        default = "loop" if (np.diff(offsets) == 3).all() else "catmull-clark"
+        name, parameters = scheme if isinstance(scheme, tuple) else (default if scheme is None else scheme, {})
+        estimates, borders = ("coherent", "reciprocal", "angle"), ("surface", "curve", "corners", "fixed")
+        estimate, normals = (choice("normals", normals, estimates), None) if isinstance(normals, str) else (0, normals)
+        super().__init__(points, offsets, indices, name, parameters, linear, threads,
+                         choice("border", border, borders), estimate)
+        n, self.number_of_faces, self.threads = len(points), len(offsets) - 1, threads
+        self.size, self.carried = (n, len(indices)), ([], [])  # of vertices, of corners
         angle, creases = (reals("creases", creases)[0], None) if np.isscalar(creases) else (None, creases)
-        self.set_sharpness(choice("border", border, ("surface", "curve", "corners", "fixed")), angle, *sharp("creases", creases, 2, len(points)),
-                           *sharp("corners", corners, 1, len(points)))
-        estimate = choice("normals", normals, ("coherent", "reciprocal", "angle")) if isinstance(normals, str) else 0
-        normals = None if isinstance(normals, str) else normals
-        if normals is not None:
-            normals = self.one_of_each("normals", reals("normals", normals, 3))
+        self.set_sharpness(angle, *sharp("creases", creases, 2, n), *sharp("corners", corners, 1, n))
+        normals = None if normals is None else self.one_of_each("normals", reals("normals", normals, 3))
         if roundness is not None:
             roundness = reals("roundness", roundness).reshape(-1)
-            roundness = self.one_of_each("roundness", np.full(len(points), roundness) if roundness.size == 1 else roundness)
-        self.set_normals(normals, roundness, estimate)
+            roundness = self.one_of_each("roundness", np.full(n, roundness) if roundness.size == 1 else roundness)
+        self.set_normals(normals, roundness)
         for name, values in {**(attributes or {}), **({} if uv is None else {"uv": uv})}.items():
             self.carry(name, self.one_of_each(f"attribute '{name}'", np.asarray(values)))
 
@@ -236,24 +218,22 @@ class Control(_core.Control):
         if values.dtype.kind not in "iufb":
             raise ValueError(f"attribute '{name}' must be numbers, not {values.dtype}")
         at_corners = len(values) != self.size[0]
-        rows = values.reshape(len(values), int(np.prod(values.shape[1:]))).astype(np.float64)
-        if at_corners:
-            halfedges = self.halfedges()
-            of_corners, rows = rows, np.zeros((halfedges.max(initial=-1) // 2 * 2 + 2, rows.shape[1]))
-            rows[halfedges] = of_corners
-        number = self.add_attribute(rows, at_corners, values.dtype.kind != "f")
-        self.carried[name] = number, at_corners, values.dtype, values.shape[1:]
+        places = self.halfedges() if at_corners else slice(None)
+        size = places.max(initial=-1) // 2 * 2 + 2 if at_corners else len(values)
+        rows = np.zeros((size, int(np.prod(values.shape[1:]))))
+        rows[places] = values.reshape(len(values), rows.shape[1])
+        self.add_attribute(rows, at_corners, values.dtype.kind != "f")
+        self.carried[at_corners].append((name, at_corners, values.dtype, values.shape[1:]))
 
     def result(self, report=None):
         """What the control mesh has become."""
-        attributes = {}
-        for name, (number, at_corners, dtype, shape) in self.carried.items():
-            rows = self.attribute(number, at_corners).reshape(-1, int(np.prod(shape)))
-            rows = rows[self.halfedges()] if at_corners else rows
+        arrays, attributes = self.arrays(report is not None), {}
+        for (name, at_corners, dtype, shape), rows in zip(self.carried[0] + self.carried[1], arrays.pop("attributes")):
+            rows = rows.reshape(-1, *shape)[self.halfedges() if at_corners else slice(None)]
             if dtype.kind in "iu":
                 rows = np.clip(np.rint(rows), np.iinfo(dtype).min, np.iinfo(dtype).max)
-            attributes[name] = rows.astype(dtype).reshape(len(rows), *shape)
-        return Mesh(**self.arrays(report is not None), uv=attributes.pop("uv", None), attributes=attributes, report=report)
+            attributes[name] = rows.astype(dtype)
+        return Mesh(**arrays, uv=attributes.pop("uv", None), attributes=attributes, report=report)
 
 
 def subdivide(points, faces=None, *, levels=1, progress=None, **options):
@@ -262,7 +242,7 @@ def subdivide(points, faces=None, *, levels=1, progress=None, **options):
     progress(round, faces) is called after each round; an exception that it raises, or Ctrl-C, ends the call.
     """
     control = control_mesh(points, faces, options)
-    control.subdivide(*integers("levels", levels, 64), progress)
+    control.subdivide(*integers("levels", levels, 64), progress, None, 0)
     return control.result()
 
 
@@ -300,8 +280,9 @@ def recognize(points, faces=None, *, min_facets=8, tolerance=0.0, sharp_angle=30
     A prism of fewer sides than `min_facets` stays one; 0 is the tolerance of the digits that coordinates have.
     """
     control = control_mesh(points, faces, {})
-    surfaces, of_face = control.recognize(min_facets, tolerance, sharp_angle)
+    surfaces, of_face, roundness = control.recognize(min_facets, tolerance, sharp_angle)
     part = control.result()
+    part.roundness = roundness[part.indices]
     part.crease_sharpness[:] = part.corner_sharpness[:] = np.inf
     return part, surfaces, of_face
 
@@ -333,7 +314,8 @@ class Refiner:
 
     def mesh(self):
         """A copy."""
-        return Mesh(self.points.copy(), *self._refiner.faces(), self.normals.copy() if len(self.normals) else None)
+        normals = self.normals.copy() if len(self.normals) else None
+        return Mesh(self.points.copy(), **self._refiner.faces(), normals=normals)
 
 
 class Limit_surface:
@@ -347,6 +329,7 @@ class Limit_surface:
         control = control_mesh(points, faces, options)
         self._number_of_faces = control.number_of_faces
         self._surface = control.limit_surface(tolerance, normal_tolerance)
+        self._queries = functools.cache(functools.partial(_core.Limit_surface_queries, self._surface))
 
     def evaluate(self, faces, uv):
         """Of faces (k,) with parameters (k, 2) an array with the fields "point", "normal", "du", "dv", "duu", "duv", "dvv",
@@ -355,16 +338,12 @@ class Limit_surface:
 
     def closest_point(self, points):
         """Of points (k, 3) an array with the fields "face", "uv", "point", "normal", "distance" and "error"."""
-        return self._queries.hits(reals("points", points, 3), None).view(_HIT)[:, 0]
+        return self._queries().hits(reals("points", points, 3), None).view(_HIT)[:, 0]
 
     def ray(self, sources, directions):
         """The same of the first intersections with rays (k, 3) and (k, 3); without one the face is -1, and all else not a number."""
         rays = np.broadcast_arrays(reals("sources", sources, 3), reals("directions", directions, 3))
-        return self._queries.hits(*rays).view(_HIT)[:, 0]
-
-    @functools.cached_property
-    def _queries(self):
-        return _core.Limit_surface_queries(self._surface)
+        return self._queries().hits(*rays).view(_HIT)[:, 0]
 
 
 def curve(points, normals=None, *, mask="bspline:3", closed=False, end="reflect", levels=1, linear=False, roundness=1.0):

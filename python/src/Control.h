@@ -10,7 +10,6 @@
 #define PN_PYTHON_CONTROL_H
 
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -19,8 +18,7 @@
 #include <pybind11/stl.h>
 
 #include <cstdint>
-#include <map>
-#include <string>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -35,12 +33,14 @@ namespace pn_python {
 namespace py = pybind11;
 using namespace py::literals;
 namespace PN = CGAL::PN_subdivision_3;
+namespace params = PN::parameters;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point_3 = Kernel::Point_3;
 using Vector_3 = Kernel::Vector_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
 using Vertex = Mesh::Vertex_index;
+using Edge = Mesh::Edge_index;
 using Halfedge = Mesh::Halfedge_index;
 using Tag = CGAL::Parallel_if_available_tag;
 using Reals = py::array_t<double, py::array::c_style | py::array::forcecast>;
@@ -72,13 +72,13 @@ using Unlocked = py::call_guard<py::gil_scoped_release>; // of the lock of the i
 
 // Calls a function with so many threads, unlocked.
 template <class Function>
-void run([[maybe_unused]] int threads, const Function& function)
+auto run([[maybe_unused]] int threads, const Function& function)
 {
   const py::gil_scoped_release unlocked;
 #ifdef CGAL_LINKED_WITH_TBB
-  tbb::task_arena(threads).execute(function);
+  return tbb::task_arena(threads).execute(function);
 #else
-  function();
+  return function();
 #endif
 }
 
@@ -89,48 +89,41 @@ struct Control
   using Of_vertices = PN::Estimated_control_normals<Vertex, Kernel>;
   using Of_corners = PN::Estimated_control_normals<Halfedge, Kernel>;
 
-  Control(const Reals& points, const Integers& offsets, const Integers& indices,
-          const std::string& name, const std::map<std::string, double>& parameters,
-          bool is_linear_scheme, int number_of_threads);
-  auto edge_sharpness()
-  {
-    return mesh.add_property_map<Mesh::Edge_index, double>("e:sharpness", 0).first;
-  }
+  auto edge_sharpness() { return mesh.add_property_map<Edge, double>("e:sharpness", 0).first; }
   auto vertex_sharpness() { return mesh.add_property_map<Vertex, double>("v:sharpness", 0).first; }
   auto sharp() // what is, as parameters of calls that may estimate normals
   {
-    return PN::parameters::border(border)
+    return params::border(border)
       .control_normal_estimate(estimate)
       .edge_is_constrained_map(edge_sharpness())
       .vertex_is_constrained_map(vertex_sharpness());
   }
   // Calls f(scheme, np, normals) with the parameters that describe the control mesh, as run() does.
   template <class Function>
-  void run(const Function& f)
+  auto run(const Function& f)
   {
-    pn_python::run(threads, [&] {
+    return pn_python::run(threads, [&] {
       const auto* const of_vertices = std::get_if<Of_vertices>(&normals);
       if (is_linear)
-        f(PN::linear(scheme), sharp().vertex_normal_map(*of_vertices), *of_vertices);
-      else if (of_vertices != nullptr)
-        f(scheme, CGAL::parameters::vertex_normal_map(*of_vertices), *of_vertices);
-      else
-        f(scheme, sharp().vertex_normal_map(std::get<Of_corners>(normals)), Of_corners());
+        return f(PN::linear(scheme), sharp().vertex_normal_map(*of_vertices), *of_vertices);
+      if (of_vertices != nullptr)
+        return f(scheme, CGAL::parameters::vertex_normal_map(*of_vertices), *of_vertices);
+      return f(scheme, sharp().vertex_normal_map(std::get<Of_corners>(normals)), Of_corners());
     });
   }
 
   const PN::Any_scheme<double> scheme;
   const bool is_linear; // then there are no normals but those of limits
   const int threads;
-  Mesh mesh;
-  std::variant<Of_vertices, Of_corners> normals; // of corners if something may be sharp
-  PN::Border border = PN::Border::surface;
-  PN::Control_normal_estimate estimate = PN::Control_normal_estimate::coherent;
-  bool may_be_sharp = false, is_estimated = false;
-  PN::Attribute_table table;
+  const PN::Border border;
+  const PN::Control_normal_estimate estimate;
+  Mesh mesh{};
+  std::variant<Of_vertices, Of_corners> normals{}; // of corners if something may be sharp
+  bool may_be_sharp = border != PN::Border::surface, is_estimated = false;
+  PN::Attribute_table table{};
 };
 
-py::tuple faces_of(const Mesh& mesh); // offsets, indices
+py::dict faces_of(const Mesh& mesh); // offsets, indices
 
 void add_surfaces(py::module_& module, py::class_<Control>& control);
 

@@ -13,20 +13,22 @@
 
 #include <algorithm>
 #include <functional>
-#include <optional>
+#include <map>
 #include <set>
 #include <stdexcept>
+#include <string>
 
 namespace pn_python {
 
-py::tuple faces_of(const Mesh& mesh)
+py::dict faces_of(const Mesh& mesh)
 {
   std::vector<std::int64_t> offsets(1, 0), vertices;
   for (const auto f : mesh.faces()) {
     for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(f))) vertices.push_back(v);
     offsets.push_back(std::int64_t(vertices.size()));
   }
-  return py::make_tuple(to_array(std::move(offsets)), to_array(std::move(vertices)));
+  return py::dict("offsets"_a = to_array(std::move(offsets)),
+                  "indices"_a = to_array(std::move(vertices)));
 }
 
 namespace {
@@ -40,41 +42,33 @@ std::vector<std::int64_t> corners_of(const Mesh& mesh)
   return result;
 }
 
-} // namespace
-
-Control::Control(const Reals& points, const Integers& offsets, const Integers& indices,
-                 const std::string& name, const std::map<std::string, double>& parameters,
-                 bool is_linear_scheme, int number_of_threads)
-  : scheme(PN::any_scheme<double>(name, {parameters.begin(), parameters.end()}))
-  , is_linear(is_linear_scheme)
-  , threads(number_of_threads)
+Control control_mesh(const Reals& points, const Integers& offsets, const Integers& indices,
+                     const std::string& name, const std::map<std::string, double>& parameters,
+                     bool is_linear, int threads, int border, int estimate)
 {
-  table.has_face_parents = true;
-  for (py::ssize_t v = 0; v < points.shape(0); ++v) mesh.add_vertex(rows_of<Point_3>(points)[v]);
-  std::vector<Vertex> face;
+  Control c{PN::any_scheme<double>(name, {parameters.begin(), parameters.end()}), is_linear,
+            threads, PN::Border(border), PN::Control_normal_estimate(estimate)};
+  c.table.has_face_parents = true;
+  for (py::ssize_t v = 0; v < points.shape(0); ++v) c.mesh.add_vertex(rows_of<Point_3>(points)[v]);
   for (py::ssize_t f = 0; f + 1 < offsets.size(); ++f) {
-    face.clear();
-    for (py::ssize_t i = offsets.data()[f]; i < offsets.data()[f + 1]; ++i)
-      face.push_back(Vertex(indices.at(i)));
+    const std::vector<Vertex> face(indices.data() + offsets.at(f),
+                                   indices.data() + offsets.at(f + 1));
     if (std::set<Vertex>(face.begin(), face.end()).size() != std::max<std::size_t>(face.size(), 3))
       throw py::value_error("face " + std::to_string(f) +
                             " has not three or more different vertices");
-    if (mesh.add_face(face) == Mesh::null_face())
+    if (c.mesh.add_face(face) == Mesh::null_face())
       throw py::value_error("face " + std::to_string(f) +
                             " does not fit to those before it: at an edge more than two meet, or "
                             "two of opposite orientation, or a vertex has no room between others");
-    table.face_parents.push_back(std::uint32_t(f));
+    c.table.face_parents.push_back(std::uint32_t(f));
   }
+  return c;
 }
 
-namespace {
-
-void set_sharpness(Control& c, int border, const std::optional<double>& degrees,
-                   const Integers& creases, const Reals& of_creases, const Integers& corners,
-                   const Reals& of_corners)
+void set_sharpness(Control& c, const std::optional<double>& degrees, const Integers& creases,
+                   const Reals& of_creases, const Integers& corners, const Reals& of_corners)
 {
-  c.border = PN::Border(border);
-  c.may_be_sharp = border != 0 || degrees || of_creases.size() != 0 || of_corners.size() != 0;
+  c.may_be_sharp |= degrees || of_creases.size() + of_corners.size() != 0;
   auto of_edges = c.edge_sharpness();
   auto of_vertices = c.vertex_sharpness();
   if (degrees) PN::detect_creases(c.mesh, *degrees, of_edges);
@@ -106,31 +100,25 @@ void for_each_normal(const Control& c, const Function& f)
 
 // One of each vertex or corner; without normals they are estimated.
 void set_normals(Control& c, const std::optional<Reals>& normals,
-                 const std::optional<Reals>& roundness, int estimate)
+                 const std::optional<Reals>& roundness)
 {
   if (c.is_linear) return;
-  const std::size_t n = c.mesh.number_of_vertices();
-  const auto are_of_corners = [n](const std::optional<Reals>& rows) {
-    return rows && std::size_t(rows->shape(0)) != n;
-  };
-  const auto of_edges = c.edge_sharpness();
-  c.estimate = PN::Control_normal_estimate(estimate);
+  const auto n = py::ssize_t(c.mesh.number_of_vertices());
+  const auto are_of_corners = [n](const auto& rows) { return rows && rows->shape(0) != n; };
   c.is_estimated = !normals && !roundness;
   if (are_of_corners(normals))
     c.normals = Control::Of_corners();
   else if (c.may_be_sharp || are_of_corners(roundness))
     c.normals = PN::estimate_control_normals(c.mesh, c.sharp());
   else if (!normals)
-    c.normals =
-      PN::estimate_control_normals(c.mesh, PN::parameters::control_normal_estimate(c.estimate));
+    c.normals = PN::estimate_control_normals(c.mesh, params::control_normal_estimate(c.estimate));
   // those of vertices are of all corners but where creases make several wedges
-  std::vector<int> creases(n, 0);
-  for (const auto e : c.mesh.edges())
-    for (const unsigned i : {0u, 1u})
-      creases[c.mesh.vertex(e, i)] += !c.mesh.is_border(e) && of_edges[e] > 0;
+  const auto of_edges = c.edge_sharpness();
+  std::vector<int> creases(std::size_t(n), 0);
+  for (const Halfedge h : c.mesh.halfedges())
+    creases[c.mesh.target(h)] += !c.mesh.is_border(c.mesh.edge(h)) && of_edges[c.mesh.edge(h)] > 0;
   for_each_normal(c, [&](const auto& map, const auto& key, Vertex v, std::size_t number) {
-    if (normals &&
-        (are_of_corners(normals) || creases[v] == 0 || (creases[v] == 1 && !c.mesh.is_border(v))))
+    if (normals && (are_of_corners(normals) || creases[v] + c.mesh.is_border(v) < 2))
       put(map, key, rows_of<Vector_3>(*normals)[are_of_corners(normals) ? number : v]);
     if (roundness)
       put(map.roundness_map(), key, roundness->data()[are_of_corners(roundness) ? number : v]);
@@ -143,47 +131,41 @@ py::dict arrays(Control& c, bool are_of_limit)
   std::vector<std::int64_t> creases, corners;
   std::vector<double> of_creases, of_corners, roundness;
   std::vector<Vector_3> normals;
-  const auto add_sharp = [](const auto& elements, const auto& map, auto& rounds, auto add) {
+  const auto add = [](const auto& elements, const auto& map, auto& rounds, const auto& f) {
     for (const auto i : elements)
-      if (map[i] != 0) add(i), rounds.push_back(map[i]);
+      if (map[i] != 0) f(i), rounds.push_back(map[i]);
   };
-  add_sharp(c.mesh.edges(), c.edge_sharpness(), of_creases, [&](auto e) {
+  add(c.mesh.edges(), c.edge_sharpness(), of_creases, [&](Edge e) {
     creases.insert(creases.end(), {c.mesh.vertex(e, 0), c.mesh.vertex(e, 1)});
   });
-  add_sharp(c.mesh.vertices(), c.vertex_sharpness(), of_corners,
-            [&](auto v) { corners.push_back(v); });
+  add(c.mesh.vertices(), c.vertex_sharpness(), of_corners, [&](Vertex v) { corners.push_back(v); });
   if (!c.is_linear || are_of_limit)
     for_each_normal(c, [&](const auto& map, const auto& key, Vertex, std::size_t) {
       normals.push_back(get(map, key));
       roundness.push_back(get(map.roundness_map(), key));
     });
-  const auto points = c.mesh.points();
-  const py::tuple faces = faces_of(c.mesh);
-  py::dict result("points"_a = to_array(std::vector<Point_3>(points.begin(), points.end())),
-                  "offsets"_a = faces[0], "indices"_a = faces[1],
-                  "creases"_a = to_array(std::move(creases)).attr("reshape")(-1, 2),
-                  "crease_sharpness"_a = to_array(std::move(of_creases)),
-                  "corners"_a = to_array(std::move(corners)),
-                  "corner_sharpness"_a = to_array(std::move(of_corners)),
-                  "face_parents"_a = to_array(c.table.face_parents));
+  py::dict result = faces_of(c.mesh);
+  result["points"] = to_array(std::vector<Point_3>(c.mesh.points().begin(), c.mesh.points().end()));
+  result["creases"] = to_array(std::move(creases)).attr("reshape")(-1, 2);
+  result["crease_sharpness"] = to_array(std::move(of_creases));
+  result["corners"] = to_array(std::move(corners));
+  result["corner_sharpness"] = to_array(std::move(of_corners));
+  result["face_parents"] = to_array(c.table.face_parents);
+  py::list attributes; // of vertices, then of corners
+  for (const auto* kind : {&c.table.vertices, &c.table.corners})
+    for (const PN::Attribute_array& array : *kind) attributes.append(to_array(array.values));
+  result["attributes"] = attributes;
   if (!c.is_linear || are_of_limit) result["normals"] = to_array(std::move(normals));
   if (!c.is_linear && !are_of_limit) result["roundness"] = to_array(std::move(roundness));
   return result;
 }
 
-std::size_t add_attribute(Control& c, const Reals& rows, bool is_of_corners, bool is_label)
+void add_attribute(Control& c, const Reals& rows, bool is_of_corners, bool is_label)
 {
-  auto& arrays = is_of_corners ? c.table.corners : c.table.vertices;
-  auto& array = arrays.emplace_back();
+  auto& array = (is_of_corners ? c.table.corners : c.table.vertices).emplace_back();
   array.dimension = std::size_t(rows.shape(1));
   array.values.assign(rows.data(), rows.data() + rows.size());
   if (is_label) array.rule_of_vertices = PN::Attribute_rule::nearest;
-  return arrays.size() - 1;
-}
-
-py::array attribute(const Control& c, std::size_t number, bool is_of_corners)
-{
-  return to_array((is_of_corners ? c.table.corners : c.table.vertices).at(number).values);
 }
 
 // Tells Python's function, if there is one, of each round; what that raises, or Ctrl-C, ends the call.
@@ -199,54 +181,44 @@ struct Progress
   py::object function;
 };
 
-// To the limit if there is a tolerance, and then returns the report.
-py::object subdivide(Control& c, unsigned levels, const py::object& progress,
-                     std::optional<double> tolerance, double normal_tolerance)
+// To the limit if there is a tolerance, of which the report is.
+py::array subdivide(Control& c, unsigned levels, const py::object& progress,
+                    std::optional<double> tolerance, double normal_tolerance)
 {
   const Progress told{progress};
-  const auto accuracy = PN::parameters::tolerance(tolerance.value_or(0))
+  const auto accuracy = params::tolerance(tolerance.value_or(0))
                           .normal_tolerance(normal_tolerance)
                           .surface_normals(true);
-  PN::Limit_report report;
-  c.run([&](const auto& scheme, const auto& of_mesh, const auto&) {
-    const auto np =
-      PN::parameters::join(PN::parameters::attributes(c.table),
-                           of_mesh.number_of_iterations(levels).visitor(std::cref(told)));
-    if (tolerance)
-      report = PN::subdivide_to_limit<Tag>(c.mesh, scheme, PN::parameters::join(accuracy, np));
-    else
-      PN::subdivide<Tag>(c.mesh, scheme, np);
+  const auto report = c.run([&](const auto& scheme, const auto& of_mesh, const auto&) {
+    const auto np = params::join(params::attributes(c.table),
+                                 of_mesh.number_of_iterations(levels).visitor(std::cref(told)));
+    if (tolerance) return PN::subdivide_to_limit<Tag>(c.mesh, scheme, params::join(accuracy, np));
+    PN::subdivide<Tag>(c.mesh, scheme, np);
+    return PN::Limit_report();
   });
-  if (!tolerance) return py::none();
   return py::array_t<PN::Limit_report>(1, &report);
 }
 
-// Makes creases (sharp for one round), normals and the roundness those of the surfaces that are found; returns these and
-// the number of that of each face.
+// Makes creases (sharp for one round) and normals those of the surfaces that are found; returns these, the number of that
+// of each face, and the roundness of the vertices.
 py::tuple recognize(Control& c, int min_facets, double tolerance, double sharp_angle)
 {
   const auto of_face = c.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:surface", 0).first;
   const auto roundness = c.mesh.add_property_map<Vertex, double>("v:roundness", 1).first;
-  auto of_edges = c.edge_sharpness();
-  auto of_vertices = c.vertex_sharpness();
   const Control::Of_corners normals;
   std::vector<PN::Recognized_surface> surfaces;
   run(1, [&] {
-    const auto np = PN::parameters::shared(
-      PN::parameters::sharp_angle(sharp_angle).min_facets(min_facets).surface_tolerance(tolerance));
+    const auto np = params::shared(
+      params::sharp_angle(sharp_angle).min_facets(min_facets).surface_tolerance(tolerance));
     surfaces = PN::recognize_surfaces(c.mesh, of_face, np);
-    PN::surface_creases(c.mesh, of_face, surfaces, of_edges,
-                        PN::parameters::join(PN::parameters::vertex_roundness_map(roundness)
-                                               .vertex_is_constrained_map(of_vertices)
-                                               .vertex_normal_map(normals),
-                                             np));
+    const auto written = params::vertex_roundness_map(roundness).vertex_normal_map(normals);
+    PN::surface_creases(c.mesh, of_face, surfaces, c.edge_sharpness(),
+                        params::join(written.vertex_is_constrained_map(c.vertex_sharpness()), np));
   });
   c.normals = normals;
-  for_each_normal(c, [&](const auto& map, const auto& key, Vertex v, std::size_t) {
-    put(map.roundness_map(), key, roundness[v]);
-  });
   return py::make_tuple(py::array_t<PN::Recognized_surface>(surfaces.size(), surfaces.data()),
-                        to_array(std::vector<std::int64_t>(of_face.begin(), of_face.end())));
+                        to_array(std::vector<std::int64_t>(of_face.begin(), of_face.end())),
+                        to_array(std::vector<double>(roundness.begin(), roundness.end())));
 }
 
 } // namespace
@@ -262,19 +234,14 @@ PYBIND11_MODULE(_core, module)
   module.attr("has_threads") = std::is_convertible_v<Tag, CGAL::Parallel_tag>;
   py::class_<Control> control(module, "Control");
   control
-    .def(py::init<const Reals&, const Integers&, const Integers&, const std::string&,
-                  const std::map<std::string, double>&, bool, int>(),
-         "points"_a, "offsets"_a, "indices"_a, "scheme"_a, "parameters"_a, "linear"_a, "threads"_a,
-         Unlocked())
-    .def_readonly("threads", &Control::threads)
+    .def(py::init(&control_mesh), "points"_a, "offsets"_a, "indices"_a, "scheme"_a, "parameters"_a,
+         "linear"_a, "threads"_a, "border"_a, "estimate"_a, Unlocked())
     .def("set_sharpness", set_sharpness, Unlocked())
     .def("set_normals", set_normals, Unlocked())
     .def("add_attribute", add_attribute)
-    .def("attribute", attribute)
     .def("halfedges", [](const Control& c) { return to_array(corners_of(c.mesh)); })
     .def("arrays", arrays)
-    .def("subdivide", subdivide, "levels"_a, "progress"_a, "tolerance"_a = py::none(),
-         "normal_tolerance"_a = 0.)
+    .def("subdivide", subdivide, "levels"_a, "progress"_a, "tolerance"_a, "normal_tolerance"_a)
     .def("recognize", recognize, "min_facets"_a, "tolerance"_a, "sharp_angle"_a);
   add_surfaces(module, control);
 }

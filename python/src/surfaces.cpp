@@ -8,71 +8,57 @@
 
 #include "Control.h"
 
-#include <CGAL/PN_limit_surface_3/Limit_surface.h>
 #include <CGAL/PN_limit_surface_3/Limit_surface_queries.h>
-#include <CGAL/PN_limit_surface_3/tessellate.h>
-#include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/PN_subdivision_curve.h>
+#include <CGAL/PN_subdivision_limit_3.h>
 
 #include <limits>
 #include <memory>
-#include <optional>
-#include <stdexcept>
-#include <utility>
 
 namespace pn_python {
 namespace {
 
-template <class S>
-using Refiner = PN::Surface_refiner<Mesh, S, Kernel, Tag>;
+template <class Scheme>
+using Refiner = PN::Surface_refiner<Mesh, Scheme, Kernel, Tag>;
+using PN_scheme = PN::Any_scheme<double>;
+using Linear_scheme = PN::Linear_scheme<PN_scheme>;
+using Any_refiner = std::variant<Refiner<PN_scheme>, Refiner<Linear_scheme>>;
 using Surface = PN::Limit_surface<Mesh, Kernel>;
 using Queries = PN::Limit_surface_queries<Mesh, Kernel>;
 
-py::object refiner(Control& c, unsigned levels)
+Any_refiner refiner(Control& c, unsigned levels)
 {
-  py::object result;
   const auto make = [&](const auto& scheme, const auto& np, const auto&...) {
     using R = Refiner<std::decay_t<decltype(scheme)>>;
-    auto made = std::make_unique<R>(c.mesh, scheme, np.number_of_iterations(levels));
-    const py::gil_scoped_acquire locked;
-    result = py::cast(std::move(made));
+    return Any_refiner(R(c.mesh, scheme, np.number_of_iterations(levels)));
   };
-  if (c.is_estimated) // again, when points move
-    run(c.threads, [&] { make(c.scheme, c.sharp()); });
-  else
-    c.run(make);
-  return result;
+  if (!c.is_estimated) return c.run(make);
+  return run(c.threads, [&] { return make(c.scheme, c.sharp()); }); // again, when points move
 }
 
-template <class S>
+template <class Scheme>
 void add_refiner(py::module_& module, const char* name)
 {
-  using R = Refiner<S>;
+  using R = Refiner<Scheme>;
   const auto set = [](R& r, const Integers& vertices, const Reals& rows, bool are_normals) {
     for (py::ssize_t i = 0; i < vertices.size(); ++i)
       if (!are_normals)
         r.set_point(Vertex(vertices.at(i)), rows_of<Point_3>(rows)[i]);
-      else if constexpr (std::is_same_v<S, PN::Any_scheme<double>>)
+      else if constexpr (std::is_same_v<Scheme, PN_scheme>)
         r.set_normal(Vertex(vertices.at(i)), rows_of<Vector_3>(rows)[i]);
       else
         throw py::value_error("a linear scheme has no control normals");
   };
-  const auto update = [](R& r, int threads) {
-    std::vector<std::uint32_t> changed;
-    run(threads, [&] { changed = r.update(); });
-    return to_array(std::move(changed));
-  };
-  const auto faces = [](const R& r) {
-    Mesh mesh;
-    r.build_mesh(mesh);
-    return faces_of(mesh);
-  };
   py::class_<R>(module, name)
     .def("set", set)
-    .def("update", update)
+    .def("update", [](R& r, int n) { return to_array(run(n, [&] { return r.update(); })); })
     .def("points", [](const py::object& r) { return view(r.cast<const R&>().points(), r); })
     .def("normals", [](const py::object& r) { return view(r.cast<const R&>().normals(), r); })
-    .def("faces", faces);
+    .def("faces", [](const R& r) {
+      Mesh mesh;
+      r.build_mesh(mesh);
+      return faces_of(mesh);
+    });
 }
 
 py::array tessellate(Control& c, double chord)
@@ -83,7 +69,7 @@ py::array tessellate(Control& c, double chord)
     const std::decay_t<decltype(of_control)> normals;
     Mesh triangles;
     result = PN::tessellate<Tag>(c.mesh, scheme, chord, triangles,
-                                 PN::parameters::join(PN::parameters::attributes(c.table), np),
+                                 params::join(params::attributes(c.table), np),
                                  CGAL::parameters::vertex_normal_map(normals));
     c.normals = normals;
     c.mesh = std::move(triangles);
@@ -93,12 +79,10 @@ py::array tessellate(Control& c, double chord)
 
 std::unique_ptr<Surface> limit_surface(Control& c, double tolerance, double normal_tolerance)
 {
-  std::unique_ptr<Surface> result;
-  const auto tolerances = PN::parameters::tolerance(tolerance).normal_tolerance(normal_tolerance);
-  c.run([&](const auto& scheme, const auto& np, const auto&) {
-    result = std::make_unique<Surface>(c.mesh, scheme, PN::parameters::join(tolerances, np));
+  const auto tolerances = params::tolerance(tolerance).normal_tolerance(normal_tolerance);
+  return c.run([&](const auto& scheme, const auto& np, const auto&) {
+    return std::make_unique<Surface>(c.mesh, scheme, params::join(tolerances, np));
   });
-  return result;
 }
 
 // Python knows the structures of the results.
@@ -107,17 +91,14 @@ py::array evaluate(const Surface& surface, const Integers& faces, const Reals& u
   std::vector<Surface::Location> places;
   for (py::ssize_t i = 0; i < faces.size(); ++i)
     places.push_back({Mesh::Face_index(faces.at(i)), uv.at(i, 0), uv.at(i, 1)});
-  std::vector<Surface::Surface_point> points;
-  run(1, [&] { points = surface.evaluate(places); });
-  return to_array(std::move(points));
+  return to_array(run(1, [&] { return surface.evaluate(places); }));
 }
 
 // The closest points, or the first ones in directions.
 py::array hits(const Queries& queries, const Reals& points, const std::optional<Reals>& directions)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const Queries::Hit none{
-    {Mesh::null_face(), nan, nan}, Point_3(nan, nan, nan), Vector_3(nan, nan, nan), nan, nan};
+  const Queries::Hit none{{{}, nan, nan}, {nan, nan, nan}, {nan, nan, nan}, nan, nan};
   std::vector<Queries::Hit> found;
   run(1, [&] {
     for (py::ssize_t i = 0; i < points.shape(0); ++i) {
@@ -134,29 +115,26 @@ template <class Point, class Vector>
 py::array curve(const Reals& rows, bool has_normals, bool is_spline, int number, int end_number,
                 unsigned levels, bool linear, double roundness)
 {
-  const auto of = [](const auto& mask) {
-    return PN::Univariate_mask<double>(mask.first_index(), mask.template coefficients<double>());
-  };
-  const auto mask =
-    is_spline ? of(PN::B_spline_mask(number)) : of(PN::Dubuc_Deslauriers_mask(number));
   using Item = std::pair<Point, Vector>;
-  std::vector<Item> result(rows_of<Item>(rows), rows_of<Item>(rows) + rows.shape(0));
-  run(1, [&] {
-    const auto end = PN::Curve_end(end_number);
-    if (!has_normals && !linear) result = PN::estimate_control_normals(result, end);
-    const auto np = PN::parameters::roundness(roundness).number_of_iterations(levels);
-    result = linear ? PN::subdivide_curve(result, PN::linear(mask), end, np)
-                    : PN::subdivide_curve(result, mask, end, np);
-  });
-  return to_array(std::move(result));
+  std::vector<Item> polygon(rows_of<Item>(rows), rows_of<Item>(rows) + rows.shape(0));
+  const auto end = PN::Curve_end(end_number);
+  const auto np = params::roundness(roundness).number_of_iterations(levels);
+  const auto refine = [&](const auto& mask) {
+    const py::gil_scoped_release unlocked;
+    if (!has_normals && !linear) polygon = PN::estimate_control_normals(polygon, end);
+    return linear ? PN::subdivide_curve(polygon, PN::linear(mask), end, np)
+                  : PN::subdivide_curve(polygon, mask, end, np);
+  };
+  return to_array(is_spline ? refine(PN::B_spline_mask(number))
+                            : refine(PN::Dubuc_Deslauriers_mask(number)));
 }
 
 } // namespace
 
 void add_surfaces(py::module_& module, py::class_<Control>& control)
 {
-  add_refiner<PN::Any_scheme<double>>(module, "Refiner");
-  add_refiner<PN::Linear_scheme<PN::Any_scheme<double>>>(module, "Linear_refiner");
+  add_refiner<PN_scheme>(module, "Refiner");
+  add_refiner<Linear_scheme>(module, "Linear_refiner");
   py::class_<Surface>(module, "Limit_surface").def("evaluate", evaluate);
   py::class_<Queries>(module, "Limit_surface_queries")
     .def(py::init<const Surface&>(), py::keep_alive<1, 2>(), Unlocked())
