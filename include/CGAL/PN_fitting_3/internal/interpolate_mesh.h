@@ -25,11 +25,9 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {

@@ -28,7 +28,6 @@
 #include <cstddef>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
 

@@ -23,7 +23,6 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 

@@ -22,7 +22,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {

@@ -16,7 +16,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <new>
 #include <string>
