@@ -1,6 +1,6 @@
-# Target pn_headers_alone: all headers, and those of test_support/, compile in the company of what <windows.h>, Qt and
-# <X11/Xlib.h> define, with -Wconversion; with PN_TEST_FULL together without it and every one alone, too, those with a documented name where they are used
-# (test/PACKAGE/headers). The internal ones take the headers of others precompiled, which saves minutes: that
+# Target pn_headers_alone: all headers, and those of test_support/, compile in the company of what <windows.h>, Qt and <X11/Xlib.h>
+# define, with -Wconversion; with PN_TEST_FULL together without it and every one alone, too, those with a documented name where they
+# are used (test/PACKAGE/headers). The internal ones take the headers of others precompiled, which saves minutes: that
 # they include those themselves is seen where precompiled headers are off (build preset clang-headers).
 # Only checked, not translated: no code is generated.
 set(include_dir ${PN_subdivision_3_SOURCE_DIR}/include)

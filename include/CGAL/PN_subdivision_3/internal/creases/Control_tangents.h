@@ -27,8 +27,8 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// x without its part along the direction of u, which is the sum or difference of two vectors, of length 1 if they are
-// certain; as far as u is long enough to tell a direction
+// x without its part along the direction of u, as far as u is long enough to tell a direction. u is the sum or the difference
+// of two tangents, whose length is 1 where they are certain.
 template <class FT>
 void strip_direction(Coordinates<FT, 3>& x, const Coordinates<FT, 3>& original,
                      Coordinates<FT, 3> u)
