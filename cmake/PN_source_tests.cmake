@@ -3,8 +3,8 @@ set(pn_scripts ${PN_subdivision_3_SOURCE_DIR}/scripts)
 
 find_package(Python3 3.11 QUIET COMPONENTS Interpreter)
 if(Python3_FOUND)
-  add_test(NAME data_is_what_its_script_makes
-           COMMAND Python3::Interpreter -B ${pn_scripts}/make_control_meshes.py --check)
+  add_test(NAME data_is_in_order
+           COMMAND Python3::Interpreter -B ${pn_scripts}/check_control_meshes.py)
   set(pn_compiler ${CMAKE_CXX_COMPILER})
   get_target_property(pn_cgal_folders CGAL::CGAL INTERFACE_INCLUDE_DIRECTORIES)
   foreach(folder ${pn_cgal_folders})

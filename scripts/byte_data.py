@@ -10,22 +10,18 @@
 import itertools
 import math
 
+from control_meshes.files import as_text
+from control_meshes.mesh import Mesh, grid_quads
+
 
 def off(points, faces):
-    rows = ["OFF", f"{len(points)} {len(faces)} 0"]
-    rows += [" ".join(map(str, p)) for p in points]
-    rows += [" ".join(map(str, [len(f), *f])) for f in faces]
-    return "\n".join(rows) + "\n"
+    return as_text(Mesh(points, faces), "mesh.off")
 
 
 def grid(columns, rows, is_triangles):
     points = [(x, y, round(math.sin(x + 0.5 * y), 3)) for y in range(rows + 1) for x in range(columns + 1)]
-    faces = []
-    for y, x in itertools.product(range(rows), range(columns)):
-        a = y * (columns + 1) + x
-        b = a + columns + 1
-        faces += [[a, a + 1, b + 1], [a, b + 1, b]] if is_triangles else [[a, a + 1, b + 1, b]]
-    return points, faces
+    quads = points, [list(f) for f in grid_quads(columns + 1, rows + 1)]
+    return split_in_triangles(*quads) if is_triangles else quads
 
 
 def pole(valence, is_closed):
@@ -50,7 +46,7 @@ def union(first, second):
 
 
 def split_in_triangles(points, faces):
-    return points, [t for f in faces for t in ([f[0], f[i], f[i + 1]] for i in range(1, len(f) - 1))]
+    return points, [list(f) for f in Mesh(points, faces).triangles()]
 
 
 def tagged_ply(points, faces, edges, corners):
@@ -152,6 +148,6 @@ def written():
         "split.off": off(*split_points(*CUBE)), "turned.off": off(CUBE[0], [CUBE[1][0][::-1], *CUBE[1][1:]]),
         "bow_tie.off": off([(0, 0, 0), (1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0)], [[0, 1, 2], [0, 3, 4]]),
         "wrong.off": off(CUBE[0], [[0, 1, 9]]),
-        "not_finite.off": off([(0, 0, 0), (1, 0, "nan"), (0, 1, 0)], [[0, 1, 2]]),
+        "not_finite.off": off([(0, 0, 0), (1, 0, math.nan), (0, 1, 0)], [[0, 1, 2]]),
         "rim.selection.txt": "1 3\n\n0 1 1 2 2 3 3 0\n", "middle.selection.txt": "\n\n5 6 6 7 7 8 8 9\n",
     }

@@ -22,6 +22,8 @@ from fractions import Fraction
 from pathlib import Path
 
 import check_layers
+from control_meshes.files import read_ply
+from control_meshes.mesh import grid_quads
 from refinery import COMMAND, ROOT, run
 
 FIG = ROOT / "doc" / "PN_subdivision_3" / "fig"
@@ -37,10 +39,7 @@ UNIT_OF_ARCS = 34
 
 def quads(columns: int, rows: int) -> Mesh:
     points = [(float(x), float(y)) for y in range(rows + 1) for x in range(columns + 1)]
-    corner = lambda x, y: y * (columns + 1) + x
-    faces = [[corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)]
-             for y in range(rows) for x in range(columns)]
-    return points, faces
+    return points, [list(face) for face in grid_quads(columns + 1, rows + 1)]
 
 
 def triangles(columns: int, rows: int) -> Mesh:
@@ -76,17 +75,10 @@ def rows_of(mesh: Mesh, scheme: str, levels: int) -> list[tuple[Point, dict[int,
         control, refined = Path(folder) / "control.ply", Path(folder) / "refined.ply"
         control.write_text("\n".join(header + lines) + "\n")
         run(COMMAND, "surface", control, refined, "--scheme", scheme, "--levels", levels, "--linear", "--ascii", "--quiet")
-        text = refined.read_text()
-    head, body = text.split("end_header\n", 1)
-    names = [line.split()[-1] for line in head.splitlines() if line.startswith("property") and
-             "list" not in line]
-    count = int(head.split("element vertex ")[1].split()[0])
-    result = []
-    for line in body.splitlines()[:count]:
-        values = dict(zip(names, map(float, line.split())))
-        weights = {i: values[f"w{i}"] for i in range(len(points)) if values[f"w{i}"] != 0}
-        result.append(((values["x"], values["y"]), weights))
-    return result
+        result, values = read_ply(refined.read_text())
+    columns = [values[f"w{i}"] for i in range(len(points))]
+    return [((x, y), {i: column[v] for i, column in enumerate(columns) if column[v] != 0})
+            for v, (x, y, _) in enumerate(result.points)]
 
 
 def exact(weight: float) -> Fraction:
@@ -185,7 +177,7 @@ def stencil_panel(drawing: Drawing, left: float, top: float, title: str, mesh: M
     return frame
 
 
-def stencils(name: str, rows: list[tuple[str, list[tuple]]]) -> Drawing:
+def stencils(rows: list[tuple[str, list[tuple]]]) -> Drawing:
     drawing = Drawing()
     top = 16.0
     for heading, panels in rows:
@@ -204,7 +196,7 @@ def stencils(name: str, rows: list[tuple[str, list[tuple]]]) -> Drawing:
 
 def quad_stencils() -> Drawing:
     two, strip, three = quads(2, 2), quads(2, 1), quads(3, 3)
-    return stencils("stencils_quads", [
+    return stencils([
         ("Catmull-Clark", [
             ("face", quads(1, 1), "catmull-clark", (0.5, 0.5)),
             ("edge", strip, "catmull-clark", (1, 0.5)),
@@ -224,7 +216,7 @@ def quad_stencils() -> Drawing:
 
 
 def triangle_stencils() -> Drawing:
-    return stencils("stencils_triangles", [
+    return stencils([
         ("Loop", [
             ("edge", rhombus(), "loop", (0.5, 0)),
             ("vertex", hexagon(), "loop", (0, 0)),
@@ -425,7 +417,7 @@ def packages() -> Drawing:
     return drawing
 
 
-def main() -> int:
+def main() -> None:
     global COMMAND
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--command", type=Path, default=COMMAND, help="pn_subdivide")
@@ -441,10 +433,8 @@ def main() -> int:
             path.write_text(text)
         elif not path.exists() or path.read_text() != text:
             wrong.append(f"{path.relative_to(ROOT)} is not what scripts/make_diagrams.py draws")
-    for line in wrong:
-        print(line, file=sys.stderr)
-    return 1 if wrong else 0
+    sys.exit("\n".join(wrong) or 0)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

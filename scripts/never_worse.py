@@ -23,6 +23,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+from control_meshes.files import read_mesh
 from control_meshes.vector import dot, scaled, sub
 
 OWN = {"--normals": "estimate", "--sharp": "none", "--levels": "2"}
@@ -42,16 +43,6 @@ def refine(command: str, mesh: str, options: list, folder: str):
         return json.loads(report.read_text()), refined
     print(f"refused: {done.stderr.strip().splitlines()[0] if done.stderr.strip() else mesh}")
     return None, refined
-
-
-def off(path):
-    """points and triangles"""
-    lines = [line.split() for line in Path(path).read_text().splitlines() if line.strip() and not line.startswith("#")]
-    head = lines[0] if len(lines[0]) > 1 else lines[0] + lines[1]
-    first = 1 if len(lines[0]) > 1 else 2
-    points = [tuple(map(float, line[:3])) for line in lines[first:first + int(head[1])]]
-    faces = [list(map(int, line[1:int(line[0]) + 1])) for line in lines[first + len(points):first + len(points) + int(head[2])]]
-    return points, [(f[0], f[i], f[i + 1]) for f in faces for i in range(1, len(f) - 1)]
 
 
 def to_segment(p, a, b) -> float:
@@ -76,12 +67,13 @@ def to_triangle(p, a, b, c) -> float:
 
 def mean_distance(path, fine: str) -> float:
     """of up to 500 vertices of a mesh from the faces of another one, in diagonals of that"""
-    points, _ = off(path)
+    points = read_mesh(path).points
     points = points[::len(points) // 500 + 1]
-    corners, triangles = off(fine)
+    reference = read_mesh(Path(fine))
+    corners = reference.points
     diagonal = math.dist(*([f(p[i] for p in corners) for i in range(3)] for f in (min, max)))
     balls = []
-    for t in triangles:
+    for t in reference.triangles():
         three = [corners[v] for v in t]
         center = [sum(p[i] for p in three) / 3 for i in range(3)]
         balls.append((center, max(math.dist(center, p) for p in three), three))

@@ -31,7 +31,7 @@ from pathlib import Path
 from typing import Any
 
 from control_meshes import pictured
-from control_meshes.output import as_text
+from control_meshes.files import as_text
 from paper_figures.rings import write_rings
 from refinery import COMMAND, DATA, ROOT, Refinery, run
 

@@ -10,31 +10,43 @@ the same to the last bit everywhere, and may be noisy."""
 
 from collections.abc import Callable, Iterable, Iterator
 from functools import cache, partial
+from itertools import product
 from math import cos, hypot, pi, radians, sin, sqrt, tan
 from random import Random
 
 from .mesh import Face, Mesh, grid_quads
-from .modelling import boundary_of_cells
-from .vector import Vec, add, scaled, with_length
+from .vector import Vec, add, normalized, scaled
 
 
 # --- of schemes ---
 
 
+# of a cube: the step to the neighbor, and the corners counter-clockwise
+SIDES: dict[Vec, tuple[Vec, Vec, Vec, Vec]] = {
+    (-1, 0, 0): ((0, 0, 0), (0, 0, 1), (0, 1, 1), (0, 1, 0)),
+    (1, 0, 0): ((1, 0, 0), (1, 1, 0), (1, 1, 1), (1, 0, 1)),
+    (0, -1, 0): ((0, 0, 0), (1, 0, 0), (1, 0, 1), (0, 0, 1)),
+    (0, 1, 0): ((0, 1, 0), (0, 1, 1), (1, 1, 1), (1, 1, 0)),
+    (0, 0, -1): ((0, 0, 0), (0, 1, 0), (1, 1, 0), (1, 0, 0)),
+    (0, 0, 1): ((0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)),
+}
+
+
 def four_cubes(is_open: bool, is_triangulated: bool) -> Mesh:
     """About a corner; cut open, the arms have no ends and one of them lacks a side too."""
     missing = {((1, 0, 0), (1, 0, 0)), ((0, 1, 0), (0, 1, 0)), ((0, 0, 1), (0, 0, 1)), ((0, 0, 1), (1, 0, 0))}
-    mesh, origin = boundary_of_cells([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)],
-                                     lambda node: (float(node[0]), float(node[1]), float(node[2])))
+    cubes: list[Vec] = [(0, 0, 0), (0, 0, 1), (0, 1, 0), (1, 0, 0)]
+    points: dict[Vec, int] = {}
     faces: list[Face] = []
-    for (a, b, c, d), place in zip(mesh.faces, origin):
-        if is_open and place in missing:
+    for cube, (side, corners) in product(cubes, SIDES.items()):
+        if add(cube, side) in cubes or (is_open and (cube, side) in missing):
             continue
+        a, b, c, d = (points.setdefault(add(cube, corner), len(points)) for corner in corners)
         if not is_triangulated:
             faces.append((a, b, c, d))
         else:
-            faces += [(a, b, c), (a, c, d)] if sum(place[1]) > 0 else [(a, b, d), (b, c, d)]
-    return Mesh(mesh.points, faces)
+            faces += [(a, b, c), (a, c, d)] if sum(side) > 0 else [(a, b, d), (b, c, d)]
+    return Mesh(list(points), faces)
 
 
 def _of_revolution(rings: Iterable[list[tuple[float, float, float, float, float]]], closed: str) -> Mesh:
@@ -90,7 +102,7 @@ def _sphere(random: Random) -> Mesh:
                     side.append((p[0], p[1], p[2]))
             quads = [tuple(corners.setdefault(side[v], len(corners)) for v in f) for f in grid_quads(n + 1, n + 1)]
             faces += _cut(quads, random)
-    return Mesh([with_length(_shaken(p, 0.45, random)) for p in corners], faces)
+    return Mesh([normalized(_shaken(p, 0.45, random)) for p in corners], faces)
 
 
 def _shaken(p: Vec, amount: float, random: Random) -> Vec:
@@ -106,7 +118,7 @@ def _cap(random: Random) -> Mesh:
         for i in range(nu + 1):
             x = 1.5 * (i + random.uniform(-0.3, 0.3) * (0 < i < nu)) / nu - 0.75
             y = 1.5 * (j + random.uniform(-0.3, 0.3) * (0 < j < nv)) / nv - 0.75
-            points.append(add(with_length((x, y, 0.8)), (0.0, 0.0, -0.8)))
+            points.append(add(normalized((x, y, 0.8)), (0.0, 0.0, -0.8)))
     return Mesh(points, list(_cut(grid_quads(nu + 1, nv + 1), random)))
 
 
@@ -144,7 +156,7 @@ def noisy_torus(noise: float, reversed_vertex: int | None = None, uneven: float 
         n = (cos(u) * cos(v), sin(u) * cos(v), sin(v))
         points.append(((2 + 0.8 * cos(v)) * cos(u), (2 + 0.8 * cos(v)) * sin(u), 0.8 * sin(v)))
         x, y, z = (x + tan(radians(noise)) * random.gauss(0, sqrt(0.5)) for x in n)
-        normals.append(scaled(with_length((x, y, z)), -1 if i == reversed_vertex else 1))
+        normals.append(scaled(normalized((x, y, z)), -1 if i == reversed_vertex else 1))
     quads = [(a, d, c, b) for a, b, c, d in grid_quads(columns, rows, "columns rows")]
     return Mesh(points, list(_cut(quads, layout)) if uneven else quads, normals)
 

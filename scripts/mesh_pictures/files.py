@@ -19,6 +19,8 @@ from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPPolyDataReader
 
+import control_meshes.files
+
 # the pieces of PVTP files are not joined
 READERS = {".ply": vtkPLYReader, ".obj": vtkOBJReader, ".stl": vtkSTLReader,
            ".vtp": vtkXMLPolyDataReader, ".pvtp": vtkXMLPPolyDataReader}
@@ -28,7 +30,10 @@ def read_mesh(path: Path, with_texture: bool = False) -> vtkPolyData:
     suffix = path.suffix.lower()
     if suffix == ".off":
         try:
-            mesh = _read_off(path)
+            lists = control_meshes.files.read_mesh(path)
+            mesh = poly_data(lists.points, polys=lists.faces)
+            if lists.normals:
+                set_normals(mesh, np.array(lists.normals))
         except (ValueError, IndexError) as error:
             raise ValueError(f"{path}: not a complete OFF file") from error
     elif suffix in READERS:
@@ -40,31 +45,13 @@ def read_mesh(path: Path, with_texture: bool = False) -> vtkPolyData:
         mesh = reader.GetOutput()
         if suffix == ".obj" and with_texture:
             _join_materials(mesh)
-        elif suffix == ".obj" and normals_of(mesh) is None:
-            mesh = _without_seams(mesh)
+        elif suffix == ".obj" and normals_of(mesh) is None:  # it doubles points where texture coordinates differ
+            mesh.GetPointData().Initialize()
+            mesh = _joined(mesh)
     else:
         raise ValueError(f"{path}: only .ply, .off, .obj, .stl, .vtp and .pvtp can be drawn")
     if mesh.GetNumberOfPoints() == 0:
         raise ValueError(f"{path}: holds no mesh")
-    return mesh
-
-
-def _read_off(path: Path) -> vtkPolyData:
-    """OFF and NOFF; colors behind the faces are skipped."""
-    lines = [line.split("#")[0].split() for line in path.read_text().splitlines()]
-    lines = [line for line in lines if line]
-    kind = lines[0].pop(0) if lines else ""
-    if kind not in ("OFF", "NOFF"):
-        raise ValueError("no header")
-    lines = lines if lines[0] else lines[1:]
-    vertices, faces = int(lines[0][0]), int(lines[0][1])
-    if len(lines) <= vertices + faces:
-        raise ValueError("truncated")
-    rows = np.array([line[:6 if kind == "NOFF" else 3] for line in lines[1:vertices + 1]], float)
-    mesh = poly_data(rows[:, :3], polys=[[int(v) for v in line[1:int(line[0]) + 1]]
-                                         for line in lines[vertices + 1:vertices + faces + 1]])
-    if kind == "NOFF":
-        set_normals(mesh, rows[:, 3:6])
     return mesh
 
 
@@ -98,12 +85,6 @@ def _join_materials(mesh: vtkPolyData) -> None:
     array = numpy_to_vtk(joined, deep=True)
     array.SetName("TCoords")
     data.SetTCoords(array)
-
-
-def _without_seams(mesh: vtkPolyData) -> vtkPolyData:
-    """VTK's OBJ reader doubles points where texture coordinates differ; this joins them again."""
-    mesh.GetPointData().Initialize()
-    return _joined(mesh)
 
 
 def _joined(mesh: vtkPolyData) -> vtkPolyData:

@@ -39,7 +39,7 @@ def draw(options: Namespace, angles: tuple[float, float] | None) -> None:
     controls = [None if str(path) == "none" else read_mesh(path) for path in options.control]
     truth = read_mesh(options.truth) if options.truth else None
     limit = actors.scalar_limit(meshes, options.scalars, options.range) if options.scalars else 0.0
-    columns = min(options.columns or square_columns(len(meshes)), len(meshes))
+    columns = min(options.columns or int(np.ceil(np.sqrt(len(meshes)))), len(meshes))
     rows = -(-len(meshes) // columns)
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
@@ -72,10 +72,6 @@ def draw(options: Namespace, angles: tuple[float, float] | None) -> None:
         add_scale_bar(strip, (width, bar), options.scalars, limit, options.cubic)
         window.AddRenderer(strip)
     save(window, options.output)
-
-
-def square_columns(count: int) -> int:
-    return int(np.ceil(np.sqrt(count)))
 
 
 def backdrop() -> vtkRenderer:
@@ -143,7 +139,7 @@ def caption(words: str, options: Namespace, renderer: vtkRenderer) -> vtkTextAct
     text.SetPosition(margin, 0.025 * options.tile)
     style = text.GetTextProperty()
     style.SetColor(0.1, 0.1, 0.1)
-    size = caption_size(options)
+    size = max(10, options.tile // 20)
     style.SetFontSize(size)
     room = options.tile - 2 * margin
     while width_of(text, renderer) > room and size > SMALLEST_CAPTION:
@@ -160,10 +156,6 @@ def width_of(text: vtkTextActor, renderer: vtkRenderer) -> float:
     box = [0.0] * 4
     text.GetBoundingBox(renderer, box)
     return box[1] - box[0]
-
-
-def caption_size(options: Namespace) -> int:
-    return max(10, options.tile // 20)
 
 
 def save(window: vtkRenderWindow, path: Path) -> None:

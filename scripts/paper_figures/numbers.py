@@ -12,7 +12,6 @@ from collections.abc import Callable, Iterable, Iterator
 from itertools import product
 from math import acos, cos, degrees, hypot, pi, sin
 
-from control_meshes.star import BEZIER_HEIGHTS
 from control_meshes.vector import Vec, add, cross, dot, scaled, sub
 from refinery import Refinery
 
@@ -109,11 +108,12 @@ def local_9(refinery: Refinery) -> Numbers:
 
 
 def curvature_of_bezier() -> float:
-    """In the middle of the patch z = sum heights[i][j] B_i(x / 3) B_j(y / 3)."""
+    """In the middle of the patch z = sum heights[i][j] B_i(x / 3) B_j(y / 3), which the meshes are made of."""
+    heights = ((0.0, 0.5, 0.25, -0.25), (0.75, 2.0, 1.5, 0.25), (0.25, 2.25, 1.5, 0.75), (-0.5, 0.5, 1.0, -0.25))
     by = ((1 / 8, 3 / 8, 3 / 8, 1 / 8), (-1 / 4, -1 / 4, 1 / 4, 1 / 4), (1 / 3, -1 / 3, -1 / 3, 1 / 3))
 
     def z(x: int, y: int) -> float:
-        return sum(a * b * h for a, row in zip(by[x], BEZIER_HEIGHTS) for b, h in zip(by[y], row))
+        return sum(a * b * h for a, row in zip(by[x], heights) for b, h in zip(by[y], row))
 
     slope = 1 + z(1, 0) ** 2 + z(0, 1) ** 2
     return (z(2, 0) * z(0, 2) - z(1, 1) ** 2) / slope ** 2

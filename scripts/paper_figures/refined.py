@@ -10,8 +10,9 @@
 from collections import defaultdict
 from pathlib import Path
 
-from control_meshes.mesh import Face, Mesh
-from control_meshes.vector import Vec
+from control_meshes.files import read_ply
+from control_meshes.mesh import Face
+from control_meshes.vector import Vec, add, normalized
 from refinery import Refinery
 
 
@@ -24,18 +25,8 @@ class Refined:
     are the first ones, unless the scheme drops them."""
 
     def __init__(self, path: Path) -> None:
-        lines = path.read_text().split("\n")
-        start = lines.index("end_header") + 1
-        header = [line.split() for line in lines[:start]]
-        counts = {words[1]: int(words[2]) for words in header if words[0] == "element"}
-        names = [words[2] for words in header if words[0] == "property" and words[1] != "list"]
-        end = start + counts["vertex"]
-        rows = [tuple(map(float, line.split())) for line in lines[start:end]]
-        self.values = {name: [row[i] for row in rows] for i, name in enumerate(names)}
-        self.points = self._vectors("x", "y", "z")
-        self.normals = self._vectors("nx", "ny", "nz") if "nx" in names else []
-        self.faces: list[Face] = [tuple(map(int, line.split()[1:]))
-                                  for line in lines[end:end + counts["face"]]]
+        self.mesh, self.values = read_ply(path.read_text())
+        self.points, self.faces, self.normals = self.mesh.points, self.mesh.faces, self.mesh.normals or []
         self.faces_at: dict[int, list[Face]] = defaultdict(list)
         self.neighbors: dict[int, set[int]] = defaultdict(set)
         for f in self.faces:
@@ -43,9 +34,6 @@ class Refined:
                 self.faces_at[a].append(f)
                 self.neighbors[a].add(b)
                 self.neighbors[b].add(a)
-
-    def _vectors(self, *names: str) -> list[Vec]:
-        return list(zip(*(self.values[name] for name in names)))  # type: ignore[arg-type]
 
     def is_border(self, v: int) -> bool:
         return len(self.neighbors[v]) != len(self.faces_at[v])
@@ -88,9 +76,7 @@ class Refined:
 
     def normal_from_faces(self, v: int) -> Vec:
         """The normalized sum of the area vectors of the faces."""
-        around = Mesh(self.points, [])
-        total = [0.0, 0.0, 0.0]
+        total = (0.0, 0.0, 0.0)
         for f in self.faces_at[v]:
-            total = [a + b for a, b in zip(total, around.face_normal(f))]
-        length = sum(x * x for x in total) ** 0.5
-        return (total[0] / length, total[1] / length, total[2] / length)
+            total = add(total, self.mesh.face_normal(f))
+        return normalized(total)

@@ -9,8 +9,8 @@
 
 from pathlib import Path
 
+from control_meshes.files import as_text
 from control_meshes.mesh import Mesh
-from control_meshes.output import as_text
 from control_meshes.vector import Vec, add
 from refinery import Refinery
 

@@ -11,8 +11,8 @@ import math
 from dataclasses import dataclass
 from pathlib import Path
 
+from control_meshes.files import as_text, read_mesh
 from control_meshes.mesh import Face, Mesh, grid_quads
-from control_meshes.output import as_text
 from control_meshes.vector import Vec
 from refinery import DATA
 
@@ -52,15 +52,13 @@ def tube(rings: int, segments: int, kind: str) -> Mesh:
 
 def real_mesh(scheme: str, faces_wanted: float) -> tuple[Mesh, int]:
     """the creature, and how many rounds"""
-    rows = [line.split() for line in (DATA / "creature.obj").read_text().splitlines()]
-    points = [(float(x), float(y), float(z)) for kind, x, y, z, *_ in rows if kind == "v"]
-    faces: list[Face] = [tuple(int(w.split("/")[0]) - 1 for w in words) for kind, *words in rows if kind == "f"]
+    mesh = read_mesh(DATA / "creature.obj")
     if scheme in OF_TRIANGLES:
-        faces = [(f[0], f[i], f[i + 1]) for f in faces for i in range(1, len(f) - 1)]
-        first = len(faces) * GROWTH[scheme]
+        mesh.faces = mesh.triangles()
+        first = len(mesh.faces) * GROWTH[scheme]
     else:
-        first = sum(map(len, faces))  # quads after a round
-    return Mesh(points, faces), 1 + max(0, round(math.log(faces_wanted / first, GROWTH[scheme])))
+        first = sum(map(len, mesh.faces))  # quads after a round
+    return mesh, 1 + max(0, round(math.log(faces_wanted / first, GROWTH[scheme])))
 
 
 def control_mesh(folder: Path, scheme: str, kind: str, faces_wanted: int) -> Control_mesh:
