@@ -156,7 +156,7 @@ def totals(counts: dict[str, tuple[int, int]]) -> list[str]:
     return result + [f"{name.strip('()')}: {counts[name][0]}" for name in (FORWARDING, UNTOUCHED, PUBLIC, PAIRS, CIRCLES)]
 
 
-def main() -> int:
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     action = parser.add_mutually_exclusive_group()
     action.add_argument("--totals", action="store_true")
@@ -167,19 +167,16 @@ def main() -> int:
     counts = counted()
     if options.totals:
         print("\n".join(totals(counts)))
-        return 0
+        return
+    budgets = read_budgets()
+    wrong = [] if options.raises else excesses(counts, budgets)
     if options.raises:
         write_budgets(counts)
-        return 0
-    budgets = read_budgets()
-    wrong = excesses(counts, budgets)
-    if options.lower and not wrong:
+    elif options.lower and not wrong:
         write_budgets({folder: (min(count[0], budgets[folder][0]), min(count[1], budgets[folder][1]))
                        for folder, count in counts.items()})
-    for line in wrong:
-        print(f"{BUDGETS.relative_to(ROOT)}: {line}", file=sys.stderr)
-    return 1 if wrong else 0
+    sys.exit("\n".join(f"{BUDGETS.relative_to(ROOT)}: {line}" for line in wrong) or 0)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -146,7 +146,7 @@ def circles(root: Path, place: Callable[[Path], str] = lambda header: str(header
     return pairs, sorted(folder for folder in reached if folder in reached[folder])
 
 
-def main() -> int:
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--circles", action="store_true")
     parser.add_argument("root", nargs="?", type=Path, default=Path(__file__).resolve().parent.parent)
@@ -157,12 +157,9 @@ def main() -> int:
                                       ("layers", circles(arguments.root, lambda header: of_header[header]))):
             print(f"{len(pairs)} pairs of {what} include each other, {len(inside)} {what} lie in circles")
             print("".join(f"  {a} and {b}\n" for a, b in pairs), end="")
-        return 0
-    wrong = check(arguments.root)
-    for line in wrong:
-        print(line, file=sys.stderr)
-    return 1 if wrong else 0
+    else:
+        sys.exit("\n".join(check(arguments.root)) or 0)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -23,7 +23,7 @@ scripts/pictures.py --command "$build/src/pn_subdivide/pn_subdivide" --output "$
 stale=0
 scripts/make_paper_figures.py --build "$build" --check >/dev/null || stale=1
 for picture in "$drawn"/*.png "$drawn"/paper/*.png; do
-  scripts/compare_figures.py "$picture" "doc/PN_subdivision_3/fig/${picture#"$drawn"/}" || stale=1
+  /usr/bin/python3 -B scripts/compare_figures.py "$picture" "doc/PN_subdivision_3/fig/${picture#"$drawn"/}" || stale=1
 done
 [[ $stale -eq 0 ]] && echo "All pictures are what the present code draws."
 exit "$stale"

@@ -20,15 +20,9 @@ import tempfile
 from pathlib import Path
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPPolyDataReader
 
+from mesh_pictures.files import read_mesh
 from refinery import Refinery
-
-
-def read(reader, file: Path):
-    reader.SetFileName(str(file))
-    reader.Update()
-    return reader.GetOutput()
 
 
 def arrays(surface):
@@ -67,16 +61,14 @@ def differences(whole, pieces) -> list[str]:
     return found
 
 
-def main() -> int:
+def main() -> None:
     command, control, *options = sys.argv[1:]
     with tempfile.TemporaryDirectory() as folder:
         refinery, mesh, common = Refinery(Path(command), Path(folder)), Path(control).resolve(), shlex.join(options)
-        found = differences(read(vtkXMLPolyDataReader(), refinery.file(mesh, common, "vtp")),
-                            read(vtkXMLPPolyDataReader(), refinery.file(mesh, f"--pieces 7 {common}", "pvtp")))
-    for text in found:
-        print(text)
-    return 1 if found else 0
+        found = differences(read_mesh(refinery.file(mesh, common, "vtp")),
+                            read_mesh(refinery.file(mesh, f"--pieces 7 {common}", "pvtp")))
+    sys.exit("\n".join(found) or 0)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

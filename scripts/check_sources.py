@@ -24,6 +24,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
+import enclosure_constants
 import moves
 import sentences
 
@@ -250,20 +251,17 @@ def check_moves() -> list[str]:
     return [f"scripts/moves.tsv: {new} is not there" for _, new in moves.table("moves.tsv") if not (ROOT / new).is_file()]
 
 
-def main() -> int:
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--compiler", default="c++ -I/usr/include/eigen3", type=shlex.split,
                         help="the compiler with the options that it needs to find CGAL and Eigen")
     parser.add_argument("--fix", action="store_true", help="write what can be derived")
     arguments = parser.parse_args()
     wrong = check_notices(arguments.fix) + check_version() + check_links() + check_macros() + check_names() + check_example() + check_lengths()
-    wrong += check_conflicts() + check_moves() + check_dependencies(arguments.compiler, arguments.fix)
-    for line in wrong:
-        print(line, file=sys.stderr)
+    wrong += check_conflicts() + check_moves() + enclosure_constants.wrong() + check_dependencies(arguments.compiler, arguments.fix)
     if wrong:
-        print("scripts/check_sources.py --fix mends notices and dependencies.", file=sys.stderr)
-    return 1 if wrong else 0
+        sys.exit("\n".join([*wrong, "scripts/check_sources.py --fix mends notices and dependencies."]))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

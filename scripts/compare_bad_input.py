@@ -14,31 +14,28 @@ Compiles test/PN_subdivision_3/peers/peers_on_bad_input.cpp (packages libopenmes
 the command in build/release, and writes doc/PN_subdivision_3/bad_input.txt, or prints the table.
 """
 
-import pathlib
 import re
-import subprocess
 import sys
+from pathlib import Path
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+from refinery import COMMAND, ROOT, run
+
 SOURCE = ROOT / "test" / "PN_subdivision_3" / "peers" / "peers_on_bad_input.cpp"
 WORK = ROOT / "build" / "peers"
-COMMAND = ROOT / "build" / "release" / "src" / "pn_subdivide" / "pn_subdivide"
 PAGE = ROOT / "doc" / "PN_subdivision_3" / "bad_input.txt"
 
 
 def version(header, name):
-    match = re.search(rf"#\s*define\s+{name}\s+\"?([\w.]+)", pathlib.Path("/usr/include", header).read_text())
+    match = re.search(rf"#\s*define\s+{name}\s+\"?([\w.]+)", Path("/usr/include", header).read_text())
     return match.group(1) if match else "?"
 
 
 def table():
     WORK.mkdir(parents=True, exist_ok=True)
     program = WORK / "peers_on_bad_input"
-    subprocess.run(["g++", "-std=c++17", "-O1", "-DNDEBUG", "-DNOMINMAX", "-w", "-frounding-math", f"-I{ROOT}/include",
-                    "-isystem", "/usr/include/eigen3", str(SOURCE), "-o", str(program),
-                    "-lOpenMeshCore", "-losdCPU", "-lgmp", "-lmpfr"], check=True)
-    output = subprocess.run([str(program), str(COMMAND)], check=True, capture_output=True, text=True).stdout
-    return [line.split("\t") for line in output.splitlines()]
+    run("g++", "-std=c++17", "-O1", "-DNDEBUG", "-DNOMINMAX", "-w", "-frounding-math", f"-I{ROOT}/include",
+        "-isystem", "/usr/include/eigen3", SOURCE, "-o", program, "-lOpenMeshCore", "-losdCPU", "-lgmp", "-lmpfr")
+    return [line.split("\t") for line in run(program, COMMAND).splitlines()]
 
 
 def page(rows):
@@ -88,8 +85,7 @@ def main():
                                 [f"{rows[0][i]}: {row[i]} {row[i + 1]}" for i in range(2, len(row), 2)]))
     else:
         PAGE.write_text(page(rows))
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -17,16 +17,15 @@ import argparse
 import datetime
 import itertools
 import platform
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
+from refinery import ROOT, run
 from speed_comparison import chart, measurements, page
 from speed_comparison.measurements import Medians
 from speed_comparison.servers import Servers
 
-ROOT = Path(__file__).resolve().parents[1]
 BUILD = ROOT / "build" / "release"
 PEERS = BUILD / "benchmark" / "PN_subdivision_3" / "peers"
 PAGE = ROOT / "doc" / "PN_subdivision_3" / "Speed.md"
@@ -53,12 +52,6 @@ def arguments() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def build() -> None:
-    if not (BUILD / "CMakeCache.txt").exists():
-        subprocess.run(["cmake", "--preset", "release"], cwd=ROOT, check=True)
-    subprocess.run(["cmake", "--build", str(BUILD), "--target", "peers"], check=True)
-
-
 def processor() -> str:
     for line in Path("/proc/cpuinfo").read_text().splitlines():
         if line.startswith("model name"):
@@ -69,8 +62,8 @@ def processor() -> str:
 def machine(servers: Servers) -> list[str]:
     cache = (BUILD / "CMakeCache.txt").read_text().splitlines()
     compiler = next(line.split("=", 1)[1] for line in cache if line.startswith("CMAKE_CXX_COMPILER:"))
-    version = servers.output([compiler, "--version"])[0]
-    cores = servers.output(["nproc"])[0]
+    version = run(compiler, "--version").splitlines()[0]
+    cores = run("nproc").strip()
     return [
         f"machine: {processor()}, {cores} cores, {platform.system()} {platform.release()}",
         f"compiler: {version}, Release (-O3), portable build",
@@ -101,20 +94,19 @@ def measure(options: argparse.Namespace, servers: Servers, folder: Path) -> Medi
     return medians
 
 
-def main() -> int:
+def main() -> None:
     options = arguments()
     if options.measured:
         medians, of_machine = measurements.read(options.measured)
     else:
-        build()
+        run("scripts/build.sh", "peers")
         servers = Servers(PEERS)
         of_machine = machine(servers)
         with tempfile.TemporaryDirectory() as folder:
             medians = measure(options, servers, Path(folder))
     page.write(options.page, medians, of_machine)
     chart.write(options.chart, medians)
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -12,9 +12,9 @@
     scripts/coverage.py --build build/asan-ubsan
 
 The preset asan-ubsan compiles for this, too (clang++ -fprofile-instr-generate -fcoverage-mapping, and nothing
-precompiled: clang++ 14 maps no lines of headers that are): the script builds it (or the programs named, as
-test_curves), runs the tests and counts; more than an hour on two cores. With --build it only counts what has been run in
-a folder, as by scripts/sanitize.sh address: all *.profraw and all programs there. Needs llvm-profdata and llvm-cov of
+precompiled: clang++ 14 maps no lines of headers that are): scripts/sanitize.sh address builds it (or the programs named, as
+test_curves) and runs the tests, in more than an hour on two cores. With --build it only counts what has been run in
+a folder: all *.profraw and all programs there. Needs llvm-profdata and llvm-cov of
 the version of clang++.
 
 A line counts once, as run if any instance of its template ran. Prints every file below 100 % with its lines that no
@@ -30,26 +30,15 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "asan-ubsan"
-PROFILES = "profiles"
 FOLDERS = (ROOT / "include", ROOT / "test_support")
 # compiled, never run: what a parameter has to offer, for messages of static assertions
 COMPILED_ONLY = {"concept_checks.h"}
 
 
-def profile_pattern(build):
-    """Four files for each program, into which its processes merge their counts."""
-    return str(build / PROFILES / "%4m.profraw")
-
-
 def build_and_run(tests, jobs):
-    subprocess.run(["cmake", "--preset", "asan-ubsan"], check=True, cwd=ROOT, stdout=subprocess.DEVNULL)
-    subprocess.run(["cmake", "--build", "--preset", "asan-ubsan", "-j", str(jobs),
-                    *(["--target", *tests] if tests else []), "--", "-k0"], check=False, cwd=ROOT)
-    for old in (BUILD / PROFILES).glob("*.profraw"):
+    for old in (BUILD / "profiles").glob("*.profraw"):
         old.unlink()
-    select = ["-R", "^(" + "|".join(tests) + ")$"] if tests else []
-    run = subprocess.run(["ctest", "--preset", "asan-ubsan", "-j", str(jobs), "--no-tests=error", "-Q", *select],
-                         cwd=ROOT, env={**os.environ, "LLVM_PROFILE_FILE": profile_pattern(BUILD)})
+    run = subprocess.run(["scripts/sanitize.sh", "address", *tests], cwd=ROOT, env={**os.environ, "JOBS": str(jobs)})
     if run.returncode != 0:
         print("some tests fail")
 
@@ -63,7 +52,7 @@ def counts(build):
     """For each header of the package, and of test_support/, how often its lines ran, all programs together."""
     profiles = [str(p) for p in build.rglob("*.profraw") if p.stat().st_size > 0]
     if not profiles:
-        sys.exit(f"{build}: no profiles; run the tests first, with LLVM_PROFILE_FILE={profile_pattern(build)}")
+        sys.exit(f"{build}: no profiles; run the tests first, by scripts/sanitize.sh address")
     merged = build / "all.profdata"
     subprocess.run(["llvm-profdata", "merge", "-sparse", "-o", merged, *profiles], check=True)
     result = collections.defaultdict(collections.Counter)

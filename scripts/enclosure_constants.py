@@ -6,20 +6,23 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""The constants of proven enclosures of limit surfaces, see PN_limit_surface_3/internal/limit_surface/Cell_enclosure.h and the preprint.
+"""The constants of proven enclosures of limit surfaces: prints them; check_sources.py compares those of Cell_enclosure.h.
 
 For a vertex of valence n between regular ones, of Catmull-Clark and Loop subdivision:
 gamma, the largest cost of a flow along edges that carries the row of one end of a new edge into that of the other; differences of
 points over edges shrink by it. sigma2, the largest half sum of |a_j a_l| d_jl^2 over the rows, with the distances d in the net;
 d0, the largest of these. Both rows of a new edge lie in the ring of one vertex, and depend on its valence alone.
 
-A flow is found by successive shortest paths; whether it is the cheapest does not matter for the bound, and the potentials that are
-checked in the end tell that it is.
+Any flow gives a bound; at these valences those found here are the cheapest.
 """
 
 import collections
 import math
+import re
+from pathlib import Path
 
+ROOT = Path(__file__).resolve().parent.parent
+HEADER = ROOT / "include/CGAL/PN_limit_surface_3/internal/limit_surface/Cell_enclosure.h"
 VALENCES = range(3, 13)
 
 
@@ -68,51 +71,45 @@ def distances(edges):
     return result
 
 
-def cheapest_flow(a, b, distance):
-    """from the surplus of row a over row b to its lack"""
-    keys = set(a) | set(b)
-    surplus = {k: a.get(k, 0) - b.get(k, 0) for k in keys}
-    sources = {k: x for k, x in surplus.items() if x > 1e-15}
-    sinks = {k: -x for k, x in surplus.items() if x < -1e-15}
-    flow = collections.defaultdict(float)
-    while any(x > 1e-14 for x in sources.values()):
-        cost = {k: (0 if x > 1e-14 else math.inf) for k, x in sources.items()}
-        cost.update({k: math.inf for k in sinks})
-        before = {}
-        for _ in range(len(cost)):
-            for s in sources:
-                for t in sinks:
-                    if cost[s] + distance[s][t] < cost[t] - 1e-12:
-                        cost[t], before[t] = cost[s] + distance[s][t], s
-                    if flow[s, t] > 1e-14 and cost[t] - distance[s][t] < cost[s] - 1e-12:
-                        cost[s], before[s] = cost[t] - distance[s][t], t
-        end = min((k for k, x in sinks.items() if x > 1e-14), key=lambda k: cost[k])
-        path = [end]
-        while path[-1] in before:
-            path.append(before[path[-1]])
-        path.reverse()
-        amount = min([sources[path[0]], sinks[end]] +
-                     [flow[y, x] for x, y in zip(path, path[1:]) if x in sinks])
-        for x, y in zip(path, path[1:]):
-            if x in sinks:
-                flow[y, x] -= amount
-            else:
-                flow[x, y] += amount
-        sources[path[0]] -= amount
-        sinks[end] -= amount
-    return sum(x * distance[s][t] for (s, t), x in flow.items())
+def cost_of_flow(a, b, distance):
+    """from the surplus of row a over row b to its lack, the shortest ways first"""
+    surplus = {k: a.get(k, 0) - b.get(k, 0) for k in {*a, *b}}
+    ways = sorted((distance[s][t], s, t) for s in surplus for t in surplus if surplus[s] > 0 > surplus[t])
+    cost = 0
+    for length, source, sink in ways:
+        amount = min(surplus[source], -surplus[sink])
+        surplus[source] -= amount
+        surplus[sink] += amount
+        cost += amount * length
+    return cost
+
+
+def constants(ring, valence):
+    """gamma, sigma2 and d0"""
+    edges, rows, pairs = ring(valence)
+    distance = distances(edges)
+    return (max(cost_of_flow(a, b, distance) for a, b in pairs),
+            max(sum(x * y * distance[i][j] ** 2 for i, x in row.items() for j, y in row.items()) / 2 for row in rows),
+            max(distance[i][j] for row in rows for i in row for j in row))
+
+
+def wrong():
+    """What the header has of gamma that is no bound, or a worse one than need be."""
+    found = []
+    for name, ring in (("of_quads", quads), ("of_triangles", triangles)):
+        stated = re.search(rf"{name}\[\] = {{([^}}]*)}}", HEADER.read_text())[1].split(",")
+        for valence, word in zip(VALENCES, stated, strict=True):
+            gamma = max(0.5, constants(ring, valence)[0])  # that of the regular vertices around
+            if not -1e-12 < float(word) - gamma < 1e-4:
+                found.append(f"{HEADER.relative_to(ROOT)} has {word.strip()} {name} of valence {valence}, not {gamma:.6f} rounded up")
+    return found
 
 
 def main():
     for name, ring in (("Catmull-Clark", quads), ("Loop", triangles)):
         print(name)
         for n in VALENCES:
-            edges, rows, pairs = ring(n)
-            distance = distances(edges)
-            gamma = max(cheapest_flow(a, b, distance) for a, b in pairs)
-            sigma2 = max(sum(x * y * distance[i][j] ** 2 for i, x in row.items() for j, y in row.items()) / 2
-                         for row in rows)
-            d0 = max(distance[i][j] for row in rows for i in row for j in row)
+            gamma, sigma2, d0 = constants(ring, n)
             print(f"  {n:2}  gamma {gamma:.6f}  sigma2 {sigma2:.6f}  d0 {d0}")
 
 

@@ -21,10 +21,7 @@ seconds=${1:-60}
 targets=("${@:2}")
 [[ ${#targets[@]} -gt 0 ]] || targets=(fuzz_api fuzz_command)
 
-launcher=()
-if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
-cmake --preset fuzz "${launcher[@]}" >/dev/null
-cmake --build --preset fuzz --target "${targets[@]}"
+scripts/build.sh --preset fuzz "${targets[@]}"
 
 status=0
 for target in "${targets[@]}"; do

@@ -76,7 +76,7 @@ def differences(page: str, numbers: dict[str, float]) -> list[str]:
     return wrong
 
 
-def main() -> int:
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("figures", nargs="*", type=int, metavar="N")
     parser.add_argument("--build", type=Path, default=ROOT / "build/release", metavar="FOLDER",
@@ -104,15 +104,12 @@ def main() -> int:
             names = {f"paper/figure_{n}" for n in figures}
             pictures.draw([name for name in pictures.all_pictures() if re.sub(r"(\d)_\d", r"\1", name) in names], command, folder)
     if options.check:
-        wrong = differences(PAGE.read_text(), found)
-        print("\n".join(f"{PAGE}: {line}" for line in wrong), end="\n" if wrong else "", file=sys.stderr)
-        return 1 if wrong else 0
+        sys.exit("\n".join(f"{PAGE}: {line}" for line in differences(PAGE.read_text(), found)) or 0)
     if options.output:
         print("\n".join(f"{name} {value!r}" for name, value in found.items()))
     else:
         PAGE.write_text(with_numbers(PAGE.read_text(), found))
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -295,19 +295,16 @@ def finish(folder: Path) -> list[str]:
     return wrong
 
 
-def main() -> int:
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("step", choices=("prepare", "finish"))
     parser.add_argument("folder", type=Path)
     arguments = parser.parse_args()
     if arguments.step == "prepare":
         prepare(arguments.folder)
-        return 0
-    wrong = finish(arguments.folder)
-    for line in wrong:
-        print(f"manual: {line}", file=sys.stderr)
-    return 1 if wrong else 0
+    else:
+        sys.exit("\n".join(f"manual: {line}" for line in finish(arguments.folder)) or 0)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -18,7 +18,6 @@
 import argparse
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -85,7 +84,7 @@ def page() -> str:
         "*/", "} // namespace CGAL", ""])
 
 
-def main() -> int:
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     action = parser.add_mutually_exclusive_group(required=True)
     action.add_argument("--includes", nargs="+", type=Path, metavar="FILE")
@@ -100,8 +99,7 @@ def main() -> int:
     else:
         for path in options.includes:
             path.write_text(with_new_paths(path.read_text(), moves))
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -11,7 +11,6 @@ import os
 import shlex
 import subprocess
 import sys
-import time
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -33,16 +32,14 @@ def run(*words: Any, folder: Path = ROOT) -> str:
 class Usage:
     megabytes: float  # at most
     processor: float  # seconds
-    seconds: float
 
 
 def measured(*words: Any) -> Usage:
-    began = time.monotonic()
     process = os.spawnvp(os.P_NOWAIT, str(words[0]), list(map(str, words)))
     _, status, usage = os.wait4(process, 0)
     if status != 0:
         sys.exit(f"failed: {shlex.join(map(str, words))}")
-    return Usage(usage.ru_maxrss / 1024, usage.ru_utime + usage.ru_stime, time.monotonic() - began)
+    return Usage(usage.ru_maxrss / 1024, usage.ru_utime + usage.ru_stime)
 
 
 class Refinery:

@@ -106,7 +106,7 @@ def run(blocks: list[str], folder: Path, command: Path) -> list[str]:
     return wrong
 
 
-def main() -> int:
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("command", type=Path, help="pn_subdivide")
     arguments = parser.parse_args()
@@ -116,10 +116,8 @@ def main() -> int:
         folder = Path(temporary)
         sandbox(folder, arguments.command)
         wrong += run(blocks, folder, arguments.command)
-    for line in wrong:
-        print(line, file=sys.stderr)
-    return 1 if wrong else 0
+    sys.exit("\n".join(wrong) or 0)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -102,16 +102,15 @@ valgrind_on_command()
   local command=${COMMAND:-} folder
   if [[ -z $command ]]; then
     command=build/release/src/pn_subdivide/pn_subdivide
-    cmake --preset release "${launcher[@]}" >/dev/null
-    cmake --build --preset release -j "$jobs" --target pn_subdivide
+    scripts/build.sh pn_subdivide
   fi
   folder=$(mktemp -d)
   local check=(valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite)
   printf '0 0\n1 0\n1 1\n' >"$folder/polygon.txt"
-  "${check[@]}" $command surface data/meshes/cube.off "$folder/cube.ply" --levels 2 --quiet
-  "${check[@]}" $command surface data/meshes/creased_plate.ply "$folder/plate.obj" --quiet
-  "${check[@]}" $command surface data/meshes/mixed_borders.off "$folder/mixed.vtp" --curvature gaussian --quiet
-  "${check[@]}" $command curve "$folder/polygon.txt" "$folder/curve.txt" --scheme chaikin --quiet
+  "${check[@]}" "$command" surface data/meshes/cube.off "$folder/cube.ply" --levels 2 --quiet
+  "${check[@]}" "$command" surface data/meshes/creased_plate.ply "$folder/plate.obj" --quiet
+  "${check[@]}" "$command" surface data/meshes/mixed_borders.off "$folder/mixed.vtp" --curvature gaussian --quiet
+  "${check[@]}" "$command" curve "$folder/polygon.txt" "$folder/curve.txt" --scheme chaikin --quiet
   rm -r "$folder"
 }
 

@@ -89,7 +89,7 @@ def table(build: Path) -> str:
                      for tier, heading in SECTIONS.items())
 
 
-def main() -> int:
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", nargs="?", type=Path, default=ROOT / "build" / "tests")
     parser.add_argument("--check", action="store_true")
@@ -98,14 +98,13 @@ def main() -> int:
         text, heading, rest = PAGE.read_text().partition(HEADING)
         introduction = rest.partition("\n###")[0]
         PAGE.write_text(text + heading + introduction + "\n" + table(options.build))
-        return 0
+        return
     expected = tiers(options.build)
     written = {name: tier for name, (tier, _) in old_rows().items()}
     wrong = [f"{name}: {expected.get(name, 'no such test')}, the table has {written.get(name, 'no row')}"
              for name in sorted(expected.keys() | written.keys()) if expected.get(name) != written.get(name)]
-    print("\n".join(wrong), file=sys.stderr)
-    return 1 if wrong else 0
+    sys.exit("\n".join(wrong) or 0)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -13,6 +13,8 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+from refinery import run
+
 VTK_PEER = Path(__file__).parent.with_name("vtk_peer.py")
 
 
@@ -66,14 +68,11 @@ class Servers:
         self.running: dict[tuple[str, int, bool], Server] = {}
         self.listings: dict[str, list[str]] = {}
 
-    def output(self, command: list[str]) -> list[str]:
-        return subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()
-
     def listing(self, option: str) -> list[str]:
         if option not in self.listings:
-            lines = self.output([str(self.peers), option])
+            lines = run(self.peers, option).splitlines()
             if self.vtk:
-                lines += self.output([self.vtk, str(VTK_PEER), option])
+                lines += run(self.vtk, VTK_PEER, option).splitlines()
             self.listings[option] = lines
         return self.listings[option]
 
