@@ -6,10 +6,11 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""Checks the sources: that each file says whose it is, that package_info/.../dependencies lists the
-CGAL packages whose headers the package's headers include, directly or not, that version.h,
-CMakeLists.txt, vcpkg.json, conanfile.py, the npm package, CHANGES.md and CITATION.cff agree on the version, that links of pages in Markdown
-lead to files and headings that are there, that README and manual are short, and that sentences of the manual and of public headers are (sentences.py).
+"""Checks the sources: that each file says whose it is, that package_info/.../dependencies lists the CGAL packages whose headers
+the package's headers include, directly or not, that version.h, CMakeLists.txt, vcpkg.json, conanfile.py, the npm package,
+CHANGES.md and CITATION.cff agree on the version, that links of pages in Markdown lead to files and headings that are there,
+that README and manual are short, and that sentences of the manual and of public headers are (sentences.py), and that the
+constants of proven bounds are those of enclosure_constants.py.
 
 With --fix the headers of files and the dependencies are written anew; else the exit code is 1 if
 something is wrong. Needs Python 3.11 and, for the dependencies, a C++ compiler and CGAL.

@@ -37,8 +37,8 @@ def difference_of_drawings(drawn: str, committed: str) -> str:
     return ""
 
 
-def colors(path: Path) -> "numpy.ndarray":
-    """A row for each line of a PNG file."""
+def colors(path: Path):
+    """An array of the lines, pixels and channels of a PNG file."""
     import numpy
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkIOImage import vtkPNGReader
