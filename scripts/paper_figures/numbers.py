@@ -120,8 +120,8 @@ def curvature_of_bezier() -> float:
 
 
 def grid_10(refinery: Refinery) -> Numbers:
-    for kind, shape in product(("", "linear_"), ("waves", "bumps")):
-        mesh = refined(refinery, f"paper/{shape}.ply", "--scheme doo-sabin --levels 4" + (" --linear" if kind else ""))
+    for (kind, option), shape in product((("", "--normals file"), ("linear_", "--linear")), ("waves", "bumps")):
+        mesh = refined(refinery, f"paper/{shape}.ply", f"--scheme doo-sabin --levels 4 {option}")
         heights = mesh.values["z"]
         yield f"10_grid_{kind}{shape}", max(heights) - min(heights)
 
@@ -138,7 +138,7 @@ def ring_11(refinery: Refinery) -> Numbers:
 
 def wheel_12(refinery: Refinery) -> Numbers:
     linear, pn, tori = (refined(refinery, f"paper/{mesh}.ply", "--scheme catmull-clark --levels 4" + option).points
-                        for mesh, option in (("wheel", " --linear"), ("wheel", ""), ("wheel_tori", "")))
+                        for mesh, option in (("wheel", " --linear"), ("wheel", " --normals file"), ("wheel_tori", " --normals file")))
     for name, points in (("linear", linear), ("PN", pn), ("tori", tori)):
         middle = [radius(p) for p in points if abs(p[2]) < 1e-9]
         yield f"12_rim_{name}", unevenness(r for r in middle if r > 2.6)
@@ -149,7 +149,7 @@ def wheel_12(refinery: Refinery) -> Numbers:
 
 
 def models_13(refinery: Refinery) -> Numbers:
-    for kind, option in (("linear", " --linear"), ("PN", "")):
+    for kind, option in (("linear", " --linear"), ("PN", " --normals file")):
         bell = refined(refinery, "paper/bell.ply", "--scheme catmull-clark --levels 4" + option)
         yield f"13_bell_{kind}", unevenness(radius(p) for v, p in enumerate(bell.points)
                                             if bell.is_border(v))
