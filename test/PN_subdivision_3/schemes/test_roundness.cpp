@@ -8,6 +8,7 @@
 // p = q + w H n: with roundness of the vertices a round lies between the linear one and the point-normal one.
 
 #include "Scheme_runs.h"
+#include "Schemes.h"
 #include "support/Options.h"
 
 #include <CGAL/Gmpq.h>
