@@ -63,7 +63,7 @@ set(pn_include_folders ${PN_subdivision_3_SOURCE_DIR}/include ${PN_subdivision_3
                        ${PN_subdivision_3_SOURCE_DIR}/examples/PN_subdivision_3)
 
 # pn_external_includes(result source): the headers of others that a source of the package includes,
-# directly or by headers of the package; and those of test_support/, as test_support/NAME.
+# directly or by headers of the package; those of test_support/, as test_support/NAME; and of schemes, as schemes/NAME.
 function(pn_external_includes result source)
   get_property(known GLOBAL PROPERTY pn_external_includes_of_${source} SET)
   if(NOT known)
@@ -84,6 +84,8 @@ function(pn_external_includes result source)
         list(APPEND external ${further})
         if(own MATCHES "/test_support/")
           list(APPEND external test_support/${name})
+        elseif(own MATCHES "/PN_subdivision_3/(schemes/[A-Za-z0-9_]+_schemes?)\\.h$")
+          list(APPEND external ${CMAKE_MATCH_1})
         endif()
       else()
         list(APPEND external ${name})

@@ -71,14 +71,19 @@ function(pn_test_settings target)
   target_compile_options(${target} PRIVATE ${PN_TEST_OPTIMIZATION})
 endfunction()
 
-# What the programs share: the headers of the package and of others; those of the command see little of CGAL.
+# What the programs share: the headers of the package and of others; those of the command see little of CGAL. Of the schemes only
+# those which most tests use, so that a change to another one compiles few tests again: what a test includes beyond that it
+# compiles by itself.
+set(pn_precompiled_schemes schemes/Any_scheme schemes/CatmullClark_scheme schemes/Loop_scheme)
 set(pn_headers_of_command_tests <gtest/gtest.h> <algorithm> <filesystem> <fstream> <map> <sstream> <string> <vector>)
-set(pn_headers_of_tests <gtest/gtest.h> <CGAL/Exact_predicates_exact_constructions_kernel.h> <CGAL/PN_subdivision_3.h>
-    <CGAL/Polyhedron_3.h> <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h> <CGAL/subdivision_method_3.h>)
+set(pn_headers_of_tests <gtest/gtest.h> <CGAL/Exact_predicates_exact_constructions_kernel.h>
+    <CGAL/PN_subdivision_3/detect_creases.h> <CGAL/PN_subdivision_3/estimate_control_normals.h> <CGAL/Polyhedron_3.h>
+    <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h> <CGAL/subdivision_method_3.h>)
 pn_precompile_tests(pn_test_headers ${pn_headers_of_tests} INSTANCES Instances.h)
 if(TARGET CGAL::PN_subdivision_3_Eigen)
-  pn_precompile_tests(pn_limit_test_headers <gtest/gtest.h> <CGAL/PN_subdivision_limit_3.h> <CGAL/Simple_cartesian.h>
-                      <CGAL/Surface_mesh.h> INSTANCES Limit_instances.h)
+  pn_precompile_tests(pn_limit_test_headers <gtest/gtest.h> <CGAL/PN_limit_surface_3/Limit_surface.h>
+                      <CGAL/PN_limit_surface_3/subdivide_to_limit.h> <CGAL/PN_limit_surface_3/tessellate.h>
+                      <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h> INSTANCES Limit_instances.h)
   pn_use_precompiled_in_command(pn_limit_test_headers)
 endif()
 set(pn_headers_of_command pn_limit_test_headers)
@@ -101,6 +106,20 @@ endif()
 if(PN_TEST_OPTIMIZATION STREQUAL "-O0")
   set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/reference/PN_rule.cpp PROPERTIES COMPILE_OPTIONS -O1)
 endif()
+
+# pn_includes_schemes(result source): whether it includes schemes that are not precompiled.
+function(pn_includes_schemes result source)
+  pn_external_includes(included ${source})
+  list(FILTER included INCLUDE REGEX "^schemes/")
+  list(REMOVE_ITEM included ${pn_precompiled_schemes})
+  set(${result} "${included}" PARENT_SCOPE)
+endfunction()
+foreach(header Instances.h Limit_instances.h)
+  pn_includes_schemes(schemes ${CMAKE_CURRENT_SOURCE_DIR}/support/${header})
+  if(schemes)
+    message(FATAL_ERROR "${header} is precompiled and shall not include ${schemes}: a change to one would compile all tests again")
+  endif()
+endforeach()
 
 # pn_headers_of_test(result source...): which of the precompiled headers suit sources best.
 function(pn_headers_of_test result)
@@ -189,6 +208,10 @@ foreach(unit_test ${unit_tests})
     set(group test_${kind}_${subject})
     if(headers MATCHES "_limit" AND NOT subject STREQUAL "command")
       string(APPEND group _limit)
+    endif()
+    pn_includes_schemes(schemes ${unit_test})
+    if(schemes)
+      string(APPEND group _schemes)
     endif()
     list(APPEND groups ${group})
     list(APPEND ${group} ${unit_test})

@@ -12,6 +12,7 @@
 #   scripts/test.sh [--full] [--strict]
 #
 # The short tier (build/tests): the unit tests, the command and its tests, by clang++ where it is found, without optimization.
+#   Programs that are as they were when they passed are not run again.
 # --full: everything: the long tests, too (test/PN_subdivision_3/long_tests.txt); all of it by g++, optimized, with every number
 #   type, every header alone and the real command (build/release); CGAL 6; a short run of each benchmark; fuzz targets and
 #   random meshes for some minutes.
@@ -66,7 +67,10 @@ scripts/build.sh --preset tests
 
 say "running the tests"
 if [[ $full == no ]]; then
-  run_tests tests
+  unchanged=$(scripts/unchanged_tests.py build/tests)
+  [[ $unchanged == '^()$' ]] || echo "As they were when they passed, and not run again: $(tr -d '^()$' <<<"$unchanged" | tr '|' ' ')"
+  run_tests tests --exclude-regex "$unchanged"
+  scripts/unchanged_tests.py --record build/tests
   times >>build/tests/times
   [[ $is_empty == no ]] ||
     awk '{ gsub(/[ms]/, " ") } NR % 2 == 0 { print $1 * 60 + $2 + $3 * 60 + $4 - last; last = $1 * 60 + $2 + $3 * 60 + $4 }' \

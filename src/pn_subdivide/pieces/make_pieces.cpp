@@ -12,7 +12,8 @@
 #include "surface/Scheme.h"
 #include "surface/Wedges.h"
 
-#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 
 #include <cctype>
 #include <cmath>

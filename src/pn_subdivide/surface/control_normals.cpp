@@ -15,7 +15,9 @@
 #include "surface/Wedges.h"
 
 #include <CGAL/PN_fitting_3/smooth_control_normals.h>
-#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 
 #include <algorithm>
 #include <cmath>

@@ -16,7 +16,8 @@
 #include "surface/creases.h"
 
 #include <CGAL/PN_limit_surface_3/tessellate.h>
-#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 
 #include <utility>
 

@@ -12,6 +12,7 @@
 
 #include "Changed_scheme.h"
 #include "Exact_control.h"
+#include "Schemes.h"
 
 #include <CGAL/PN_certificates_3/reproduction.h>
 

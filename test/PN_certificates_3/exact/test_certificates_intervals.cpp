@@ -12,6 +12,7 @@
 #include "Curve_cases.h"
 #include "Rational_shapes.h"
 #include "Scheme_runs.h"
+#include "Schemes.h"
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/PN_certificates_3/reproduction.h>

@@ -10,6 +10,7 @@
 // linear scheme. The linear twins against CGAL, whose weights are those of double.
 
 #include "Exact_control.h"
+#include "Schemes.h"
 
 namespace {
 

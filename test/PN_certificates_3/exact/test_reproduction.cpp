@@ -9,6 +9,7 @@
 // Spheres and cylinders are kept: radii in long double, uneven and irregular control data.
 
 #include "Mesh_files.h"
+#include "Schemes.h"
 
 #include <CGAL/boost/graph/generators.h>
 

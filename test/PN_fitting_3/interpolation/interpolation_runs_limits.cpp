@@ -9,6 +9,9 @@
 #include "Interpolation_runs.h"
 #include "support/Options.h"
 
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
+
 namespace interpolation_cases {
 
 template <class Scheme>

@@ -9,6 +9,8 @@
 #include "Prescription_cases.h"
 
 #include <CGAL/PN_fitting_3/prescribe_limit_data.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 
 namespace interpolation_cases {
 

@@ -8,6 +8,8 @@
 
 #include "Interpolation_runs_definitions.h"
 
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
+
 namespace interpolation_cases {
 
 template struct Interpolation_runs<PN::CatmullClark_scheme>;

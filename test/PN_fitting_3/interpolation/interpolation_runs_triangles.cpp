@@ -8,6 +8,9 @@
 
 #include "Interpolation_runs_definitions.h"
 
+#include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
+
 namespace interpolation_cases {
 
 template struct Interpolation_runs<PN::Loop_scheme::Tuned>;

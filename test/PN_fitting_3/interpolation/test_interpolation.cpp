@@ -11,8 +11,10 @@
 
 #include "Extent.h"
 #include "Interpolation_cases.h"
+#include "Schemes.h"
 #include "support/Options.h"
 
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 
 #include <gtest/gtest.h>

@@ -13,6 +13,9 @@
 #include "support/Options.h"
 
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
+#include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <stdexcept>

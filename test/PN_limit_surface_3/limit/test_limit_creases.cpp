@@ -14,6 +14,9 @@
 #include <gtest/gtest.h>
 
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
+#include <CGAL/PN_subdivision_3/detect_creases.h>
+#include <CGAL/PN_subdivision_3/schemes/Transfer_schemes.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <algorithm>
 #include <array>
 #include <cmath>

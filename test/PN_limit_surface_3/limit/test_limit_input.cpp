@@ -11,11 +11,13 @@
 
 #include "Limit_cases.h"
 #include "Mesh_cases.h"
+#include "Schemes.h"
 #include "support/Options.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <stdexcept>

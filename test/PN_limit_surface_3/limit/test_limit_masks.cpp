@@ -12,6 +12,7 @@
 #include "Curved_surfaces.h"
 #include "Extent.h"
 #include "Limit_cases.h"
+#include "Schemes.h"
 #include "reference/Limit.h"
 #include "support/Options.h"
 

@@ -10,7 +10,10 @@
 
 #include "Limit_cases.h"
 #include "Mesh_files.h"
+#include "Schemes.h"
 #include "support/Options.h"
+
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 
 namespace {
 

@@ -11,6 +11,8 @@
 #include "Scheme_runs.h"
 
 #include <CGAL/PN_limit_surface_3/Limit_surface.h>
+#include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 
 #include <gtest/gtest.h>
 

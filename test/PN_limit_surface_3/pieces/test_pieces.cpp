@@ -10,8 +10,19 @@
 
 #include "Pieces_cases.h"
 
-#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Bilinear_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Midpoint_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/mp11.hpp>
 

@@ -12,8 +12,16 @@
 #include "Extent.h"
 #include "Pieces_cases.h"
 
-#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Transfer_schemes.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <cstddef>
 #include <cstdint>

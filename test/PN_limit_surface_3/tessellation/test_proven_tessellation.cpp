@@ -15,6 +15,7 @@
 
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_limit_surface_3/tessellate.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 
 #include <gtest/gtest.h>
 

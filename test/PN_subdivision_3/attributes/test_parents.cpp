@@ -11,7 +11,13 @@
 
 #include "Mesh_cases.h"
 
-#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -490,8 +496,8 @@ TEST(Parents, VisitorsHaveWhatTheyNeed)
 {
   Surface_mesh mesh = make(cube());
   std::vector<int> children(6, 0);
-  PN::CatmullClark_subdivision(mesh,
-                               params::number_of_iterations(2).visitor(Face_counter{&children}));
+  PN::subdivide(mesh, PN::CatmullClark_scheme(),
+                params::number_of_iterations(2).visitor(Face_counter{&children}));
   EXPECT_EQ(children, std::vector<int>(6, 16));
   EXPECT_TRUE(is_linked(mesh));
 }

@@ -15,7 +15,11 @@
 #  include "Extent.h"
 #  include "OpenSubdiv_peer.h"
 
-#  include <CGAL/PN_subdivision_3.h>
+#  include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#  include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#  include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#  include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#  include <CGAL/PN_subdivision_3/subdivide.h>
 #  include <CGAL/Simple_cartesian.h>
 #  include <CGAL/Surface_mesh.h>
 

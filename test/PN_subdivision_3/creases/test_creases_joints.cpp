@@ -11,7 +11,10 @@
 
 #include "Sampled_surfaces.h"
 
-#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

@@ -13,7 +13,12 @@
 #include "Tagged_meshes.h"
 #include "reference/Crease_rule.h"
 
-#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
 

@@ -12,8 +12,12 @@
 #include "Temporary_folder.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/control_mesh_io.h>
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -136,9 +140,10 @@ TEST(Control_mesh_io, What_a_file_does_not_say_is_estimated)
   for (const std::string& text : {ply("", nothing), of_mesh}) {
     Mesh read, expected;
     const auto normals = PN::read_control_mesh(folder.write("a.ply", text), read);
-    PN::Loop_subdivision(read, params::vertex_normal_map(normals).number_of_iterations(2));
+    PN::subdivide(read, PN::Loop_scheme(),
+                  params::vertex_normal_map(normals).number_of_iterations(2));
     PN::read_control_mesh(folder.write("b.off", off(sides, 4)), expected);
-    PN::Loop_subdivision(expected, params::number_of_iterations(2));
+    PN::subdivide(expected, PN::Loop_scheme(), params::number_of_iterations(2));
     for (const Vertex v : expected.vertices()) EXPECT_EQ(read.point(v), expected.point(v));
   }
 }
@@ -177,11 +182,12 @@ void expect_file_between_rounds_is_as_none(const std::string& start, const std::
   const auto rounds = [](unsigned n, const auto& normals) {
     return params::vertex_normal_map(normals).number_of_iterations(n);
   };
-  PN::CatmullClark_subdivision(whole, rounds(2, PN::read_control_mesh(start, whole)));
+  PN::subdivide(whole, PN::CatmullClark_scheme(), rounds(2, PN::read_control_mesh(start, whole)));
   const auto normals = PN::read_control_mesh(start, first);
-  PN::CatmullClark_subdivision(first, rounds(1, normals));
+  PN::subdivide(first, PN::CatmullClark_scheme(), rounds(1, normals));
   PN::write_refined_mesh(between, first, params::vertex_normal_map(normals));
-  PN::CatmullClark_subdivision(second, rounds(1, PN::read_control_mesh(between, second)));
+  PN::subdivide(second, PN::CatmullClark_scheme(),
+                rounds(1, PN::read_control_mesh(between, second)));
   expect_same_points(second, whole);
 }
 
@@ -208,7 +214,7 @@ TEST(Control_mesh_io, Sharpness_that_is_left_is_written)
   };
   const auto np = maps(mesh);
   const auto normals = PN::read_control_mesh(start, mesh, np);
-  PN::Loop_subdivision(mesh, np.vertex_normal_map(normals));
+  PN::subdivide(mesh, PN::Loop_scheme(), np.vertex_normal_map(normals));
   PN::write_refined_mesh(folder.file("b.ply"), mesh, np.vertex_normal_map(normals));
   PN::read_control_mesh(folder.file("b.ply"), again, maps(again));
   const auto sharp = mesh.add_property_map<Edge, double>("e:sharp").first;

@@ -13,6 +13,8 @@
 #include "../../../demo/PN_subdivision_3/modeler/graph_traits_Array_mesh.h"
 
 #include <CGAL/PN_limit_surface_3/estimate_curvature.h>
+#include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
 
 #include <limits>
 #include <stdexcept>
@@ -96,8 +98,9 @@ TEST(Array_mesh, IsSubdividedAsSurfaceMeshIs)
       }
     };
     expect_same([&](auto& mesh, const auto& np) { mesh_type_cases::subdivide(c, mesh, np); });
-    expect_same([](auto& mesh, const auto& np) { PN::DooSabin_subdivision(mesh, np); });
-    if (c.loop) expect_same([](auto& mesh, const auto& np) { PN::Sqrt3_subdivision(mesh, np); });
+    expect_same([](auto& mesh, const auto& np) { PN::subdivide(mesh, PN::DooSabin_scheme(), np); });
+    if (c.loop)
+      expect_same([](auto& mesh, const auto& np) { PN::subdivide(mesh, PN::Sqrt3_scheme(), np); });
   }
 }
 
@@ -109,8 +112,8 @@ TEST(Array_mesh, HasTheSharpEdgesOfSurfaceMesh)
     using Edge = typename M::Edge_index;
     const auto sharp = mesh.template add_property_map<Edge, double>("s", 0).first;
     for (unsigned e = 0; e < 4; ++e) sharp[Edge(e)] = 1 + e;
-    PN::CatmullClark_subdivision(mesh,
-                                 params::number_of_iterations(2).edge_is_constrained_map(sharp));
+    PN::subdivide(mesh, PN::CatmullClark_scheme(),
+                  params::number_of_iterations(2).edge_is_constrained_map(sharp));
     std::vector<double> values;
     for (auto e : mesh.edges()) values.push_back(sharp[e]);
     for (auto v : mesh.vertices())
@@ -128,7 +131,7 @@ TEST(Array_mesh, HasTheCurvaturesOfSurfaceMesh)
     using M = std::decay_t<decltype(mesh)>;
     using Curvature = PN::Vertex_curvature<Kernel>;
     const auto map = mesh.template add_property_map<typename M::Vertex_index, Curvature>("c").first;
-    PN::CatmullClark_subdivision(mesh);
+    PN::subdivide(mesh, PN::CatmullClark_scheme());
     PN::estimate_curvature(mesh, map);
     std::vector<double> values;
     for (auto v : mesh.vertices()) values.push_back(map[v].gaussian);
@@ -145,7 +148,7 @@ TEST(Array_mesh, RefusedIsLeftAlone)
   Array_mesh& mesh = both.array_mesh;
   mesh.point(Array_vertex(3)) = Point(0, std::numeric_limits<double>::quiet_NaN(), 0);
   const auto before = connectivity(mesh);
-  EXPECT_THROW(PN::CatmullClark_subdivision(mesh), std::invalid_argument);
+  EXPECT_THROW(PN::subdivide(mesh, PN::CatmullClark_scheme()), std::invalid_argument);
   EXPECT_EQ(connectivity(mesh), before);
 }
 

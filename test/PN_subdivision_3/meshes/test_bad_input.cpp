@@ -11,7 +11,12 @@
 
 #include "Mesh_cases.h"
 
-#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -112,11 +117,11 @@ void expect_refused(Mesh mesh, const std::vector<std::string>& words)
   for (auto v : mesh.vertices()) before.add(n[v]);
   const auto np = params::number_of_iterations(2).vertex_normal_map(n);
   const std::vector<std::string> messages{
-    message_of<std::invalid_argument>([&] { PN::CatmullClark_subdivision(mesh, np); }),
-    message_of<std::invalid_argument>([&] { PN::CatmullClark_subdivision(mesh); }),
+    message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::CatmullClark_scheme(), np); }),
+    message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::CatmullClark_scheme()); }),
     message_of<std::invalid_argument>(
       [&] { PN::subdivide(mesh, PN::linear(PN::CatmullClark_scheme())); }),
-    message_of<std::invalid_argument>([&] { PN::Loop_subdivision(mesh, np); }),
+    message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::Loop_scheme(), np); }),
     message_of<std::invalid_argument>([&] { PN::estimate_control_normals(mesh, n); })};
   State after(mesh);
   for (auto v : mesh.vertices()) after.add(n[v]);
@@ -133,15 +138,16 @@ TEST(Bad_input, LoopTakesTrianglesOnly)
   Mesh mesh = mesh_of(mixed_with_border());
   const State before(mesh);
   const std::string message =
-    message_of<std::invalid_argument>([&] { PN::Loop_subdivision(mesh); });
+    message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::Loop_scheme()); });
   expect_words(message, {"face 0", "4", "triangles"});
   EXPECT_TRUE(State(mesh) == before);
 
   Polyhedron polyhedron;
   build(mixed_with_border(), polyhedron);
   const auto p = points(polyhedron);
-  expect_words(message_of<std::invalid_argument>([&] { PN::Loop_subdivision(polyhedron); }),
-               {"face number 0", "4", "triangles"});
+  expect_words(
+    message_of<std::invalid_argument>([&] { PN::subdivide(polyhedron, PN::Loop_scheme()); }),
+    {"face number 0", "4", "triangles"});
   EXPECT_EQ(points(polyhedron), p);
   EXPECT_EQ(polyhedron.size_of_facets(), 5u);
 }
@@ -154,7 +160,7 @@ TEST(Bad_input, LoopNamesTheFace)
   soup.points.push_back({2.5, 2, 0});
   soup.faces.push_back({2, 8, 10, 11});
   Mesh mesh = mesh_of(soup);
-  expect_words(message_of<std::invalid_argument>([&] { PN::Loop_subdivision(mesh); }),
+  expect_words(message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::Loop_scheme()); }),
                {"face 9 ", "4 corners"});
 }
 
@@ -210,7 +216,9 @@ TEST(Bad_input, NormalsThatAreNotFinite)
       m[k] = x;
       n[Vertex(3)] = Vector(m[0], m[1], m[2]);
       const State before(mesh);
-      const auto refuse = [&] { PN::Loop_subdivision(mesh, params::vertex_normal_map(n)); };
+      const auto refuse = [&] {
+        PN::subdivide(mesh, PN::Loop_scheme(), params::vertex_normal_map(n));
+      };
       expect_words(message_of<std::invalid_argument>(refuse), {"normal", "vertex 3", "not finite"});
       EXPECT_TRUE(State(mesh) == before);
       EXPECT_EQ(n[Vertex(0)], Vector(0, 0, 1));
@@ -229,7 +237,9 @@ TEST(Bad_input, PointsThatOverflowAreRefusedInTheEnd)
   Mesh mesh = mesh_of(large);
   auto n = add_normals(mesh);
   const State before(mesh);
-  const auto refuse = [&] { PN::CatmullClark_subdivision(mesh, params::vertex_normal_map(n)); };
+  const auto refuse = [&] {
+    PN::subdivide(mesh, PN::CatmullClark_scheme(), params::vertex_normal_map(n));
+  };
   expect_words(message_of<std::overflow_error>(refuse), {"new vertex", "out of the range"});
   EXPECT_TRUE(State(mesh) == before);
 }
@@ -240,8 +250,9 @@ TEST(Bad_input, FloatValuesThatAreNotFinite)
   CGAL::Surface_mesh<Float::Point_3> mesh;
   build(cube(), mesh);
   mesh.point(Vertex(5)) = Float::Point_3(0, 0, std::numeric_limits<float>::infinity());
-  expect_words(message_of<std::invalid_argument>([&] { PN::CatmullClark_subdivision(mesh); }),
-               {"point", "vertex 5", "not finite"});
+  expect_words(
+    message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::CatmullClark_scheme()); }),
+    {"point", "vertex 5", "not finite"});
 }
 
 TEST(Bad_input, APolyhedronNamesVerticesByTheirPosition)
@@ -249,8 +260,9 @@ TEST(Bad_input, APolyhedronNamesVerticesByTheirPosition)
   Polyhedron mesh;
   build(cube(), mesh);
   std::next(mesh.vertices_begin(), 6)->point() = Point(not_a_number, 0, 0);
-  expect_words(message_of<std::invalid_argument>([&] { PN::CatmullClark_subdivision(mesh); }),
-               {"point", "vertex number 6", "not finite"});
+  expect_words(
+    message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::CatmullClark_scheme()); }),
+    {"point", "vertex number 6", "not finite"});
   EXPECT_EQ(mesh.size_of_vertices(), 8u);
 }
 
@@ -263,8 +275,9 @@ TEST(Bad_input, MoreElementsThanTheIndexTypeNumbers)
   Mesh mesh = mesh_of(cube());
   const State before(mesh);
   for (unsigned rounds : {14u, 15u, 20u, 1000000u, std::numeric_limits<unsigned>::max()}) {
-    const std::string message = message_of<std::length_error>(
-      [&] { PN::CatmullClark_subdivision(mesh, params::number_of_iterations(rounds)); });
+    const std::string message = message_of<std::length_error>([&] {
+      PN::subdivide(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(rounds));
+    });
     expect_words(message, {"round 14", "1610612738 vertices", "6442450944 half-edges",
                            "1610612736 faces", "at most 13 rounds"});
     EXPECT_TRUE(State(mesh) == before);
@@ -274,8 +287,9 @@ TEST(Bad_input, MoreElementsThanTheIndexTypeNumbers)
 TEST(Bad_input, ANegativeNumberOfIterations)
 {
   Mesh mesh = mesh_of(cube());
-  expect_words(message_of<std::invalid_argument>(
-                 [&] { PN::CatmullClark_subdivision(mesh, params::number_of_iterations(-1)); }),
+  expect_words(message_of<std::invalid_argument>([&] {
+                 PN::subdivide(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(-1));
+               }),
                {"number of iterations", "negative"});
 }
 
@@ -285,7 +299,7 @@ TEST(Bad_input, MoreElementsThanTheIndexTypeNumbersInAPolyhedron)
   Polyhedron mesh;
   build(tetrahedron(), mesh);
   const std::string message = message_of<std::length_error>(
-    [&] { PN::Loop_subdivision(mesh, params::number_of_iterations(99)); });
+    [&] { PN::subdivide(mesh, PN::Loop_scheme(), params::number_of_iterations(99)); });
   expect_words(message, {"round 15", "12884901888 half-edges", "at most 14 rounds"});
   EXPECT_EQ(mesh.size_of_facets(), 4u);
 }
@@ -375,8 +389,9 @@ TEST(Bad_input, ARemovedFaceThatHalfEdgesName)
 {
   Mesh mesh = mesh_of(cube());
   mesh.remove_face(Face(2));
-  expect_words(message_of<std::invalid_argument>([&] { PN::CatmullClark_subdivision(mesh); }),
-               {"half-edge", "no valid face"});
+  expect_words(
+    message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::CatmullClark_scheme()); }),
+    {"half-edge", "no valid face"});
   EXPECT_EQ(mesh.number_of_faces(), 5u);
   EXPECT_EQ(mesh.number_of_vertices(), 8u);
 }
@@ -434,8 +449,9 @@ TEST(Bad_input, BrokenLinksOfAPolyhedron)
     std::vector<Traits::halfedge_descriptor> h;
     for (auto g : halfedges(mesh)) h.push_back(g);
     breaks(mesh, h);
-    expect_words(message_of<std::invalid_argument>([&] { PN::CatmullClark_subdivision(mesh); }),
-                 words);
+    expect_words(
+      message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::CatmullClark_scheme()); }),
+      words);
     EXPECT_EQ(mesh.size_of_vertices(), 8u);
     EXPECT_EQ(mesh.size_of_halfedges(), 24u);
     EXPECT_EQ(mesh.size_of_facets(), 6u);
@@ -463,13 +479,14 @@ TEST(Limiting_cases, AnEmptyMeshStaysEmpty)
 {
   Mesh mesh;
   auto n = add_normals(mesh);
-  PN::CatmullClark_subdivision(mesh, params::number_of_iterations(40).vertex_normal_map(n));
-  PN::Loop_subdivision(mesh);
+  PN::subdivide(mesh, PN::CatmullClark_scheme(),
+                params::number_of_iterations(40).vertex_normal_map(n));
+  PN::subdivide(mesh, PN::Loop_scheme());
   PN::estimate_control_normals(mesh, n);
   EXPECT_TRUE(mesh.is_empty());
   EXPECT_EQ(mesh.num_vertices() + mesh.num_edges() + mesh.num_faces(), 0u);
   Polyhedron polyhedron;
-  PN::Loop_subdivision(polyhedron);
+  PN::subdivide(polyhedron, PN::Loop_scheme());
   EXPECT_TRUE(polyhedron.empty());
 }
 
@@ -484,8 +501,8 @@ TEST(Limiting_cases, ZeroIterationsLeaveAnyMeshAsItIs)
   State before(mesh);
   before.add(n[Vertex(1)]);
   const auto np = params::number_of_iterations(0).vertex_normal_map(n);
-  PN::CatmullClark_subdivision(mesh, np);
-  PN::Loop_subdivision(mesh, np);
+  PN::subdivide(mesh, PN::CatmullClark_scheme(), np);
+  PN::subdivide(mesh, PN::Loop_scheme(), np);
   State after(mesh);
   after.add(n[Vertex(1)]);
   EXPECT_TRUE(before == after);
@@ -507,7 +524,8 @@ TEST(Limiting_cases, VerticesWithoutEdgesStayWhereTheyAre)
     n[last] = Vector(0, 0, 0);
     const auto refine = [loop](Mesh& mesh, auto map) {
       const auto np = params::number_of_iterations(3).vertex_normal_map(map);
-      loop ? PN::Loop_subdivision(mesh, np) : PN::CatmullClark_subdivision(mesh, np);
+      loop ? PN::subdivide(mesh, PN::Loop_scheme(), np)
+           : PN::subdivide(mesh, PN::CatmullClark_scheme(), np);
     };
     refine(with, n);
     refine(without, m);
@@ -529,12 +547,12 @@ TEST(Limiting_cases, VerticesAlone)
 {
   Mesh mesh;
   mesh.add_vertex(Point(1, 2, 3));
-  PN::CatmullClark_subdivision(mesh, params::number_of_iterations(100));
+  PN::subdivide(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(100));
   EXPECT_EQ(mesh.number_of_vertices(), 1u);
   EXPECT_EQ(mesh.point(Vertex(0)), Point(1, 2, 3));
   Polyhedron polyhedron;
   build(Soup{{{1, 2, 3}}, {}}, polyhedron);
-  PN::Loop_subdivision(polyhedron);
+  PN::subdivide(polyhedron, PN::Loop_scheme());
   EXPECT_EQ(polyhedron.vertices_begin()->point(), Point(1, 2, 3));
 }
 
@@ -544,7 +562,7 @@ TEST(Limiting_cases, AMeshWithoutArea)
   Soup soup = cube();
   for (auto& p : soup.points) p = {0.1, 0.2, 0.3};
   Mesh mesh = mesh_of(soup);
-  PN::CatmullClark_subdivision(mesh, params::number_of_iterations(2));
+  PN::subdivide(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(2));
   EXPECT_EQ(mesh.number_of_faces(), 96u);
   for (auto v : mesh.vertices())
     EXPECT_LT(CGAL::squared_distance(mesh.point(v), Point(0.1, 0.2, 0.3)), 1e-31);

@@ -11,6 +11,8 @@
 #include "Mesh_type_cases.h"
 #include "Tagged_meshes.h"
 
+#include <CGAL/PN_subdivision_3/subdivision_methods_3.h>
+
 #ifdef PN_TEST_WITH_OPENMESH
 
 // OpenMesh's vectors have uninitialized default values, which its containers copy.

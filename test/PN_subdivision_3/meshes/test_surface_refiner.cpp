@@ -13,8 +13,17 @@
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
-#include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <algorithm>
@@ -117,7 +126,7 @@ TEST(Surface_refiner, EstimatesNormalsAgainWherePointsMove)
   refiner.set_point(Vertex(2), mesh.point(Vertex(2)));
   refiner.update();
   Mesh refined = mesh;
-  PN::CatmullClark_subdivision(refined, params::number_of_iterations(2));
+  PN::subdivide(refined, PN::CatmullClark_scheme(), params::number_of_iterations(2));
   EXPECT_EQ(refiner.points(), std::vector<Point>(refined.points().begin(), refined.points().end()));
 
   // a normal that is set stays, also when its neighbors' are estimated again; normals that are given have roundness 1
@@ -130,7 +139,8 @@ TEST(Surface_refiner, EstimatesNormalsAgainWherePointsMove)
   auto normals = mesh.add_property_map<Vertex, Vector>("n").first;
   mesh.point(Vertex(1)) = Point(1, 0, 1);
   for (Vertex v : mesh.vertices()) normals[v] = round.control_normal(v);
-  PN::CatmullClark_subdivision(mesh, params::number_of_iterations(2).vertex_normal_map(normals));
+  PN::subdivide(mesh, PN::CatmullClark_scheme(),
+                params::number_of_iterations(2).vertex_normal_map(normals));
   EXPECT_EQ(round.points(), std::vector<Point>(mesh.points().begin(), mesh.points().end()));
 }
 
@@ -174,7 +184,8 @@ TEST(Surface_refiner, BuildsTheMeshThatSubdivideMakes)
     Mesh built;
     auto built_normals = built.add_property_map<Vertex, Vector>("n").first;
     refiner.build_mesh(built, params::vertex_normal_map(built_normals));
-    PN::CatmullClark_subdivision(mesh, params::number_of_iterations(2).vertex_normal_map(normals));
+    PN::subdivide(mesh, PN::CatmullClark_scheme(),
+                  params::number_of_iterations(2).vertex_normal_map(normals));
     EXPECT_TRUE(is_linked(built));
     EXPECT_EQ(faces_of(built), faces_of(mesh));
     EXPECT_EQ(points(built), points(mesh));

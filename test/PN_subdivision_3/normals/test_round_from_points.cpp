@@ -10,6 +10,7 @@
 
 #include "Mesh_files.h"
 #include "Sampled_surfaces.h"
+#include "Schemes.h"
 
 namespace {
 

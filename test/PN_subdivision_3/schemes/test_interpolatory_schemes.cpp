@@ -9,6 +9,7 @@
 // Butterfly against OpenMesh; Kobbelt against the four-point rule on grids, and its virtual points.
 
 #include "Scheme_runs.h"
+#include "Schemes.h"
 
 #ifdef PN_TEST_WITH_OPENMESH
 #  if defined(__GNUC__) && !defined(__clang__)

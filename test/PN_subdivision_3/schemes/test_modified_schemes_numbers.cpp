@@ -14,6 +14,7 @@
 #include <CGAL/FPU.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/PN_subdivision_3/subdivision_methods_3.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 

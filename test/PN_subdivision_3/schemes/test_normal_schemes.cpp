@@ -9,6 +9,7 @@
 // Points by one scheme, normals by another: the PN rule with two rows.
 
 #include "Scheme_runs.h"
+#include "Schemes.h"
 
 namespace {
 

@@ -8,13 +8,18 @@
 // p = q + w H n: with roundness of the vertices a round lies between the linear one and the point-normal one.
 
 #include "Scheme_runs.h"
+#include "Schemes.h"
 #include "support/Options.h"
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/PN_limit_surface_3/refine_in_pieces.h>
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
-#include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
@@ -349,9 +354,11 @@ TEST(Roundness_of_values, OfANumberIsThatOfAConstantMapAlongCreases)
         .vertex_normal_map(normal_map(m))
         .edge_is_constrained_map(edges(m));
     };
-    PN::CatmullClark_subdivision(a, PN::parameters::join(PN::parameters::roundness(0.5), np(a)));
-    PN::CatmullClark_subdivision(
-      b, PN::parameters::join(PN::parameters::vertex_roundness_map(roundness_map(b, 0.5)), np(b)));
+    PN::subdivide(a, PN::CatmullClark_scheme(),
+                  PN::parameters::join(PN::parameters::roundness(0.5), np(a)));
+    PN::subdivide(
+      b, PN::CatmullClark_scheme(),
+      PN::parameters::join(PN::parameters::vertex_roundness_map(roundness_map(b, 0.5)), np(b)));
     expect_same_points(a, b, "creases");
   }
 }
@@ -362,11 +369,11 @@ TEST(Roundness_of_values, MayBeFloatsAndConstant)
   Surface_mesh mesh = bipyramid_in_quads(3);
   Surface_mesh other = mesh;
   refine_with_constant<CatmullClark_description>(mesh, 0.5, 2);
-  PN::CatmullClark_subdivision(
-    other, PN::parameters::vertex_roundness_map(
-             CGAL::Constant_property_map<Surface_mesh::Vertex_index, float>(0.5f))
-             .number_of_iterations(2)
-             .vertex_normal_map(normal_map(other)));
+  PN::subdivide(other, PN::CatmullClark_scheme(),
+                PN::parameters::vertex_roundness_map(
+                  CGAL::Constant_property_map<Surface_mesh::Vertex_index, float>(0.5f))
+                  .number_of_iterations(2)
+                  .vertex_normal_map(normal_map(other)));
   expect_same_points(mesh, other, "constant");
 }
 
@@ -386,9 +393,9 @@ TEST(Roundness_of_values, IsExactInExactNumbers)
     for (auto w : m.vertices()) normals[w] = Exact::Vector_3(0, n * 3, n * 4);
     return normals;
   };
-  PN::Loop_subdivision(round, CGAL::parameters::vertex_normal_map(np(round, 1)));
-  PN::Loop_subdivision(half,
-                       PN::parameters::roundness(CGAL::Gmpq(1, 2)).vertex_normal_map(np(half, 1)));
+  PN::subdivide(round, PN::Loop_scheme(), CGAL::parameters::vertex_normal_map(np(round, 1)));
+  PN::subdivide(half, PN::Loop_scheme(),
+                PN::parameters::roundness(CGAL::Gmpq(1, 2)).vertex_normal_map(np(half, 1)));
   PN::subdivide(linear, PN::linear(PN::Loop_scheme()));
   for (auto w : half.vertices())
     EXPECT_EQ(half.point(w), CGAL::midpoint(linear.point(w), round.point(w)));

@@ -10,6 +10,7 @@
 // sum to 1 and rows that copy, any number of threads.
 
 #include "Scheme_rows.h"
+#include "Schemes.h"
 #include "analysis/subdivision_matrix.h"
 #include "support/Exact_rational.h"
 

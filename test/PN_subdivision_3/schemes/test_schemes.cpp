@@ -9,6 +9,7 @@
 // Every scheme against CGAL, against PN_mask_3 in CGAL's hosts, and against the reference form.
 
 #include "Mesh_files.h"
+#include "Schemes.h"
 
 #include <type_traits>
 

@@ -10,11 +10,13 @@
 // circles are halved.
 
 #include "Scheme_runs.h"
+#include "Schemes.h"
 #include "support/Options.h"
 
 #include <CGAL/PN_fitting_3/interpolate_limit_points.h>
 #include <CGAL/PN_limit_surface_3/limit_points.h>
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
+#include <CGAL/PN_subdivision_3/subdivision_methods_3.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>

@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
+#include "Schemes.h"
 #include "named_shapes.h"
 #include "random_meshes.h"
 

@@ -13,7 +13,8 @@
 
 #include "reference/Curve.h"
 
-#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_curve.h>
 #include <CGAL/Simple_cartesian.h>
 

@@ -14,9 +14,12 @@
 
 #include "Crease_levels.h"
 
-#include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -61,15 +64,10 @@ void crease_runs(const Scheme& scheme)
   PN::Surface_refiner(mesh, scheme, params::number_of_iterations(1)).update();
 }
 
-template <class... Schemes_>
-void rounds_of(PN::Scheme_list<Schemes_...>)
-{
-  (rounds(Schemes_()), ...);
-}
-
 inline void all_rounds()
 {
-  rounds_of(PN::Shipped_schemes());
+  rounds(PN::CatmullClark_scheme());
+  rounds(PN::Loop_scheme());
   creased_rounds(PN::CatmullClark_scheme());
   creased_rounds(PN::Loop_scheme());
   crease_runs(PN::CatmullClark_scheme());

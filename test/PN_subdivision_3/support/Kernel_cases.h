@@ -13,9 +13,11 @@
 
 #include "Curve_cases.h"
 #include "Scheme_runs.h"
+#include "Schemes.h"
 #include "analysis/curve_analysis.h"
 
 #include <CGAL/PN_certificates_3/reproduction.h>
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_curve.h>
 
 namespace kernel_cases {

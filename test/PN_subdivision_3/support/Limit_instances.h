@@ -14,7 +14,7 @@
 #include "Instances.h"
 
 #include <CGAL/PN_fitting_3/interpolate_limit_points.h>
-#include <CGAL/PN_subdivision_limit_3.h>
+#include <CGAL/PN_limit_surface_3/limit_points.h>
 
 #include <Eigen/Dense>
 

@@ -13,7 +13,10 @@
 
 #include "Mesh_cases.h"
 
-#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -58,9 +61,9 @@ template <class M, class NP>
 void subdivide(const Case& c, M& mesh, const NP& np)
 {
   if (c.loop)
-    PN::Loop_subdivision(mesh, np);
+    PN::subdivide(mesh, PN::Loop_scheme(), np);
   else
-    PN::CatmullClark_subdivision(mesh, np);
+    PN::subdivide(mesh, PN::CatmullClark_scheme(), np);
 }
 
 // what two rounds on a plain Surface_mesh give

@@ -12,6 +12,7 @@
 #define CGAL_PN_SUBDIVISION_3_TEST_MODIFIED_RINGS_H
 
 #include "Scheme_rows.h"
+#include "Schemes.h"
 
 #include <gtest/gtest.h>
 

@@ -12,9 +12,11 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_SCHEME_RUNS_H
 #define CGAL_PN_SUBDIVISION_3_TEST_SCHEME_RUNS_H
 
-#include "Schemes.h"
+#include "Scheme_description.h"
 #include "reference/PN_rule.h"
 
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

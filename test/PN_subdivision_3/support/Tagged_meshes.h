@@ -14,7 +14,8 @@
 #include "Crease_shapes.h"
 #include "Mesh_cases.h"
 
-#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
