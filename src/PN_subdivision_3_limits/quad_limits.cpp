@@ -11,7 +11,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-CGAL_PN_SUBDIVISION_3_LIMITS_OF(, Any_of_quads)
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(, Any_of_quads)
 CGAL_PN_SUBDIVISION_3_TESSELLATION(, Any_of_quads)
 
 } // namespace CGAL::PN_subdivision_3::internal

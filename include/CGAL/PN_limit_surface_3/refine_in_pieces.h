@@ -432,7 +432,8 @@ private:
       return internal::is_near_overflow(internal::point_of(v));
     });
     constexpr bool carries = !std::is_same_v<Attributes, internal::No_attributes>;
-    using Rules = internal::Rules_of<Hosted_scheme>;
+    // as calls for all of a surface have them; no roundness of the call is read any more
+    using Rules = internal::Rules_of<internal::With_roundness<Hosted_scheme, FT>>;
     using Refiner = internal::Piece_refiner<Rules, Average, Level_creases, carries>;
     typename Refiner::Carried carried;
     if constexpr (carries)
@@ -446,9 +447,10 @@ private:
     const auto make = [&](auto* refiner) {
       using Made = std::remove_pointer_t<decltype(refiner)>;
       auto made = std::make_unique<Made>(
-        internal::rules_of(scheme), std::move(level), std::move(creases),
-        typename Refiner::Values(values.begin(), values.end()), std::move(carried), rounds_,
-        number_of_pieces_, ghost_rings_, internal::For_chunks::with(Concurrency_tag()));
+        internal::rules_of(internal::With_roundness<Hosted_scheme, FT>{{scheme}}), std::move(level),
+        std::move(creases), typename Refiner::Values(values.begin(), values.end()),
+        std::move(carried), rounds_, number_of_pieces_, ghost_rings_,
+        internal::For_chunks::with(Concurrency_tag()));
       if constexpr (std::is_base_of_v<internal::Pieces_at_limit<Average>, Made>)
         at_limit_ = made.get();
       refiner_ = std::move(made);

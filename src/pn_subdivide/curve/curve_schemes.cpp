@@ -28,18 +28,24 @@ std::optional<int> to_int(const std::string& word)
   return n;
 }
 
+template <class Mask>
+Curve_mask by_coefficients(const Mask& mask)
+{
+  return {mask.first_index(), mask.template coefficients<double>()};
+}
+
 Curve_scheme b_spline(int degree)
 {
   const char* const names[] = {"quadratic", "cubic", "quartic", "quintic"};
   const std::string name = degree < 6 ? names[degree - 2] : "degree " + std::to_string(degree);
-  return {name + " B-spline", PN::B_spline_mask(degree), degree % 2 != 0,
+  return {name + " B-spline", by_coefficients(PN::B_spline_mask(degree)), degree % 2 != 0,
           static_cast<std::size_t>(degree)};
 }
 
 Curve_scheme interpolatory(int points)
 {
-  return {std::to_string(points) + "-point", PN::Dubuc_Deslauriers_mask(points), true,
-          static_cast<std::size_t>(2 * points - 3)};
+  return {std::to_string(points) + "-point", by_coefficients(PN::Dubuc_Deslauriers_mask(points)),
+          true, static_cast<std::size_t>(2 * points - 3), true};
 }
 
 std::size_t refined_size(std::size_t n, const Curve_rule& rule)

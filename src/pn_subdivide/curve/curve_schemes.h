@@ -17,14 +17,11 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <type_traits>
-#include <variant>
 #include <vector>
 
 namespace pn_subdivide {
 
-using Level_mask = PN::Univariate_mask<double>;
-using Curve_mask = std::variant<PN::B_spline_mask, PN::Dubuc_Deslauriers_mask, Level_mask>;
+using Curve_mask = PN::Univariate_mask<double>; // of whatever scheme, so that one is compiled
 
 // A mask with what the command has to know about it.
 struct Curve_scheme
@@ -33,8 +30,9 @@ struct Curve_scheme
   Curve_mask mask;
   bool primal;
   std::size_t lost_points; // of 2n, in a round without the stencils that leave an open polygon
+  bool interpolates = false;
   // of the first rounds, if masks differ; the last one is `mask`, and that of all others
-  std::vector<Level_mask> levels = {};
+  std::vector<Curve_mask> levels = {};
 };
 
 // Throws Usage_error, which begins with the option, if there is no such scheme.
@@ -53,26 +51,17 @@ struct Curve_rule
 template <class Function>
 auto with_mask(const Curve_rule& rule, std::size_t rounds, const Function& function)
 {
-  return std::visit(
-    [&](const auto& mask) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(mask)>, Level_mask>) {
-        const std::vector<Level_mask>& all = rule.scheme.levels; // none has other normals
-        const auto first = std::ptrdiff_t((std::min)(rounds, all.size() - 1));
-        const auto masks =
-          PN::level_dependent_mask(std::vector<Level_mask>(all.begin() + first, all.end()));
-        return rule.linear ? function(PN::linear(masks)) : function(masks);
-      } else {
-        if (rule.linear) return function(PN::linear(mask));
-        const auto* const spline =
-          rule.normal_scheme ? std::get_if<PN::B_spline_mask>(&rule.normal_scheme->mask) : nullptr;
-        if (spline != nullptr) return function(PN::with_normal_mask(mask, *spline));
-        if (rule.normal_scheme)
-          return function(PN::with_normal_mask(
-            mask, std::get<PN::Dubuc_Deslauriers_mask>(rule.normal_scheme->mask)));
-        return function(mask);
-      }
-    },
-    rule.scheme.mask);
+  const Curve_mask& mask = rule.scheme.mask;
+  const std::vector<Curve_mask>& all = rule.scheme.levels;
+  if (!all.empty()) { // none has other normals
+    const auto first = std::ptrdiff_t((std::min)(rounds, all.size() - 1));
+    const auto masks =
+      PN::level_dependent_mask(std::vector<Curve_mask>(all.begin() + first, all.end()));
+    return rule.linear ? function(PN::linear(masks)) : function(masks);
+  }
+  if (rule.linear) return function(PN::linear(mask));
+  if (rule.normal_scheme) return function(PN::with_normal_mask(mask, rule.normal_scheme->mask));
+  return function(mask);
 }
 
 // The refined curve. Throws Error if it would have more points than can be numbered, and what the

@@ -21,8 +21,6 @@
 namespace pn_subdivide {
 namespace {
 
-using Level_mask = PN::Univariate_mask<double>;
-
 constexpr double greatest_error_of_sum = 1e-12; // of decimal numbers in a file
 constexpr int greatest_index = 1000;
 
@@ -95,7 +93,7 @@ std::vector<Line> read_lines(const std::string& file)
 
 Curve_scheme read_level_masks(const std::string& file)
 {
-  std::vector<Level_mask> masks;
+  std::vector<Curve_mask> masks;
   std::size_t longest = 2;
   bool primal = true;
   for (Line& line : read_lines(file)) {
@@ -103,7 +101,7 @@ Curve_scheme read_level_masks(const std::string& file)
     longest = (std::max)(longest, line.coefficients.size());
     masks.emplace_back(line.first_index, std::move(line.coefficients));
   }
-  return {"masks of " + file, masks.back(), primal, longest - 2, masks};
+  return {"masks of " + file, masks.back(), primal, longest - 2, false, masks};
 }
 
 } // namespace pn_subdivide

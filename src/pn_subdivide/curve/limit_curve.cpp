@@ -72,8 +72,7 @@ Limit_summary set_limits(Curve_data& curve, const Curve_rule& rule, unsigned rou
 
 void require_interpolation(const std::string& scheme, const Curve_rule& rule)
 {
-  using Interpolatory = PN::Dubuc_Deslauriers_mask;
-  if (!std::holds_alternative<Interpolatory>(rule.scheme.mask) && scheme != "bspline:3")
+  if (!rule.scheme.interpolates && scheme != "bspline:3")
     throw Usage_error("--interpolate: curves of " + scheme +
                       " cannot be made to pass through points; take bspline:3");
   if (rule.normal_scheme)
@@ -86,14 +85,13 @@ void require_interpolation(const std::string& scheme, const Curve_rule& rule)
 Interpolation_report interpolate_curve(Curve_data& curve, const Curve_rule& rule,
                                        Interpolation_mode mode)
 {
-  // other masks interpolate anyway
-  const auto* const mask = std::get_if<PN::B_spline_mask>(&rule.scheme.mask);
-  if (mask == nullptr) return {};
+  if (rule.scheme.interpolates) return {};
+  const Curve_mask& mask = rule.scheme.mask;
   return std::visit(
     [&](auto& points) {
       const auto np = PN::parameters::interpolation_mode(mode).roundness(rule.roundness);
-      auto result = rule.linear ? PN::interpolate_curve(points, PN::linear(*mask), rule.end, np)
-                                : PN::interpolate_curve(points, *mask, rule.end, np);
+      auto result = rule.linear ? PN::interpolate_curve(points, PN::linear(mask), rule.end, np)
+                                : PN::interpolate_curve(points, mask, rule.end, np);
       points = std::move(result.first);
       return result.second;
     },

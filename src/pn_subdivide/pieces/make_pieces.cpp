@@ -84,13 +84,10 @@ std::unique_ptr<Any_pieces> pieces_with_creases(Surface& surface, const Scheme_c
     return pieces_of_scheme(surface, PN::linear(scheme), number, np);
   }
   const std::vector<Corner_value> of_corners = take_corner_normals(surface);
-  return with_scheme(choice, [&](const auto& scheme) {
-    return pieces_of_scheme(
-      surface, scheme, number,
-      PN::parameters::join(
-        PN::parameters::crease_tangent_map(creases.tangents),
-        np.vertex_normal_map(Control_corner_normals(of_corners, creases.without_fractions))));
-  });
+  return pieces_of_scheme(surface, scheme_with_normals(choice), number,
+                          PN::parameters::join(PN::parameters::crease_tangent_map(creases.tangents),
+                                               np.vertex_normal_map(Control_corner_normals(
+                                                 of_corners, creases.without_fractions))));
 }
 
 constexpr double mega = 1 << 20;
@@ -119,11 +116,9 @@ std::unique_ptr<Any_pieces> make_pieces(Surface& surface, const Scheme_choice& c
   if (!normals) return pieces_of_scheme(surface, PN::linear(scheme_of(choice)), number, rounds);
   const auto given = PN::parameters::join(CGAL::parameters::vertex_normal_map(*normals), rounds);
   const Roundness_map roundness = roundness_or_added(surface);
-  return with_scheme(choice, [&](const auto& scheme) {
-    return pieces_of_scheme(
-      surface, scheme, number,
-      PN::parameters::join(PN::parameters::vertex_roundness_map(roundness), given));
-  });
+  return pieces_of_scheme(
+    surface, scheme_with_normals(choice), number,
+    PN::parameters::join(PN::parameters::vertex_roundness_map(roundness), given));
 }
 
 double memory_of_pieces(const Surface& surface, const Scheme_choice& choice, unsigned levels,

@@ -28,16 +28,8 @@ inline Scheme scheme_of(const Scheme_choice& choice)
   return make_scheme("--scheme", choice.scheme, choice);
 }
 
-// Calls f(scheme) with the scheme, which has the normals' if that is another one.
-template <class Function>
-auto with_scheme(const Scheme_choice& choice, const Function& f)
-{
-  const Scheme scheme = scheme_of(choice);
-  if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)
-    return f(PN::with_normal_scheme(scheme,
-                                    make_scheme("--normal-scheme", *choice.normal_scheme, choice)));
-  return f(scheme);
-}
+// The same, with the scheme of the normals if that is another one.
+Scheme scheme_with_normals(const Scheme_choice& choice);
 
 } // namespace pn_subdivide
 

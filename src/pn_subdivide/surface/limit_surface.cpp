@@ -57,10 +57,9 @@ Limit_report limits_of(const Surface& surface, const std::optional<Normal_map>& 
 {
   if (!normals)
     return PN::limit_points<Tag>(surface, PN::linear(scheme_of(choice)), limits, options);
-  return with_scheme(choice, [&](const auto& scheme) {
-    return with_normals_of_vertices(surface, *normals, [&](const auto& np) {
-      return PN::limit_points<Tag>(surface, scheme, limits, PN::parameters::join(options, np));
-    });
+  const Scheme scheme = scheme_with_normals(choice);
+  return with_normals_of_vertices(surface, *normals, [&](const auto& np) {
+    return PN::limit_points<Tag>(surface, scheme, limits, PN::parameters::join(options, np));
   });
 }
 
@@ -86,10 +85,8 @@ Limit_report move_to_limits_of(Surface& surface, const Scheme_choice& choice,
   if (is_linear) add_normals(surface);
   const Corner_normal_map normals = corner_normals_or_added(surface);
   if (!is_linear)
-    return with_scheme(choice, [&](const auto& scheme) {
-      return move_to_limits(surface, normals, scheme, creases,
-                            options.crease_tangent_map(creases.tangents));
-    });
+    return move_to_limits(surface, normals, scheme_with_normals(choice), creases,
+                          options.crease_tangent_map(creases.tangents));
   const Limit_report report =
     move_to_limits(surface, normals, PN::linear(scheme_of(choice)), creases, options);
   if (!surface_normals) remove_normals(surface);

@@ -101,12 +101,10 @@ void refine_with_creases(Surface& surface, const Scheme_choice& choice,
   const Wedge_normals normals{
     {of_corners, creases.without_fractions}, *of_vertices, refinement.wedges};
   const Roundness_map roundness = roundness_or_added(surface); // edges that end change it
-  with_scheme(choice, [&](const auto& scheme) {
-    refine(surface, scheme, refinement,
-           PN::parameters::join(
-             PN::parameters::vertex_roundness_map(roundness).crease_tangent_map(creases.tangents),
-             sharp.vertex_normal_map(normals)));
-  });
+  refine(surface, scheme_with_normals(choice), refinement,
+         PN::parameters::join(
+           PN::parameters::vertex_roundness_map(roundness).crease_tangent_map(creases.tangents),
+           sharp.vertex_normal_map(normals)));
   isolated.put_back(*of_vertices);
 }
 
@@ -155,7 +153,7 @@ void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinem
   if (is_grid)
     refine_by(PN::CatmullClark_scheme::Grid());
   else
-    with_scheme(choice, refine_by);
+    refine_by(scheme_with_normals(choice));
 }
 
 } // namespace pn_subdivide

@@ -166,6 +166,15 @@ Scheme make_scheme(const std::string& option, const std::string& name, const Sch
   return *found;
 }
 
+Scheme scheme_with_normals(const Scheme_choice& choice)
+{
+  const Scheme scheme = scheme_of(choice);
+  if (!choice.normal_scheme || *choice.normal_scheme == choice.scheme) return scheme;
+  return PN::internal::with_host<Scheme>(
+    PN::with_normal_scheme(scheme, make_scheme("--normal-scheme", *choice.normal_scheme, choice)),
+    [](const auto& both) { return Scheme(both); });
+}
+
 void require_surface_schemes(const Scheme_choice& choice)
 {
   require_use_of_parameters(choice);

@@ -45,7 +45,7 @@ auto with_tessellation_parameters(Surface& surface, const Scheme_choice& choice,
     if (!of_vertices) return f(linear(), CGAL::parameters::default_values());
     const auto np = PN::parameters::vertex_roundness_map(roundness_or_added(surface))
                       .vertex_normal_map(*of_vertices);
-    return with_scheme(choice, [&](const auto& scheme) { return f(scheme, np); });
+    return f(scheme_with_normals(choice), np);
   }
   const auto sharp = PN::parameters::border(creases->border)
                        .edge_is_constrained_map(creases->edges)
@@ -53,7 +53,7 @@ auto with_tessellation_parameters(Surface& surface, const Scheme_choice& choice,
   if (!of_vertices) return f(linear(), sharp);
   const auto np = PN::parameters::join(PN::parameters::crease_tangent_map(creases->tangents),
                                        sharp.vertex_normal_map(corner_normals_or_added(surface)));
-  return with_scheme(choice, [&](const auto& scheme) { return f(scheme, np); });
+  return f(scheme_with_normals(choice), np);
 }
 
 // With maps of the result's normals, of vertices or of corners.

@@ -67,19 +67,27 @@ TEST(Compiled_fitting, IsThatOfTheHeaders)
             interpolated(mesh_cases::tetrahedron(), PN::Any_scheme<>(PN::Loop_scheme())));
 }
 
+// linear ones, of which the library has that of an Any_scheme
 TEST(Compiled_fitting, MeetsPointsOnCreases)
 {
-  CGAL::Surface_mesh<Kernel::Point_3> mesh;
-  mesh_cases::build(mesh_cases::cube(), mesh);
-  auto sharp = mesh.add_property_map<CGAL::SM_Edge_index, bool>("e:sharp", false).first;
-  for (const auto h : halfedges_around_face(halfedge(*faces(mesh).begin(), mesh), mesh))
-    sharp[edge(h, mesh)] = true;
-  const auto report = PN::interpolate_limit_points(
-    mesh, PN::linear(PN::CatmullClark_scheme()),
-    PN::parameters::interpolation_mode(PN::Limit_interpolation::Mode::strict)
-      .edge_is_constrained_map(sharp));
-  EXPECT_GT(report.steps, 0u);
-  EXPECT_LE(report.residual, report.tolerance);
+  const auto interpolated = [](const auto& scheme, bool is_sharp) {
+    CGAL::Surface_mesh<Kernel::Point_3> mesh;
+    mesh_cases::build(mesh_cases::cube(), mesh);
+    auto sharp = mesh.add_property_map<CGAL::SM_Edge_index, bool>("e:sharp", false).first;
+    for (const auto h : halfedges_around_face(halfedge(*faces(mesh).begin(), mesh), mesh))
+      sharp[edge(h, mesh)] = is_sharp;
+    const auto report = PN::interpolate_limit_points(
+      mesh, scheme,
+      PN::parameters::interpolation_mode(PN::Limit_interpolation::Mode::strict)
+        .edge_is_constrained_map(sharp));
+    EXPECT_GT(report.steps, 0u);
+    EXPECT_LE(report.residual, report.tolerance);
+    return mesh_cases::values(mesh, mesh.points());
+  };
+  const PN::CatmullClark_scheme scheme;
+  for (const bool is_sharp : {false, true})
+    EXPECT_EQ(interpolated(PN::linear(scheme), is_sharp),
+              interpolated(PN::linear(PN::Any_scheme<>(scheme)), is_sharp));
 }
 
 } // namespace

@@ -314,8 +314,8 @@ TEST(Compiled_levels, ControlValuesAreThoseOfTheHeaders)
                 control_values(soup, [&](const auto& level, auto&, auto& values) {
                   values.resize(level.number_of_vertices());
                   estimate_normals<double>(
-                    level, estimate, Vertex_sectors(level),
-                    [&](Index v) -> const auto& { return values[v].point; },
+                    level, estimate,
+                    Vertex_sectors(level), [&](Index v) -> const auto& { return values[v].point; },
                     [](Index) -> const mesh_cases::Triple* { return nullptr; },
                     [&](Index v, const mesh_cases::Triple& n) { values[v].normal = n; },
                     [&](Index v, double w) { values[v].roundness = w; });
@@ -337,6 +337,18 @@ std::vector<double> refined_numbers(const mesh_cases::Soup& soup, const Scheme& 
   return numbers(mesh);
 }
 
+// the libraries have linear twins of an Any_scheme only
+template <class Make>
+void expect_same_linear(const Make& make)
+{
+  const auto quads = mesh_cases::mixed_with_border(),
+             triangles = mesh_cases::triangles_with_border();
+  EXPECT_EQ(make(PN::linear(PN::Any_scheme<>(PN::CatmullClark_scheme())), quads),
+            make(PN::linear(PN::CatmullClark_scheme()), quads));
+  EXPECT_EQ(make(PN::linear(PN::Any_scheme<>(PN::Loop_scheme())), triangles),
+            make(PN::linear(PN::Loop_scheme()), triangles));
+}
+
 TEST(Compiled_levels, RoundsAreThoseOfTheHeaders)
 {
   for (const double sharpness : {0., 1.5, HUGE_VAL}) {
@@ -348,10 +360,13 @@ TEST(Compiled_levels, RoundsAreThoseOfTheHeaders)
                                      PN::Any_scheme<>(PN::CatmullClark_scheme()), sharpness));
     const auto triangles = refined_numbers(mesh_cases::triangles_with_border(),
                                            Of_headers_alone<PN::Loop_scheme>(), sharpness);
-    EXPECT_EQ(triangles, refined_numbers(mesh_cases::triangles_with_border(), PN::Loop_scheme(),
-                                         sharpness));
+    EXPECT_EQ(triangles,
+              refined_numbers(mesh_cases::triangles_with_border(), PN::Loop_scheme(), sharpness));
     EXPECT_EQ(triangles, refined_numbers(mesh_cases::triangles_with_border(),
                                          PN::Any_scheme<>(PN::Loop_scheme()), sharpness));
+    expect_same_linear([&](const auto& scheme, const mesh_cases::Soup& soup) {
+      return refined_numbers(soup, scheme, sharpness);
+    });
   }
 }
 
@@ -383,6 +398,8 @@ TEST(Compiled_tessellation, IsThatOfTheHeaders)
   const auto of_triangles = tessellated(triangles, PN::Loop_scheme());
   EXPECT_GT(of_triangles.size(), 100u);
   EXPECT_EQ(of_triangles, tessellated(triangles, PN::Any_scheme<>(PN::Loop_scheme())));
+  expect_same_linear(
+    [](const auto& scheme, const mesh_cases::Soup& soup) { return tessellated(soup, scheme); });
 }
 
 TEST(Compiled_limits, AreThoseOfTheHeaders)
@@ -398,7 +415,12 @@ TEST(Compiled_limits, AreThoseOfTheHeaders)
       const auto limits = limits_of(soup, PN::Loop_scheme(), has_creases);
       EXPECT_EQ(limits, limits_of(soup, Of_headers_alone<PN::Loop_scheme>(), has_creases));
       EXPECT_EQ(limits, limits_of(soup, PN::Any_scheme<>(PN::Loop_scheme()), has_creases));
+      EXPECT_EQ(limits_of(soup, PN::Sqrt3_scheme(), false),
+                limits_of(soup, PN::Any_scheme<>(PN::Sqrt3_scheme()), false));
     }
+    expect_same_linear([&](const auto& scheme, const mesh_cases::Soup& soup) {
+      return limits_of(soup, scheme, has_creases);
+    });
   }
 }
 

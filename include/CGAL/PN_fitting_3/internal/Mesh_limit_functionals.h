@@ -371,6 +371,8 @@ extern template class Mesh_limit_functionals<CatmullClark_scheme>;
 extern template class Mesh_limit_functionals<Loop_scheme>;
 extern template class Mesh_limit_functionals<Scheme_on_host<PQQ_host, double>>;
 extern template class Mesh_limit_functionals<Scheme_on_host<PTQ_host, double>>;
+extern template class Mesh_limit_functionals<compiled_once::Linear_of_quads>;
+extern template class Mesh_limit_functionals<compiled_once::Linear_of_triangles>;
 #endif
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -336,8 +336,8 @@ private:
 
   // the normals of the wedge that lies behind one end and before the other one, if there is one
   static void add_wedge(const Level& level, const Creases<FT>& creases, const Crease_end& behind,
-                        const Crease_end& before, bool is_reversed, Crease_limit& limit,
-                        std::vector<Index>& slot_ids)
+                        const Crease_end& before, bool is_reversed,
+                        [[maybe_unused]] Crease_limit& limit, std::vector<Index>& slot_ids)
   {
     const Crease_edge<FT>&first = creases.edge(behind), &last = creases.edge(before);
     if (!first.has_after(behind.side)) return;
@@ -345,11 +345,13 @@ private:
     std::array<Index, 3> three{slot_ids.back(), first.before[1 - behind.side],
                                last.after[1 - before.side]};
     if (is_reversed) std::swap(three[1], three[2]);
-    typename Crease_limit::Three normals;
-    for (std::size_t i = 0; i < 3; ++i) normals[i] = level.values[three[i]].normal;
-    limit.normals.push_back(normals);
-    const auto roundness = [&](std::size_t i) { return level.values[three[i]].roundness; };
-    limit.roundness.push_back({roundness(0), roundness(1), roundness(2)});
+    if constexpr (is_pn) {
+      typename Crease_limit::Three normals;
+      for (std::size_t i = 0; i < 3; ++i) normals[i] = level.values[three[i]].normal;
+      limit.normals.push_back(normals);
+      const auto roundness = [&](std::size_t i) { return level.values[three[i]].roundness; };
+      limit.roundness.push_back({roundness(0), roundness(1), roundness(2)});
+    }
   }
 
   // \name Darts

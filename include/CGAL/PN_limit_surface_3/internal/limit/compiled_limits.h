@@ -16,16 +16,22 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
 
 #define CGAL_PN_SUBDIVISION_3_LIMITS_OF(EXTERN, SCHEME)                                            \
-  EXTERN template class Limit_evaluation<compiled_once::SCHEME, double>;                           \
+  EXTERN template class Limit_evaluation<compiled_once::SCHEME, double>;
+#define CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(EXTERN, SCHEME)                                    \
+  CGAL_PN_SUBDIVISION_3_LIMITS_OF(EXTERN, SCHEME)                                                  \
   EXTERN template class Creased_limits<compiled_once::SCHEME, double>;
 
 #ifdef CGAL_PN_SUBDIVISION_3_LIMITS
 namespace CGAL::PN_subdivision_3::internal {
 
-CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, CatmullClark)
-CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Loop)
-CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Any_of_quads)
-CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Any_of_triangles)
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, CatmullClark)
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Loop)
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Any_of_quads)
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Any_of_triangles)
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Any_of_sqrt3)
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Linear_of_quads)
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Linear_of_triangles)
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Linear_of_sqrt3)
 
 } // namespace CGAL::PN_subdivision_3::internal
 #endif

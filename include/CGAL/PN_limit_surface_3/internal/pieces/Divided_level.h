@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_DIVIDED_LEVEL_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_DIVIDED_LEVEL_H
 
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
@@ -28,8 +29,8 @@ public:
   using Center = std::array<double, 3>;
 
   // point(v): the coordinates of a vertex, as Center
-  template <class Point>
-  Face_division(const Level_connectivity& level, std::size_t number_of_pieces, const Point& point)
+  Face_division(const Level_connectivity& level, std::size_t number_of_pieces,
+                Function_ref<Center(Index)> point)
     : piece_(level.number_of_faces(), 0)
   {
     std::vector<Face> faces(level.number_of_faces());
@@ -128,8 +129,8 @@ public:
   using Index = Level_connectivity::Index;
 
   // point(v) as for Face_division; the level must stay
-  template <class Point>
-  Divided_level(const Level_connectivity& level, std::size_t number_of_pieces, const Point& point)
+  Divided_level(const Level_connectivity& level, std::size_t number_of_pieces,
+                Function_ref<Face_division::Center(Index)> point)
     : level_(level)
     , piece_of_face_(level.number_of_faces())
     , faces_by_piece_(level.number_of_faces())

@@ -82,8 +82,8 @@ public:
                                                 rings + (demand.surface_normals ? 1 : 0));
     Limit_demand here = demand;
     here.has_neighbors = true;
-    auto limits = limits_at_slots<FT>(with_roundness_, here, this->for_chunks(), level,
-                                      part.creases, this->rounds() + 1, &some, classes_);
+    auto limits = limits_at_slots<FT>(this->scheme(), here, this->for_chunks(), level, part.creases,
+                                      this->rounds() + 1, &some, classes_);
     const Kept kept(level.level, part.elements, part.creases, has_isolated, rings, part.attributes,
                     out);
     kept.for_each_corner(
@@ -93,8 +93,6 @@ public:
   }
 
 private:
-  using Scheme_of_limits = Rules_of<With_roundness<Scheme, FT>>;
-
   // one about the vertices that are kept, whose limits tell on which side their normals are; one more that is kept, and
   // one that where a limit is sought by itself the rim of the piece is not that of the part about it
   static constexpr unsigned more_rings = 3;
@@ -129,10 +127,9 @@ private:
     return limit_report(owned, demand);
   }
 
-  const Scheme_of_limits with_roundness_ = rules_of(With_roundness<Scheme, FT>{{this->scheme()}});
   // for all pieces: those of large valences take long to make
-  const std::shared_ptr<Limit_classes<Scheme_of_limits, FT>> classes_ =
-    std::make_shared<Limit_classes<Scheme_of_limits, FT>>(with_roundness_);
+  const std::shared_ptr<Limit_classes<Scheme, FT>> classes_ =
+    std::make_shared<Limit_classes<Scheme, FT>>(this->scheme());
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -66,6 +66,18 @@ struct Adaptive_level
     corners{}; // attributes of the corners of each face that is wanted
 };
 
+// What bounds the distance of the faces of a level, where a call asks for proofs.
+template <class Value, class Level_creases>
+struct Face_bounds
+{
+  virtual ~Face_bounds() = default;
+  virtual void begin(const Adaptive_level<Value, Level_creases>& level) = 0;
+  // of the triangles between these corners; infinite beyond the tolerance
+  virtual double operator()(Level_connectivity::Index face,
+                            const std::array<flatness::Vector, 4>& corners,
+                            double tolerance) const = 0;
+};
+
 // Leaves those faces that are marked, and some rings around them.
 template <class Level>
 void cut_adaptive_level(Level& level, Face_marks kept, unsigned rings)

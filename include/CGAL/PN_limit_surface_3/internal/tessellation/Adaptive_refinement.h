@@ -13,7 +13,6 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Adaptive_level.h>
-#include <CGAL/PN_limit_surface_3/internal/tessellation/Proven_distance.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Split_edges.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation_attributes.h>
 #include <CGAL/PN_limit_surface_3/tessellation/Tessellation_result.h>
@@ -35,7 +34,6 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -60,7 +58,7 @@ struct Tessellation_demand
 // its limit when it is new, so that the vertices of the result are the whole cost. Faces of the control mesh and children
 // of its polygons get a round before it is known whether they have to be split, so that something has been seen of every
 // face.
-template <class Scheme, class FT, class Level_creases, bool may_be_proven = false>
+template <class Scheme, class FT, class Level_creases>
 class Adaptive_refinement
 {
 public:
@@ -71,9 +69,12 @@ public:
   using Attributes = Tessellation_attributes<Scheme, FT, Level_creases>;
   using Obstacle = Tessellation_result::Obstacle;
 
+  // `bounds` are there if they are demanded
   Adaptive_refinement(const Scheme& scheme, const Tessellation_demand& demand,
-                      const For_chunks& for_chunks)
+                      const For_chunks& for_chunks,
+                      Face_bounds<Value, Level_creases>* bounds = nullptr)
     : scheme_(scheme)
+    , bounds_(bounds)
     , demand_(demand)
     , tolerance_((std::max)(demand.tolerance, least_tolerance))
     , obstacle_(demand.tolerance < least_tolerance ? Obstacle::digits : Obstacle::none)
@@ -122,9 +123,6 @@ private:
   using Results = std::vector<Result>;
   using Flatness = Face_flatness<FT, Level>;
   using Slots = Slots_of_corners<Level_creases>;
-  struct No_cells
-  {};
-  using Cells = std::conditional_t<may_be_proven, Limit_cells<Scheme, Level_creases>, No_cells>;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr Index null = Level_connectivity::null;
   static constexpr std::ptrdiff_t limits_at_once = 1 << 13;
@@ -307,9 +305,7 @@ private:
     if (faces.empty()) return false;
     const Flatness flatness(level, all_);
     std::vector<Face_error> errors(faces.size());
-    if constexpr (may_be_proven)
-      if (demand_.is_proven)
-        cells_.emplace(scheme_, Valued_level<Value>(level.level), Level_creases(level.creases));
+    if (bounds_ != nullptr) bounds_->begin(level);
     for_chunks_(static_cast<Index>(faces.size()), [&](Index begin, Index end) {
       for (Index i = begin; i < end; ++i) errors[i] = error(level, flatness, faces[i]);
     });
@@ -333,7 +329,7 @@ private:
         --number;
         if (!(errors[i].error <= tolerance_))
           meet(are_too_many ? Obstacle::triangles : Obstacle::rounds);
-        if (demand_.is_proven) errors[i].error = proven(flatness, f, infinity);
+        if (bounds_ != nullptr) errors[i].error = (*bounds_)(f, flatness.places(f), infinity);
       }
       fill_node(level, flatness, f, errors[i]);
     }
@@ -357,16 +353,6 @@ private:
   void meet(Obstacle obstacle)
   {
     if (obstacle_ == Obstacle::none) obstacle_ = obstacle;
-  }
-
-  // infinite beyond the tolerance
-  double proven([[maybe_unused]] const Flatness& flatness, [[maybe_unused]] Index f,
-                [[maybe_unused]] double tolerance) const
-  {
-    if constexpr (may_be_proven)
-      return Proven_distance<Cells>(*cells_, demand_.exponent, tolerance)(f, flatness.places(f));
-    else
-      return infinity;
   }
 
   // Children have the order that they had before.
@@ -425,7 +411,7 @@ private:
                      (std::min)(e, estimate.error + rest_of_discrepancy * face.discrepancy));
     e = (estimate.is_at_curve ? safety_at_curves : tessellation_safety) *
         (std::max)(e, estimate.along_curves);
-    if (demand_.is_proven && e <= tolerance_) e = proven(flatness, f, tolerance_);
+    if (bounds_ != nullptr && e <= tolerance_) e = (*bounds_)(f, flatness.places(f), tolerance_);
     return {e, estimate.has_flatter_second};
   }
 
@@ -600,6 +586,7 @@ private:
   static constexpr bool has_face_vertices = std::is_same_v<Host, PQQ_host>;
 
   const Scheme& scheme_;
+  Face_bounds<Value, Level_creases>* const bounds_;
   const Tessellation_demand demand_;
   double tolerance_;
   Obstacle obstacle_;
@@ -608,7 +595,6 @@ private:
   Attributes attributes_;
   std::vector<std::vector<double>> corners_of_nodes_;
   Split_edges<FT> all_;
-  std::optional<Cells> cells_;          // of the level, for proofs
   std::deque<Tessellation_node> nodes_; // a deque does not copy nodes when it grows
   std::deque<Tessellation_node> before_;
   std::uint64_t number_of_leaves_ = 0;

@@ -13,12 +13,14 @@
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Flatness.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Limit_cells.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Spline_piece.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Adaptive_level.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace CGAL::PN_subdivision_3::internal {
@@ -191,6 +193,41 @@ private:
   const Cells& cells_;
   const int exponent_;
   const double tolerance_;
+};
+
+// The same for the levels of a tessellation.
+template <class Scheme, class Level_creases>
+class Proven_bounds final
+  : public Face_bounds<typename Limit_cells<Scheme, Level_creases>::Value, Level_creases>
+{
+  using Cells = Limit_cells<Scheme, Level_creases>;
+  using Level = typename Cells::Level;
+
+public:
+  Proven_bounds(const Scheme& scheme, int exponent)
+    : scheme_(scheme)
+    , exponent_(exponent)
+  {}
+
+  // refuses a control mesh with a face for which there are none
+  void require_all(const Level& control, const Level_creases& creases, double tolerance) const
+  {
+    require_proof_of_all(Cells(scheme_, Level(control), Level_creases(creases)), tolerance);
+  }
+  void begin(const Adaptive_level<typename Cells::Value, Level_creases>& level) override
+  {
+    cells_.emplace(scheme_, Level(level.level), Level_creases(level.creases));
+  }
+  double operator()(Level_connectivity::Index face, const std::array<flatness::Vector, 4>& corners,
+                    double tolerance) const override
+  {
+    return Proven_distance<Cells>(*cells_, exponent_, tolerance)(face, corners);
+  }
+
+private:
+  const Scheme scheme_;
+  const int exponent_;
+  std::optional<Cells> cells_;
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -14,6 +14,7 @@
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Adaptive_refinement.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Leaf_triangles.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Merged_leaves.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Proven_distance.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation_output.h>
 #include <CGAL/PN_limit_surface_3/tessellation/Tessellation_result.h>
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
@@ -132,18 +133,18 @@ std::vector<bool> used_vertices(const Split_edges<FT>& all, const Leaf_triangles
 }
 
 // One run on a control mesh that has been read. The last one calls build(all, mesh).
-template <class FT, bool may_be_proven, class Scheme, class Level, class Level_creases>
+template <class FT, class Scheme, class Value, class Level_creases>
 bool run_tessellation(
   const Scheme& scheme, const Tessellation_demand& demand, const For_chunks& for_chunks,
-  const Tessellation_table& table, Level& control, Level_creases& creases,
-  Tessellation_runs<FT>& runs, Tessellation_result& report,
+  const Tessellation_table& table, Valued_level<Value>& control, Level_creases& creases,
+  Face_bounds<Value, Level_creases>* bounds, Tessellation_runs<FT>& runs,
+  Tessellation_result& report,
   Function_ref<void(const Split_edges<FT>&, const Tessellation_mesh<FT>&)> build)
 {
   using Index = Level_connectivity::Index;
   const Index control_vertices = control.level.number_of_vertices();
   const Tessellation_data attributes = table.read(control.level);
-  Adaptive_refinement<Scheme, FT, Level_creases, may_be_proven> refinement(scheme, demand,
-                                                                           for_chunks);
+  Adaptive_refinement<Scheme, FT, Level_creases> refinement(scheme, demand, for_chunks, bounds);
   refinement(std::move(control), std::move(creases), attributes, runs.take_nodes());
   const Leaf_triangles<FT> triangles = runs.triangles(refinement, table.dimension_of_corners());
   if (runs.go_on(refinement, triangles)) return true;
@@ -163,22 +164,23 @@ bool run_tessellation(
 }
 
 // for the library CGAL::PN_subdivision_3_limits, see limit/compiled_limits.h
-#define CGAL_PN_SUBDIVISION_3_TESSELLATION(EXTERN, SCHEME)                                         \
-  EXTERN template bool run_tessellation<double, false>(                                            \
+#define CGAL_PN_SUBDIVISION_3_TESSELLATION_OF(EXTERN, SCHEME, CREASES)                             \
+  EXTERN template bool run_tessellation(                                                           \
     const compiled_once::SCHEME&, const Tessellation_demand&, const For_chunks&,                   \
-    const Tessellation_table&, Valued_level<Point_normal<double, 3>>&, No_creases&,                \
-    Tessellation_runs<double>&, Tessellation_result&,                                              \
-    Function_ref<void(const Split_edges<double>&, const Tessellation_mesh<double>&)>);             \
-  EXTERN template bool run_tessellation<double, false>(                                            \
-    const compiled_once::SCHEME&, const Tessellation_demand&, const For_chunks&,                   \
-    const Tessellation_table&, Valued_level<Point_normal<double, 3>>&, Creases<double>&,           \
+    const Tessellation_table&, Valued_level<compiled_once::Value<compiled_once::SCHEME>>&,         \
+    CREASES&, Face_bounds<compiled_once::Value<compiled_once::SCHEME>, CREASES>*,                  \
     Tessellation_runs<double>&, Tessellation_result&,                                              \
     Function_ref<void(const Split_edges<double>&, const Tessellation_mesh<double>&)>);
+#define CGAL_PN_SUBDIVISION_3_TESSELLATION(EXTERN, SCHEME)                                         \
+  CGAL_PN_SUBDIVISION_3_TESSELLATION_OF(EXTERN, SCHEME, No_creases)                                \
+  CGAL_PN_SUBDIVISION_3_TESSELLATION_OF(EXTERN, SCHEME, Creases<double>)
 #ifdef CGAL_PN_SUBDIVISION_3_LIMITS
 CGAL_PN_SUBDIVISION_3_TESSELLATION(extern, CatmullClark)
 CGAL_PN_SUBDIVISION_3_TESSELLATION(extern, Loop)
 CGAL_PN_SUBDIVISION_3_TESSELLATION(extern, Any_of_quads)
 CGAL_PN_SUBDIVISION_3_TESSELLATION(extern, Any_of_triangles)
+CGAL_PN_SUBDIVISION_3_TESSELLATION(extern, Linear_of_quads)
+CGAL_PN_SUBDIVISION_3_TESSELLATION(extern, Linear_of_triangles)
 #endif
 
 // A call of tessellate(): reads the control mesh, refines it adaptively, and builds the mesh of the triangles.
@@ -212,9 +214,9 @@ public:
     const auto run = [&](const auto& s) {
       bool goes_on = false;
       read(access, s, Parameters::const_point_map(control, np_),
-           [&](const Tessellation_demand& demand, auto& level, auto& creases) {
-             goes_on = run_tessellation<FT, may_be_proven>(rules_of(s), demand, for_chunks_, table_,
-                                                           level, creases, runs, report, build_out);
+           [&](const Tessellation_demand& demand, auto& level, auto& creases, auto* bounds) {
+             goes_on = run_tessellation<FT>(rules_of(s), demand, for_chunks_, table_, level,
+                                            creases, bounds, runs, report, build_out);
            });
       return goes_on;
     };
@@ -229,21 +231,21 @@ private:
   static constexpr bool may_be_proven =
     is_given_v<proven_bound_t, NamedParameters> && std::is_same_v<FT, double>;
 
-  // calls sink(demand, level, creases)
+  // calls sink(demand, level, creases, bounds)
   template <class Access, class Scheme, class Point_map, class Sink>
   void read(const Access& access, const Scheme& scheme, Point_map points, const Sink& sink) const
   {
     const auto take = [&](auto& control, auto& creases, const auto&) {
       const Tessellation_demand demand = this->demand(box_size(control));
-      if constexpr (may_be_proven) {
-        using Level = std::decay_t<decltype(control)>;
-        using Level_creases = std::decay_t<decltype(creases)>;
-        if (demand.is_proven)
-          require_proof_of_all(Limit_cells<Rules_of<Scheme>, Level_creases>(
-                                 rules_of(scheme), Level(control), Level_creases(creases)),
-                               chord_error_);
-      }
-      sink(demand, control, creases);
+      using Level_creases = std::decay_t<decltype(creases)>;
+      Face_bounds<typename Average_of_scheme<Scheme, FT>::Value, Level_creases>* none = nullptr;
+      if constexpr (may_be_proven)
+        if (demand.is_proven) {
+          Proven_bounds<Rules_of<Scheme>, Level_creases> bounds(rules_of(scheme), demand.exponent);
+          bounds.require_all(control, creases, chord_error_);
+          return sink(demand, control, creases, none = &bounds);
+        }
+      sink(demand, control, creases, none);
     };
     with_slot_level<FT>(
       access, scheme, points, normal_map<Scheme>(), Parameters::edge_constraint_map(np_),

@@ -20,13 +20,15 @@
     const Level_size&, const Level_connectivity*, const Origin_rules<HOST>&);
 #define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, HOST, SCHEME)                           \
   EXTERN template void Attribute_rounds<double, HOST>::begin_round(                                \
-    const compiled_once::SCHEME&, const Round<compiled_once::SCHEME, PN_average<double, 3>>&,      \
+    const compiled_once::SCHEME&,                                                                  \
+    const Round<compiled_once::SCHEME, compiled_once::Average<compiled_once::SCHEME>>&,            \
     const Level_connectivity&, Kind_of_round);
 #define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, HOST, SCHEME)                          \
   CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, HOST, SCHEME)                                 \
   EXTERN template void Attribute_rounds<double, HOST>::begin_creased_round(                        \
     const compiled_once::SCHEME&,                                                                  \
-    const Crease_round<compiled_once::SCHEME, PN_average<double, 3>, Creases<double>>&,            \
+    const Crease_round<compiled_once::SCHEME, compiled_once::Average<compiled_once::SCHEME>,       \
+                       Creases<double>>&,                                                          \
     Level_connectivity&, const Creases<double>&, Kind_of_round);
 
 #ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
@@ -42,6 +44,10 @@ CGAL_PN_SUBDIVISION_3_ATTRIBUTES(extern, DQQ_host)
 CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(extern, DQQ_host, Any_of_corners)
 CGAL_PN_SUBDIVISION_3_ATTRIBUTES(extern, Sqrt3_host)
 CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(extern, Sqrt3_host, Any_of_sqrt3)
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(extern, PQQ_host, Linear_of_quads)
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(extern, PTQ_host, Linear_of_triangles)
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(extern, DQQ_host, Linear_of_corners)
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(extern, Sqrt3_host, Linear_of_sqrt3)
 
 } // namespace CGAL::PN_subdivision_3::internal
 #endif

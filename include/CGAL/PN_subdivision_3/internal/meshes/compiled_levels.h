@@ -28,8 +28,8 @@
 
 #include <vector>
 
-// The schemes as calls have them, for which the libraries have what is computed of levels: two by their types, all others as
-// an Any_scheme on its host.
+// The schemes as calls have them, for which the libraries have what is computed of levels: two by their types, all others, and
+// linear twins, as an Any_scheme on its host.
 namespace CGAL::PN_subdivision_3::internal::compiled_once {
 
 using CatmullClark = With_roundness<CatmullClark_scheme, double>;
@@ -38,6 +38,15 @@ using Any_of_quads = With_roundness<Scheme_on_host<PQQ_host, double>, double>;
 using Any_of_triangles = With_roundness<Scheme_on_host<PTQ_host, double>, double>;
 using Any_of_corners = With_roundness<Scheme_on_host<DQQ_host, double>, double>;
 using Any_of_sqrt3 = With_roundness<Scheme_on_host<Sqrt3_host, double>, double>;
+using Linear_of_quads = Linear_scheme<Scheme_on_host<PQQ_host, double>>;
+using Linear_of_triangles = Linear_scheme<Scheme_on_host<PTQ_host, double>>;
+using Linear_of_corners = Linear_scheme<Scheme_on_host<DQQ_host, double>>;
+using Linear_of_sqrt3 = Linear_scheme<Scheme_on_host<Sqrt3_host, double>>;
+
+template <class Scheme>
+using Average = Average_of_scheme<Scheme, double>;
+template <class Scheme>
+using Value = typename Average<Scheme>::Value;
 
 } // namespace CGAL::PN_subdivision_3::internal::compiled_once
 
@@ -56,14 +65,16 @@ using Any_of_sqrt3 = With_roundness<Scheme_on_host<Sqrt3_host, double>, double>;
     const Level_connectivity&, Creases<double>&,                                                   \
     Function_ref<std::vector<Point_normal<double, 3>>(Creases<double>&)>);
 #define CGAL_PN_SUBDIVISION_3_ROUNDS(EXTERN, SCHEME)                                               \
-  EXTERN template class Round<compiled_once::SCHEME, PN_average<double, 3>>;                       \
-  EXTERN template class Level_refiner<compiled_once::SCHEME, PN_average<double, 3>, No_creases>;
+  EXTERN template class Round<compiled_once::SCHEME,                                               \
+                              compiled_once::Average<compiled_once::SCHEME>>;                      \
+  EXTERN template class Level_refiner<compiled_once::SCHEME,                                       \
+                                      compiled_once::Average<compiled_once::SCHEME>, No_creases>;
 #define CGAL_PN_SUBDIVISION_3_CREASED_ROUNDS(EXTERN, SCHEME)                                       \
   CGAL_PN_SUBDIVISION_3_ROUNDS(EXTERN, SCHEME)                                                     \
-  EXTERN template class Crease_round<compiled_once::SCHEME, PN_average<double, 3>,                 \
-                                     Creases<double>>;                                             \
-  EXTERN template class Level_refiner<compiled_once::SCHEME, PN_average<double, 3>,                \
-                                      Creases<double>>;
+  EXTERN template class Crease_round<                                                              \
+    compiled_once::SCHEME, compiled_once::Average<compiled_once::SCHEME>, Creases<double>>;        \
+  EXTERN template class Level_refiner<                                                             \
+    compiled_once::SCHEME, compiled_once::Average<compiled_once::SCHEME>, Creases<double>>;
 
 #ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
 namespace CGAL::PN_subdivision_3::internal {
@@ -75,6 +86,10 @@ CGAL_PN_SUBDIVISION_3_CREASED_ROUNDS(extern, Any_of_quads)
 CGAL_PN_SUBDIVISION_3_CREASED_ROUNDS(extern, Any_of_triangles)
 CGAL_PN_SUBDIVISION_3_ROUNDS(extern, Any_of_corners)
 CGAL_PN_SUBDIVISION_3_ROUNDS(extern, Any_of_sqrt3)
+CGAL_PN_SUBDIVISION_3_CREASED_ROUNDS(extern, Linear_of_quads)
+CGAL_PN_SUBDIVISION_3_CREASED_ROUNDS(extern, Linear_of_triangles)
+CGAL_PN_SUBDIVISION_3_ROUNDS(extern, Linear_of_corners)
+CGAL_PN_SUBDIVISION_3_ROUNDS(extern, Linear_of_sqrt3)
 extern template Scheme_facts<double> facts_of(const CatmullClark_scheme&);
 extern template Scheme_facts<double> facts_of(const Loop_scheme&);
 

@@ -6,11 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_fitting_3/internal/Mesh_limit_functionals.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/compiled_limits.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation.h>
 
 namespace CGAL::PN_subdivision_3::internal {
 
-template class Mesh_limit_functionals<Loop_scheme>;
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(, Linear_of_triangles)
+CGAL_PN_SUBDIVISION_3_TESSELLATION(, Linear_of_triangles)
 
 } // namespace CGAL::PN_subdivision_3::internal

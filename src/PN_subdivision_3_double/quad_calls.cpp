@@ -9,6 +9,7 @@
 #include "compiled_calls.h"
 
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -30,6 +31,14 @@ template void compiled_call(Inexact::Mesh&, const CatmullClark_scheme&, unsigned
                             Inexact::Points, No_normal_map, No_constraint_map);
 template void compiled_call(Inexact::Mesh&, const CatmullClark_scheme&, unsigned, Rounds_done,
                             Inexact::Points, No_normal_map, Inexact::Edges);
+template void compiled_call(Cartesian::Mesh&, const DooSabin_scheme&, unsigned, Rounds_done,
+                            Cartesian::Points, Cartesian::Normals, No_constraint_map);
+template void compiled_call(Cartesian::Mesh&, const DooSabin_scheme&, unsigned, Rounds_done,
+                            Cartesian::Points, No_normal_map, No_constraint_map);
+template void compiled_call(Inexact::Mesh&, const DooSabin_scheme&, unsigned, Rounds_done,
+                            Inexact::Points, Inexact::Normals, No_constraint_map);
+template void compiled_call(Inexact::Mesh&, const DooSabin_scheme&, unsigned, Rounds_done,
+                            Inexact::Points, No_normal_map, No_constraint_map);
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -9,6 +9,7 @@
 #include "compiled_calls.h"
 
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -30,6 +31,14 @@ template void compiled_call(Inexact::Mesh&, const Loop_scheme&, unsigned, Rounds
                             Inexact::Points, No_normal_map, No_constraint_map);
 template void compiled_call(Inexact::Mesh&, const Loop_scheme&, unsigned, Rounds_done,
                             Inexact::Points, No_normal_map, Inexact::Edges);
+template void compiled_call(Cartesian::Mesh&, const Sqrt3_scheme&, unsigned, Rounds_done,
+                            Cartesian::Points, Cartesian::Normals, No_constraint_map);
+template void compiled_call(Cartesian::Mesh&, const Sqrt3_scheme&, unsigned, Rounds_done,
+                            Cartesian::Points, No_normal_map, No_constraint_map);
+template void compiled_call(Inexact::Mesh&, const Sqrt3_scheme&, unsigned, Rounds_done,
+                            Inexact::Points, Inexact::Normals, No_constraint_map);
+template void compiled_call(Inexact::Mesh&, const Sqrt3_scheme&, unsigned, Rounds_done,
+                            Inexact::Points, No_normal_map, No_constraint_map);
 
 } // namespace internal
 } // namespace PN_subdivision_3

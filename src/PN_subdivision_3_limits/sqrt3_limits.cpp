@@ -1,0 +1,16 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include <CGAL/PN_limit_surface_3/internal/limit/compiled_limits.h>
+
+namespace CGAL::PN_subdivision_3::internal {
+
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(, Any_of_sqrt3)
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(, Linear_of_sqrt3)
+
+} // namespace CGAL::PN_subdivision_3::internal
