@@ -97,8 +97,7 @@ function(pn_use_precompiled target name)
   endif()
 endfunction()
 
-# The command for tests: its objects instantiate what tests of limits do, and small sources that are joined read the
-# precompiled header once. (By g++, and optimized, it is compiled as it is shipped.)
+# The command for tests: its objects instantiate what tests of limits do. (By g++, and optimized, it is compiled as it is shipped.)
 function(pn_use_precompiled_in_command name)
   if(NOT TARGET ${name}_code OR NOT TARGET pn_subdivide OR CMAKE_VERSION VERSION_LESS 3.18)
     return()
@@ -107,30 +106,4 @@ function(pn_use_precompiled_in_command name)
     set_property(TARGET ${target} PROPERTY PRECOMPILE_HEADERS)
     pn_use_precompiled(${target} ${name})
   endforeach()
-  # what is of one group has no names of its own in common
-  set_target_properties(pn_subdivide_io PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  pn_join(pn_subdivide_io data io/Attributes io/Error io/Limit_choice io/Obj_attributes io/Output_file io/formats io/mesh_io)
-  pn_join(pn_subdivide_io reading io/Ply_header io/mesh_normals io/read_obj io/read_off io/read_ply)
-  pn_join(pn_subdivide_io reports io/Report io/Text_reader io/read_stl)
-  pn_join(pn_subdivide_io soups io/border_edges io/merge_points io/orient_outwards io/orient_soup
-          io/soup_check io/soup_repair)
-  pn_join(pn_subdivide_io writing io/write_obj io/write_off io/write_ply io/write_vtp)
-  pn_join(pn_subdivide_command checks surface/Linear_check surface/split_polygon surface/surface_command
-          surface/verification)
-  pn_join(pn_subdivide_command curves curve/curve_command curve/Curve_data curve/curve_picture curve/curve_schemes
-          curve/level_masks)
-  pn_join(pn_subdivide_command output surface/Crease_plan surface/Surface_table surface/attributes surface/control_mesh
-          surface/output_mesh)
-  pn_join(pn_subdivide_command parts surface/Planes_of_part surface/Recognized_part surface/border_curves
-          surface/part_choice)
-  pn_join(pn_subdivide_command pieces pieces/Output_names pieces/Ply_pieces pieces/Shared_file pieces/Vtp_pieces
-          pieces/pieces_command pieces/write_pieces)
-endfunction()
-
-# pn_join(target group source...): sources, without .cpp, that target compiles as one
-function(pn_join target group)
-  get_target_property(folder ${target} SOURCE_DIR)
-  list(TRANSFORM ARGN PREPEND ${folder}/)
-  list(TRANSFORM ARGN APPEND .cpp)
-  set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${group})
 endfunction()

@@ -6,6 +6,12 @@
 # project, when something is first linked to them.
 # Reads _pn_package, the target of the package, and _pn_sources, the folder of their sources. No function: an installed package
 # leaves none behind.
+# What the sources of a library read takes as long as what they instantiate: it is read once.
+set(_pn_read_double <CGAL/Exact_predicates_inexact_constructions_kernel.h> <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h>
+    <CGAL/PN_subdivision_3/subdivide.h> <CGAL/PN_subdivision_3/internal/attributes/compiled_attributes.h>)
+set(_pn_read_limits <CGAL/PN_limit_surface_3/internal/limit/compiled_limits.h>
+    <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation.h>)
+set(_pn_read_fitting <CGAL/PN_fitting_3/internal/Mesh_limit_functionals.h> <CGAL/PN_fitting_3/internal/find_control_net.h>)
 foreach(_pn_name double recognition limits fitting)
   set(_pn_library PN_subdivision_3_${_pn_name})
   if(TARGET ${_pn_library} OR (_pn_name STREQUAL "fitting" AND NOT TARGET ${_pn_package}_Eigen))
@@ -22,6 +28,9 @@ foreach(_pn_name double recognition limits fitting)
   endif()
   target_link_libraries(${_pn_library} PUBLIC ${_pn_package})
   set_target_properties(${_pn_library} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  if(_pn_read_${_pn_name})
+    target_precompile_headers(${_pn_library} PRIVATE ${_pn_read_${_pn_name}})
+  endif()
   if(_pn_name STREQUAL "limits")
     target_link_libraries(${_pn_library} PUBLIC PN_subdivision_3_double)
   elseif(_pn_name STREQUAL "fitting")
@@ -32,3 +41,6 @@ unset(_pn_name)
 unset(_pn_library)
 unset(_pn_files)
 unset(_pn_macro)
+unset(_pn_read_double)
+unset(_pn_read_limits)
+unset(_pn_read_fitting)
