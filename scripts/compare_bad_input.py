@@ -10,7 +10,7 @@
 
     scripts/compare_bad_input.py [--print]
 
-Compiles test/PN_subdivision_3/peers/peers_on_bad_input.cpp (packages libopenmesh-dev, libosd-dev), runs it with
+Compiles benchmark/PN_subdivision_3/bad_input/peers_on_bad_input.cpp (packages libopenmesh-dev, libosd-dev), runs it with
 the command in build/release, and writes doc/PN_subdivision_3/bad_input.txt, or prints the table.
 """
 
@@ -20,7 +20,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-SOURCE = ROOT / "test" / "PN_subdivision_3" / "peers" / "peers_on_bad_input.cpp"
+SOURCE = ROOT / "benchmark" / "PN_subdivision_3" / "bad_input" / "peers_on_bad_input.cpp"
 WORK = ROOT / "build" / "peers"
 COMMAND = ROOT / "build" / "release" / "src" / "pn_subdivide" / "pn_subdivide"
 PAGE = ROOT / "doc" / "PN_subdivision_3" / "bad_input.txt"
@@ -74,7 +74,7 @@ precondition; an index beyond the vertices is an error of the program that build
 
 {newline.join(lines)}
 
-`scripts/compare_bad_input.py` writes this page; the inputs are in `test/PN_subdivision_3/peers/Bad_inputs.h`.
+`scripts/compare_bad_input.py` writes this page; the inputs are in `benchmark/PN_subdivision_3/bad_input/Bad_inputs.h`.
 */
 }} /* namespace CGAL */
 """
