@@ -28,8 +28,7 @@ if(Python3_FOUND)
   add_test(NAME package_does_not_grow
            COMMAND Python3::Interpreter -B ${pn_scripts}/check_budgets.py)
   add_test(NAME headers_lie_in_layers
-           COMMAND Python3::Interpreter -B
-                   ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/headers/test_layers.py)
+           COMMAND Python3::Interpreter -B ${pn_scripts}/check_layers.py)
   add_test(NAME short_tests_catch_nearly_all
            COMMAND Python3::Interpreter -B ${pn_scripts}/mutate.py --tiers)
   if(PN_TEST_JOINED AND NOT PN_TEST_FULL)

@@ -10,7 +10,7 @@
 
     scripts/compare_bad_input.py [--print]
 
-Compiles test/PN_subdivision_3/peers/peers_on_bad_input.cpp (packages libopenmesh-dev, libosd-dev), runs it with
+Compiles benchmark/PN_subdivision_3/bad_input/peers_on_bad_input.cpp (packages libopenmesh-dev, libosd-dev), runs it with
 the command in build/release, and writes doc/PN_subdivision_3/bad_input.txt, or prints the table.
 """
 
@@ -20,7 +20,7 @@ from pathlib import Path
 
 from refinery import COMMAND, ROOT, run
 
-SOURCE = ROOT / "test" / "PN_subdivision_3" / "peers" / "peers_on_bad_input.cpp"
+SOURCE = ROOT / "benchmark" / "PN_subdivision_3" / "bad_input" / "peers_on_bad_input.cpp"
 WORK = ROOT / "build" / "peers"
 PAGE = ROOT / "doc" / "PN_subdivision_3" / "bad_input.txt"
 
@@ -71,7 +71,7 @@ precondition; an index beyond the vertices is an error of the program that build
 
 {newline.join(lines)}
 
-`scripts/compare_bad_input.py` writes this page; the inputs are in `test/PN_subdivision_3/peers/Bad_inputs.h`.
+`scripts/compare_bad_input.py` writes this page; the inputs are in `benchmark/PN_subdivision_3/bad_input/Bad_inputs.h`.
 */
 }} /* namespace CGAL */
 """

@@ -3,7 +3,6 @@ find_package(CGAL REQUIRED)
 if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/../../include/CGAL/PN_subdivision_3.h)
   include_directories(BEFORE ${CMAKE_CURRENT_LIST_DIR}/../../include)
 endif()
-include_directories(${CMAKE_CURRENT_LIST_DIR}) # what tests share
 file(GLOB smoke_tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/smoke_*.cpp)
 foreach(smoke_test ${smoke_tests})
   create_single_source_cgal_program(${smoke_test})

@@ -107,15 +107,12 @@ TYPED_TEST(Exact_scheme, ReversedNormalsGiveTheSamePoints)
 
 // --- the linear twin ---
 
-// the mesh with the points of the control mesh, or with one point everywhere
 template <class FT>
-auto mesh_of(const Control_mesh& control, const test_meshes::Triple* everywhere = nullptr)
+auto mesh_of(const Control_mesh& control)
 {
   CGAL::Surface_mesh<typename CGAL::Simple_cartesian<FT>::Point_3> mesh;
-  for (const test_meshes::Triple& q : control.points) {
-    const test_meshes::Triple& p = everywhere != nullptr ? *everywhere : q;
+  for (const test_meshes::Triple& p : control.points)
     mesh.add_vertex({FT(p[0]), FT(p[1]), FT(p[2])});
-  }
   for (const reference::Face& face : control.faces) {
     std::vector<CGAL::SM_Vertex_index> corners;
     for (int v : face) corners.emplace_back(static_cast<CGAL::SM_Vertex_index::size_type>(v));
@@ -223,44 +220,6 @@ TYPED_TEST(Exact_scheme, LinearTwinEqualsCgalWhereWeightsAreRational)
     EXPECT_GT(equal, 0u);
   } else
     GTEST_SKIP() << "does not apply: CGAL has no such function";
-}
-
-// --- rows that sum to 1 ---
-
-// How far new points are from 1 if all old ones are 1: what the weights miss.
-template <class FT, class Refine>
-double missing_weight(const Control_mesh& control, const Refine& refine)
-{
-  const test_meshes::Triple one{1, 1, 1};
-  auto mesh = mesh_of<FT>(control, &one);
-  refine(mesh);
-  mesh.collect_garbage();
-  double largest = 0;
-  for (auto v : mesh.vertices())
-    largest = (std::max)(largest, std::abs(CGAL::to_double(FT(mesh.point(v).x() - FT(1)))));
-  return largest;
-}
-
-TYPED_TEST(Exact_scheme, KeepsConstantsUnlikeCgal)
-{
-  const auto ours = [](auto& mesh) { refine_linearly_by<TypeParam>(mesh); };
-  double cgal_exact = 0, cgal_double = 0;
-  for (const Control_mesh& control : meshes_for_cgal<TypeParam>()) {
-    EXPECT_EQ(missing_weight<Rational>(control, ours), 0) << control.name;
-    EXPECT_EQ(missing_weight<double>(control, ours), 0) << control.name;
-    if constexpr (has_cgal_peer<TypeParam>) {
-      const auto cgal = [](auto& mesh) {
-        TypeParam::Cgal::linear(mesh, CGAL::parameters::number_of_iterations(1));
-      };
-      cgal_exact = (std::max)(cgal_exact, missing_weight<Rational>(control, cgal));
-      cgal_double = (std::max)(cgal_double, missing_weight<double>(control, cgal));
-    }
-  }
-  if (!has_cgal_peer<TypeParam>) return;
-  EXPECT_EQ(cgal_double > 0, !(std::is_same_v<typename TypeParam::Cgal, ::CatmullClark>));
-  EXPECT_EQ(cgal_exact > 0, (std::is_same_v<typename TypeParam::Cgal, ::DooSabin>));
-  std::cout << "CGAL misses up to " << cgal_exact << " in exact numbers, " << cgal_double
-            << " in double\n";
 }
 
 } // namespace

@@ -164,24 +164,12 @@ void expect_same(const Main& cgal, const Main& changed, bool is_dual = false)
 
 } // namespace
 
-TEST(Examples_of_cgal, CatmullClark)
+TEST(Examples_of_cgal, WriteTheSame)
 {
   expect_same(cgal_CatmullClark::main, changed_CatmullClark::main);
-}
-TEST(Examples_of_cgal, Customized)
-{
   expect_same(cgal_Customized::main, changed_Customized::main);
-}
-TEST(Examples_of_cgal, DooSabin)
-{
   expect_same(cgal_DooSabin::main, changed_DooSabin::main, true);
-}
-TEST(Examples_of_cgal, Loop)
-{
   expect_same(cgal_Loop::main, changed_Loop::main);
-}
-TEST(Examples_of_cgal, Sqrt3)
-{
   expect_same(cgal_Sqrt3::main, changed_Sqrt3::main);
 }
 #else

@@ -38,16 +38,6 @@ Curve_3<Double> random_polygon(std::size_t n, unsigned seed)
   return polygon;
 }
 
-reference::Values values(const Curve_3<Double>& curve)
-{
-  reference::Values v;
-  for (const auto& [p, n] : curve) {
-    v.points.push_back({Real(p.x()), Real(p.y()), Real(p.z())});
-    v.normals.push_back({Real(n.x()), Real(n.y()), Real(n.z())});
-  }
-  return v;
-}
-
 // the largest difference in points and normals, infinite if their numbers differ
 Real distance(const Curve_3<Double>& curve, const reference::Values& expected)
 {

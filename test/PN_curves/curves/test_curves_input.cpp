@@ -9,6 +9,7 @@
 // Curves from degenerate and bad input, and over other kernels.
 
 #include "Curve_cases.h"
+#include "Messages.h"
 #include "analysis/Curve_svg.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -19,7 +20,6 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
-#include <functional>
 #include <locale>
 #include <numeric>
 #include <stdexcept>
@@ -33,25 +33,6 @@ using Point = Double::Point_2;
 using Vector = Double::Vector_2;
 
 const Curve_end all_ends[] = {Curve_end::closed, Curve_end::reflect, Curve_end::none};
-
-// the message of the exception that f throws, empty if it throws none of this type
-template <class Exception>
-std::string message_of(const std::function<void()>& f)
-{
-  try {
-    f();
-  } catch (const Exception& e) {
-    return e.what();
-  }
-  return {};
-}
-
-void expect_refused(const std::function<void()>& f, const std::vector<std::string>& parts)
-{
-  const std::string message = message_of<std::invalid_argument>(f);
-  for (const std::string& part : parts)
-    EXPECT_NE(message.find(part), std::string::npos) << '"' << message << "\" lacks " << part;
-}
 
 // --- few points ---
 
@@ -126,7 +107,7 @@ TEST(CurveInput, RepeatedPointsKeepValuesFinite)
 TEST(CurveInput, OpenPolygonsShorterThanTheMask)
 {
   const auto polygon = circle_2<>(uneven_angles(4, 1, Real(1), false, 1), 1);
-  expect_refused(
+  messages::expect_refused(
     [&] {
       refined(polygon, {true, 4}, Curve_end::none);
     },
@@ -142,22 +123,23 @@ TEST(CurveInput, NumbersThatAreNotFinite)
   for (double bad : {nan, infinity, -infinity}) {
     auto polygon = circle_2<>(uneven_angles(6, 1, Real(1), false, 1), 1);
     polygon[4].first = Point(0, bad);
-    expect_refused(
+    messages::expect_refused(
       [&] {
         refined(polygon, {false, 3}, Curve_end::closed);
       },
       {"position", "point 4", "finite"});
-    expect_refused(
+    messages::expect_refused(
       [&] {
         linearly_refined(polygon, {false, 3}, Curve_end::closed);
       },
       {"position", "point 4", "finite"});
-    expect_refused([&] { PN::estimate_control_normals(polygon, Curve_end::closed); },
-                   {"position", "point 4", "finite"});
-    expect_refused([&] { PN::discrete_curvature(polygon, Curve_end::closed); }, {"point 4"});
+    messages::expect_refused([&] { PN::estimate_control_normals(polygon, Curve_end::closed); },
+                             {"position", "point 4", "finite"});
+    messages::expect_refused([&] { PN::discrete_curvature(polygon, Curve_end::closed); },
+                             {"point 4"});
     polygon[4].first = Point(0, 0);
     polygon[2].second = Vector(bad, 0);
-    expect_refused(
+    messages::expect_refused(
       [&] {
         refined(polygon, {false, 3}, Curve_end::closed);
       },
@@ -182,7 +164,7 @@ TEST(CurveInput, PointsThatOverflowAreRefusedInTheEnd)
         else
           PN::subdivide_curve(polygon, mask, Curve_end::closed, np);
       };
-      const std::string message = message_of<std::overflow_error>(refuse);
+      const std::string message = messages::message_of<std::overflow_error>(refuse);
       EXPECT_NE(message.find("point 1 of the curve"), std::string::npos) << message;
     }
   // near the end of the range is not beyond it
@@ -197,7 +179,7 @@ TEST(CurveInput, TooManyPointsAreRefusedBeforeTheFirstRound)
   const Curve polygon = {
     {Point(0, 0), Vector(0, 1)}, {Point(1, 0), Vector(0, 1)}, {Point(2, 1), Vector(0, 1)}};
   // 3 * 2^31 is the first size beyond 2^32 - 2; before that, memory would be gone
-  const std::string message = message_of<std::length_error>([&] {
+  const std::string message = messages::message_of<std::length_error>([&] {
     PN::subdivide_curve(polygon, PN::B_spline_mask(3), Curve_end::closed,
                         CGAL::parameters::number_of_iterations(60));
   });
@@ -247,18 +229,19 @@ TEST(CurveInput, CoefficientsThatDoNotSumToOne)
       PN::subdivide_curve(polygon, PN::Univariate_mask<double>(-1, a), Curve_end::closed);
     };
   };
-  expect_refused(with({0.5, 1, 0.6}), {"odd", "sum to 1"});
-  expect_refused(with({0.5, 1.1, 0.5}), {"even", "sum to 1"});
-  expect_refused(with({}), {"sum to 1"});
-  expect_refused(with({1}), {"even", "sum to 1"});
-  expect_refused(with({0.5, std::numeric_limits<double>::quiet_NaN(), 0.5}), {"even", "sum to 1"});
+  messages::expect_refused(with({0.5, 1, 0.6}), {"odd", "sum to 1"});
+  messages::expect_refused(with({0.5, 1.1, 0.5}), {"even", "sum to 1"});
+  messages::expect_refused(with({}), {"sum to 1"});
+  messages::expect_refused(with({1}), {"even", "sum to 1"});
+  messages::expect_refused(with({0.5, std::numeric_limits<double>::quiet_NaN(), 0.5}),
+                           {"even", "sum to 1"});
   EXPECT_NO_THROW(with({0.5, 1, 0.5})());
 }
 
 TEST(CurveInput, MasksThatDoNotGoTogether)
 {
   const auto polygon = circle_2<>(uneven_angles(6, 1, Real(1), false, 1), 1);
-  expect_refused(
+  messages::expect_refused(
     [&] {
       PN::subdivide_curve(polygon, PN::with_normal_mask(PN::B_spline_mask(3), PN::B_spline_mask(2)),
                           Curve_end::closed);
@@ -347,7 +330,7 @@ TEST(CurveIntervals, NormalThatMayBeZeroIsNamed)
 {
   const Interval near_zero(-1e-3, 1e-3);
   const auto polygon = interval_triangle(Interval_kernel::Vector_2(near_zero, near_zero));
-  const std::string message = message_of<std::domain_error>(
+  const std::string message = messages::message_of<std::domain_error>(
     [&] { PN::subdivide_curve(polygon, PN::B_spline_mask(3), Curve_end::closed); });
   EXPECT_NE(message.find("point 2"), std::string::npos) << message;
 }
@@ -374,7 +357,7 @@ TEST(CurveIntervals, CoefficientsThatAreIntervals)
                                      CGAL::abs(p.y() - e.y()).sup() < 1e-15;
                             }),
               1);
-  expect_refused([&] { curve({third, rest, third, rest}); }, {"even", "sum to 1"});
+  messages::expect_refused([&] { curve({third, rest, third, rest}); }, {"even", "sum to 1"});
 }
 
 // --- kernels ---

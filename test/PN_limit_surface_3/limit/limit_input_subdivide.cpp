@@ -8,8 +8,10 @@
 
 // subdivide_to_limit() is subdivide() and move_to_limit(), but leaves a mesh as it was where either fails.
 
+#include "Failing_map.h"
 #include "Limit_cases.h"
 #include "Mesh_cases.h"
+#include "Messages.h"
 #include "support/Options.h"
 
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
@@ -17,8 +19,6 @@
 #include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <CGAL/Polyhedron_3.h>
-
-#include <stdexcept>
 
 namespace {
 
@@ -133,13 +133,12 @@ TEST(Subdivide_to_limit, AFailureLeavesTheMeshAsItWas)
   const auto expect_refusal = [&](const auto& scheme, const test_options::Limit_options& options,
                                   const std::string& what) {
     const auto before = points();
-    try {
-      PN::subdivide_to_limit(mesh, scheme,
-                             PN::parameters::join(options.pack(), params::number_of_iterations(2)));
-      ADD_FAILURE() << what;
-    } catch (const std::exception& e) {
-      EXPECT_NE(std::string(e.what()).find(what), std::string::npos) << e.what();
-    }
+    messages::expect_refused<std::exception>(
+      [&] {
+        PN::subdivide_to_limit(
+          mesh, scheme, PN::parameters::join(options.pack(), params::number_of_iterations(2)));
+      },
+      {what});
     EXPECT_EQ(points(), before);
     EXPECT_TRUE(mesh.is_valid());
   };
@@ -156,25 +155,6 @@ TEST(Subdivide_to_limit, AFailureLeavesTheMeshAsItWas)
   expect_refusal(late, test_options::Limit_options(), "first round");
 }
 
-// points of a mesh, of which the n-th that is put is refused
-struct Failing_points
-{
-  using key_type = Surface_mesh::Vertex_index;
-  using value_type = Kernel::Point_3;
-  using reference = value_type;
-  using category = boost::read_write_property_map_tag;
-
-  Surface_mesh* mesh;
-  int* puts_left;
-
-  friend value_type get(const Failing_points& m, key_type v) { return m.mesh->point(v); }
-  friend void put(const Failing_points& m, key_type v, const value_type& p)
-  {
-    if ((*m.puts_left)-- == 0) throw std::runtime_error("no more");
-    m.mesh->point(v) = p;
-  }
-};
-
 TEST(Subdivide_to_limit, AMapThatThrowsLeavesTheMeshAsItWas)
 {
   Surface_mesh mesh;
@@ -182,11 +162,11 @@ TEST(Subdivide_to_limit, AMapThatThrowsLeavesTheMeshAsItWas)
   const std::vector<Kernel::Point_3> before(mesh.points().begin(), mesh.points().end());
   // new vertices are put before the old ones: the last numbers are theirs
   for (const int puts : {0, 10, 22, 30}) {
-    int puts_left = puts;
+    failing_maps::Calls_left puts_left(puts);
+    const auto map = failing(get(CGAL::vertex_point, mesh), puts_left);
     EXPECT_THROW(
-      PN::subdivide_to_limit(mesh, PN::CatmullClark_scheme(),
-                             params::vertex_point_map(Failing_points{&mesh, &puts_left})),
-      std::runtime_error);
+      PN::subdivide_to_limit(mesh, PN::CatmullClark_scheme(), params::vertex_point_map(map)),
+      failing_maps::User_failure);
     EXPECT_EQ(std::vector<Kernel::Point_3>(mesh.points().begin(), mesh.points().end()), before);
     EXPECT_TRUE(mesh.is_valid());
   }

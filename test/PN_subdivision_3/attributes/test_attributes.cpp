@@ -10,6 +10,7 @@
 // refused.
 
 #include "Mesh_cases.h"
+#include "Messages.h"
 #include "support/Options.h"
 
 #include <CGAL/IO/Color.h>
@@ -37,7 +38,6 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -735,32 +735,18 @@ TEST(Attributes, LeaveThePointsAlone)
 
 // \name What is refused
 
-namespace {
-
-template <class Function>
-std::string message_of(const Function& f)
-{
-  try {
-    f();
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "";
-}
-
-} // namespace
-
 TEST(Attributes, AreRefusedByNameAndLeaveTheMesh)
 {
   const Charts c = charts_of_grid(false);
   Mesh mesh = make(c.soup);
   const auto before = points(mesh);
-  EXPECT_NE(message_of([&] { by_table<CGAL::Sequential_tag>(c, mesh, 1); }).find("50 values"),
-            std::string::npos);
+  EXPECT_NE(
+    messages::message_of([&] { by_table<CGAL::Sequential_tag>(c, mesh, 1); }).find("50 values"),
+    std::string::npos);
   PN::Attribute_table table;
   table.edges.resize(1);
   table.edges[0].dimension = 0;
-  EXPECT_NE(message_of([&] {
+  EXPECT_NE(messages::message_of([&] {
               PN::subdivide(mesh, PN::CatmullClark_scheme(), PN::parameters::attributes(table));
             }).find("edges has dimension 0"),
             std::string::npos);
@@ -770,7 +756,7 @@ TEST(Attributes, AreRefusedByNameAndLeaveTheMesh)
   EXPECT_FALSE(PN::has_seam(mesh, uv));
   put_uv(c, mesh, uv);
   const auto doo_sabin = [&](const auto& attributes) {
-    return message_of([&] {
+    return messages::message_of([&] {
       PN::subdivide(mesh, PN::linear(PN::DooSabin_scheme()),
                     PN::parameters::attributes(attributes));
     });

@@ -52,6 +52,26 @@ protected:
     EXPECT_EQ(outcome.out, "");
   }
 
+  static bool contains(const std::string& text, const std::string& part)
+  {
+    return text.find(part) != std::string::npos;
+  }
+  static std::size_t number_of(const std::string& text, const std::string& part)
+  {
+    std::size_t n = 0;
+    for (std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1)) ++n;
+    return n;
+  }
+  static bool takes_triangles(const std::string& scheme)
+  {
+    return contains(scheme, "loop") || scheme == "butterfly" || scheme == "sqrt3" ||
+           scheme == "midpoint";
+  }
+
+  static constexpr const char* cube_off =
+    "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n"
+    "-1 1 1\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+
   std::string program = PN_SUBDIVIDE_COMMAND;
   Temporary_folder folder; // of the user
   Temporary_folder work;   // of these tests

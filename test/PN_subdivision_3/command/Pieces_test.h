@@ -14,13 +14,25 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <string>
+#include <vector>
 
-inline bool takes_triangles(const std::string& scheme)
+// the numbers of an array of a VTP file with raw data
+template <class T>
+std::vector<T> raw_array(const std::string& vtp, const std::string& name)
 {
-  return scheme == "loop" || scheme == "sqrt3" || scheme == "butterfly" ||
-         scheme == "modified-loop" || scheme == "midpoint";
+  const std::size_t tag = vtp.find("Name=\"" + name + "\"");
+  if (tag == std::string::npos) return {};
+  const std::size_t offset = std::stoul(vtp.substr(vtp.find("offset=\"", tag) + 8));
+  const std::size_t begin = vtp.find("\n_", vtp.find("<AppendedData")) + 2 + offset;
+  std::uint64_t bytes = 0;
+  std::memcpy(&bytes, vtp.data() + begin, sizeof bytes);
+  std::vector<T> values(bytes / sizeof(T));
+  std::memcpy(values.data(), vtp.data() + begin + sizeof bytes, bytes);
+  return values;
 }
 
 class Pieces : public Command_test

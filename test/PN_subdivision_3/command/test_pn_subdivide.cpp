@@ -23,9 +23,6 @@ using namespace pn_subdivide;
 
 namespace {
 
-const char* const cube =
-  "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n"
-  "-1 1 1\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
 const char* const octahedron = "OFF\n6 8 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n3 0 1 2\n"
                                "3 1 3 2\n3 3 4 2\n3 4 0 2\n3 1 0 5\n3 3 1 5\n3 4 3 5\n3 0 4 5\n";
 const char* const book =
@@ -92,7 +89,7 @@ TEST_F(Pn_subdivide, LinearCatmullClarkOfACubeAsComputedByHand)
 {
   for (const char* options :
        {"--scheme catmull-clark --linear", "--normals none --scheme catmull-clark"}) {
-    const Mesh_data mesh = refined(folder.write("cube.off", cube), options);
+    const Mesh_data mesh = refined(folder.write("cube.off", cube_off), options);
     ASSERT_EQ(mesh.points.size(), 26u);
     EXPECT_EQ(mesh.number_of_faces(), 24u);
     EXPECT_FALSE(mesh.has_normals());
@@ -149,7 +146,7 @@ TEST_F(Pn_subdivide, LinearModifiedLoopOfAVertexAsComputedByHand)
 // A cube has no separated vertices, its first round has.
 TEST_F(Pn_subdivide, ModifiedSchemesAreModifiedWhereVerticesAreSeparated)
 {
-  const std::string input = folder.write("cube.off", cube);
+  const std::string input = folder.write("cube.off", cube_off);
   const auto points = [&](const std::string& options) { return refined(input, options).points; };
   EXPECT_EQ(points("--scheme modified-catmull-clark"), points("--scheme catmull-clark"));
   const auto half = points("--levels 2 --scheme modified-catmull-clark");
@@ -186,7 +183,7 @@ TEST_F(Pn_subdivide, TheFirstRoundOfModifiedSchemesIsAnOption)
             points(input, "--levels 2 --scheme catmull-clark"));
   EXPECT_EQ(points(input, "--levels 2 --first-round 1 --tuned-valences all" + modified),
             points(input, "--levels 2" + modified));
-  const std::string of_valence_3 = folder.write("cube.off", cube);
+  const std::string of_valence_3 = folder.write("cube.off", cube_off);
   EXPECT_EQ(points(of_valence_3, "--levels 3 --tuned-valences diverging" + modified),
             points(of_valence_3, "--levels 3 --scheme catmull-clark"));
   EXPECT_NE(points(of_valence_3, "--levels 3" + modified),
@@ -206,10 +203,10 @@ TEST_F(Pn_subdivide, SpheresStaySpheres)
   const struct
   {
     const char *content, *scheme;
-  } cases[] = {{cube, "catmull-clark"},
+  } cases[] = {{cube_off, "catmull-clark"},
                {octahedron, "loop"},
                {octahedron, "catmull-clark"},
-               {cube, "modified-catmull-clark"},
+               {cube_off, "modified-catmull-clark"},
                {octahedron, "modified-loop --cap 1/4"}};
   for (const auto& c : cases) {
     const std::string input = folder.write("sphere.off", c.content);
@@ -217,7 +214,7 @@ TEST_F(Pn_subdivide, SpheresStaySpheres)
       refined(input, std::string("--levels 4 --normals sphere:0,0,0 --output-normals control "
                                  "--scheme ") +
                        c.scheme);
-    const long double radius = c.content == cube ? std::sqrt(3.L) : 1;
+    const long double radius = c.content == cube_off ? std::sqrt(3.L) : 1;
     ASSERT_EQ(mesh.normals.size(), mesh.points.size());
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
       const Triple& p = mesh.points[v];
@@ -285,7 +282,7 @@ TEST_F(Pn_subdivide, VerticesWithoutFacesAreKept)
 
 TEST_F(Pn_subdivide, FormatsAgree)
 {
-  const std::string input = folder.write("cube.off", cube);
+  const std::string input = folder.write("cube.off", cube_off);
   const Mesh_data reference = refined(input, "--scheme catmull-clark --levels 2");
   for (const char* name : {"a.ply", "a.off", "a.obj"}) {
     ASSERT_EQ(surface(input, folder.file(name),
@@ -303,7 +300,7 @@ TEST_F(Pn_subdivide, FormatsAgree)
 
 TEST_F(Pn_subdivide, ThreadsDoNotChangeABit)
 {
-  const std::string input = folder.write("cube.off", cube);
+  const std::string input = folder.write("cube.off", cube_off);
   const auto bytes = [&](const std::string& threads) {
     const std::string output = folder.file("t" + threads + ".ply");
     const Outcome outcome =
@@ -321,7 +318,7 @@ TEST_F(Pn_subdivide, ThreadsDoNotChangeABit)
 
 TEST_F(Pn_subdivide, InputMayBeTheOutput)
 {
-  const std::string file = folder.write("cube.off", cube);
+  const std::string file = folder.write("cube.off", cube_off);
   EXPECT_EQ(surface(file, file, "--scheme catmull-clark").code, 0);
   EXPECT_EQ(read_mesh(file).points.size(), 26u);
   EXPECT_EQ(folder.number_of_files(), 1u);
@@ -329,7 +326,7 @@ TEST_F(Pn_subdivide, InputMayBeTheOutput)
 
 TEST_F(Pn_subdivide, ProgressOnLongWorkOnlyAndNotWithQuiet)
 {
-  const std::string input = folder.write("cube.off", cube), output = folder.file("c.ply");
+  const std::string input = folder.write("cube.off", cube_off), output = folder.file("c.ply");
   const std::string few = surface(input, output, "--scheme catmull-clark --levels 3").err;
   EXPECT_EQ(few.rfind(output + ": 386 vertices, 384 faces, 3 rounds of catmull-clark, estimated "
                                "normals, ",
@@ -378,8 +375,8 @@ TEST_F(Pn_subdivide, SoupsThatAreNoManifoldAreRefusedOrRepaired)
     EXPECT_EQ(surface(input, folder.file("o.ply"), "--scheme loop --levels 2 --repair").code, 0);
     std::filesystem::remove(folder.file("o.ply"));
   }
-  const Outcome sound =
-    surface(folder.write("c.off", cube), folder.file("o.ply"), "--scheme catmull-clark --repair");
+  const Outcome sound = surface(folder.write("c.off", cube_off), folder.file("o.ply"),
+                                "--scheme catmull-clark --repair");
   EXPECT_EQ(sound.code, 0);
   EXPECT_EQ(sound.err.find("repaired"), std::string::npos) << sound.err;
 }
@@ -419,7 +416,7 @@ TEST_F(Pn_subdivide, PointsAreMergedWhereWanted)
 
 TEST_F(Pn_subdivide, FacesAreSplitForTriangleSchemes)
 {
-  const std::string input = folder.write("cube.off", cube);
+  const std::string input = folder.write("cube.off", cube_off);
   expect_failure(input, "--scheme loop", 1,
                  "face 0 has 4 vertices, and loop refines triangles only; --triangulate");
   const Mesh_data mesh = refined(input, "--scheme loop --triangulate");
@@ -443,7 +440,7 @@ TEST_F(Pn_subdivide, FacesAreSplitForTriangleSchemes)
 
 TEST_F(Pn_subdivide, WithoutASchemeTheFacesDecide)
 {
-  const std::string quads = folder.write("c.off", cube),
+  const std::string quads = folder.write("c.off", cube_off),
                     triangles = folder.write("o.off", octahedron);
   EXPECT_EQ(refined(quads, "").points, refined(quads, "--scheme catmull-clark").points);
   EXPECT_EQ(refined(triangles, "").points, refined(triangles, "--scheme loop").points);
@@ -539,15 +536,16 @@ TEST_F(Pn_subdivide, BadMeshesFailWithOneLine)
     expect_failure(input, "--scheme loop --levels 0 --normals none", 1, c.part);
   }
   expect_failure(folder.file("missing.off"), "--scheme loop", 1, "No such file");
-  expect_failure(folder.write("cube.off", cube), "--scheme loop", 1, "face");
-  expect_failure(folder.write("cube.off", cube), "--scheme catmull-clark --normals file", 1,
+  expect_failure(folder.write("cube.off", cube_off), "--scheme loop", 1, "face");
+  expect_failure(folder.write("cube.off", cube_off), "--scheme catmull-clark --normals file", 1,
                  "no vertex normals");
-  expect_failure(folder.write("cube.off", cube), "--scheme catmull-clark --levels 20", 1, "round");
+  expect_failure(folder.write("cube.off", cube_off), "--scheme catmull-clark --levels 20", 1,
+                 "round");
 }
 
 TEST_F(Pn_subdivide, WrongCommandLinesFailWithOneLine)
 {
-  const std::string input = folder.write("cube.off", cube);
+  const std::string input = folder.write("cube.off", cube_off);
   const std::string scheme = "--scheme catmull-clark ";
   expect_failure(input, "--scheme ''", 2, "--scheme");
   expect_failure(input, "--scheme bezier", 2, "bezier");
@@ -562,7 +560,7 @@ TEST_F(Pn_subdivide, WrongCommandLinesFailWithOneLine)
                               "cylinder:0,0,0", "cylinder:0,0,0,0,0,0", "file:1"})
     expect_failure(input, scheme + "--normals " + normals, 2, "--normals");
   expect_failure(input, scheme, 2, "must end in one of", "xyz");
-  expect_failure(folder.write("cube.xyz", cube), scheme, 2, "must end in one of");
+  expect_failure(folder.write("cube.xyz", cube_off), scheme, 2, "must end in one of");
   expect_one_line(run(""), 2, "INPUT and OUTPUT are missing");
   expect_one_line(run("volume a b"), 2, "'b' is one argument too many");
   expect_one_line(run("surface"), 2, "required");
@@ -570,7 +568,7 @@ TEST_F(Pn_subdivide, WrongCommandLinesFailWithOneLine)
 
 TEST_F(Pn_subdivide, NumbersWithZerosInFrontAreDecimal)
 {
-  const std::string input = folder.write("cube.off", cube), output = folder.file("o.ply");
+  const std::string input = folder.write("cube.off", cube_off), output = folder.file("o.ply");
   EXPECT_EQ(surface(input, output, "--scheme doo-sabin --linear --levels 002 --threads 08").code,
             0);
   EXPECT_EQ(read_mesh(output).points.size(), 96u);
@@ -580,7 +578,7 @@ TEST_F(Pn_subdivide, NumbersWithZerosInFrontAreDecimal)
 
 TEST_F(Pn_subdivide, SchemesThatDoNotGoTogether)
 {
-  const std::string input = folder.write("cube.off", cube);
+  const std::string input = folder.write("cube.off", cube_off);
   expect_failure(input, "--scheme catmull-clark --normal-scheme loop", 2, "split");
   expect_failure(input, "--scheme catmull-clark --normal-scheme spline", 2, "no such scheme");
   expect_failure(input, "--scheme catmull-clark --normal-scheme kobbelt --linear", 2, "exclude");
@@ -602,7 +600,7 @@ TEST_F(Pn_subdivide, SchemesThatDoNotGoTogether)
 
 TEST_F(Pn_subdivide, OutputThatCannotBeWritten)
 {
-  const std::string input = folder.write("cube.off", cube);
+  const std::string input = folder.write("cube.off", cube_off);
   const std::string options = "--quiet --scheme catmull-clark --levels ";
   expect_one_line(surface(input, folder.file("no/such/folder/o.ply"), options + "1"), 1, "folder");
   std::filesystem::create_directory(folder.file("folder.ply"));

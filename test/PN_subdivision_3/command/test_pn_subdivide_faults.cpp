@@ -33,9 +33,6 @@ using namespace pn_subdivide;
 
 namespace {
 
-const char* const cube =
-  "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n"
-  "-1 1 1\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
 const char* const two_triangles = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvn 0.1 0 1\n"
                                   "f 1//1 2//1 3//2\nf 1//1 3//2 4//2\n";
 
@@ -44,7 +41,7 @@ class Faults : public Command_test
 protected:
   void SetUp() override
   {
-    folder.write("cube.off", cube);
+    folder.write("cube.off", cube_off);
     folder.write("two.obj", two_triangles);
     folder.write("p.txt", "0 0\n1 0\n1 1\n0 1\n");
   }

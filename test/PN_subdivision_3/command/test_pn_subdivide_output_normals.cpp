@@ -124,23 +124,6 @@ std::string box(bool is_triangles, bool is_open = false)
 // The edges between the sides.
 const char* const all_edges = "\n\n0 1 1 2 2 3 3 0 4 5 5 6 6 7 7 4 0 4 1 5 2 6 3 7\n";
 
-bool takes_triangles(const std::string& scheme)
-{
-  return scheme.find("loop") != std::string::npos || scheme == "butterfly" || scheme == "sqrt3";
-}
-
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
-
-std::size_t number_of(const std::string& text, const std::string& part)
-{
-  std::size_t n = 0;
-  for (std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1)) ++n;
-  return n;
-}
-
 class Pn_subdivide_output_normals : public Refined_files
 {
 protected:

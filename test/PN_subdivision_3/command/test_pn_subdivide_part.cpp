@@ -33,11 +33,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
-
 // with_others: of some quads by the other diagonal, as openscad has them
 Part triangles(Part part, bool with_others = false)
 {

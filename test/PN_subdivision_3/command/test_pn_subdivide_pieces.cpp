@@ -15,7 +15,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -198,25 +197,6 @@ TEST_F(Pieces, WhatDoesNotGoWithThem)
   expect_refusal("--pieces 2 --sharp angle:5 --output-normals control", 1, "--sharp none");
   expect_refusal("--pieces 2 --border curve --output-normals both", 1, "--border surface");
 }
-
-namespace {
-
-// The array of a VTP file with raw data, as it stands in it.
-template <class T>
-std::vector<T> raw_array(const std::string& vtp, const std::string& name)
-{
-  const std::size_t tag = vtp.find("Name=\"" + name + "\"");
-  if (tag == std::string::npos) return {};
-  const std::size_t offset = std::stoul(vtp.substr(vtp.find("offset=\"", tag) + 8));
-  const std::size_t begin = vtp.find("\n_", vtp.find("<AppendedData")) + 2 + offset;
-  std::uint64_t bytes = 0;
-  std::memcpy(&bytes, vtp.data() + begin, sizeof bytes);
-  std::vector<T> values(bytes / sizeof(T));
-  std::memcpy(values.data(), vtp.data() + begin + sizeof bytes, bytes);
-  return values;
-}
-
-} // namespace
 
 // Each piece has the normals that the whole file has at its vertices, and those of faces around none of its own.
 TEST_F(Pieces, PvtpHasTheNormalsOfTheWhole)

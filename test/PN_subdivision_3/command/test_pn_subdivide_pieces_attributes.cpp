@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -149,21 +148,6 @@ TEST_F(Attributes_in_pieces, OfOtherFormats)
 }
 
 namespace {
-
-// the numbers of an array of a VTP file with raw data
-template <class T>
-std::vector<T> raw_array(const std::string& vtp, const std::string& name)
-{
-  const std::size_t tag = vtp.find("Name=\"" + name + "\"");
-  if (tag == std::string::npos) return {};
-  const std::size_t offset = std::stoul(vtp.substr(vtp.find("offset=\"", tag) + 8));
-  const std::size_t begin = vtp.find("\n_", vtp.find("<AppendedData")) + 2 + offset;
-  std::uint64_t bytes = 0;
-  std::memcpy(&bytes, vtp.data() + begin, sizeof bytes);
-  std::vector<T> values(bytes / sizeof(T));
-  std::memcpy(values.data(), vtp.data() + begin + sizeof bytes, bytes);
-  return values;
-}
 
 template <class T>
 void expect_rows(const std::string& piece, const std::string& whole, const std::string& name,

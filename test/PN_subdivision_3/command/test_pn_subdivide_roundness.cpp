@@ -35,11 +35,6 @@ using namespace pn_subdivide;
 
 namespace {
 
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
-
 // A box of quads or triangles with m x m squares a side, stretched; the origin is its center.
 std::string box(int m, bool is_triangles)
 {
@@ -158,6 +153,7 @@ protected:
     folder.write("ridge.ply", ply({}, true));
     folder.write("round.ply", ply(several, true));
     folder.write("points.ply", ply(several, false));
+    folder.write("p.txt", "0 0\n4 0\n5 2\n3 4\n0 3\n-1 1\n");
   }
   std::string err(const std::string& input, const std::string& options, int code = 0) const
   {
@@ -165,6 +161,22 @@ protected:
       run("'" + folder.file(input) + "' '" + folder.file("e.ply") + "' " + options);
     EXPECT_EQ(outcome.code, code) << options << outcome.err;
     return outcome.err;
+  }
+  // the points of a curve of six control points
+  std::vector<Triple> curve(const std::string& options) const
+  {
+    const Outcome outcome =
+      run("curve '" + folder.file("p.txt") + "' '" + folder.file("o.txt") + "' --quiet " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    std::vector<Triple> points;
+    std::istringstream lines(Temporary_folder::content(folder.file("o.txt")));
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream numbers(line);
+      Triple p{};
+      numbers >> p[0] >> p[1];
+      points.push_back(p);
+    }
+    return points;
   }
 };
 
@@ -467,21 +479,6 @@ TEST_F(Pn_subdivide_roundness, WhatMeansNothingIsAUsageError)
 
 TEST_F(Pn_subdivide_roundness, CurvesTakeANumber)
 {
-  const std::string polygon = folder.write("p.txt", "0 0\n4 0\n5 2\n3 4\n0 3\n-1 1\n");
-  const auto curve = [&](const std::string& options) {
-    const Outcome outcome =
-      run("curve '" + polygon + "' '" + folder.file("o.txt") + "' --quiet " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    std::vector<Triple> points;
-    std::istringstream lines(Temporary_folder::content(folder.file("o.txt")));
-    for (std::string line; std::getline(lines, line);) {
-      std::istringstream numbers(line);
-      Triple p{};
-      numbers >> p[0] >> p[1];
-      points.push_back(p);
-    }
-    return points;
-  };
   for (const std::string scheme : {"bspline:3 --closed", "chaikin --closed", "4-point --closed",
                                    "bspline:3", "6-point --normal-scheme 4-point"}) {
     const std::string options = "--scheme " + scheme;
@@ -497,7 +494,7 @@ TEST_F(Pn_subdivide_roundness, CurvesTakeANumber)
       for (std::size_t k = 0; k < 2; ++k) blend[i][k] += 0.3 * (full[i][k] - linear[i][k]);
     EXPECT_LE(largest_difference(curve(options + " --roundness 0.3"), blend), 1e-14);
   }
-  const std::string calls = "curve '" + polygon + "' '" + folder.file("o.txt") + "' ";
+  const std::string calls = "curve '" + folder.file("p.txt") + "' '" + folder.file("o.txt") + "' ";
   for (const std::string x : {"1.5", "auto", "file", "-1"})
     expect_one_line(run(calls + "--roundness=" + x), 2, "from 0 to 1");
   expect_one_line(run(calls + "--roundness 1 --linear"), 2, "--linear");
@@ -506,23 +503,9 @@ TEST_F(Pn_subdivide_roundness, CurvesTakeANumber)
 // Limits are those of many rounds of the same roundness; a net that interpolates has its points on the curve.
 TEST_F(Pn_subdivide_roundness, CurvesHaveLimitsOfIt)
 {
-  const std::string polygon = folder.write("p.txt", "0 0\n4 0\n5 2\n3 4\n0 3\n-1 1\n");
-  const auto curve = [&](const std::string& options) {
-    const Outcome outcome = run("curve '" + polygon + "' '" + folder.file("o.txt") +
-                                "' --quiet --closed --scheme bspline:3 --roundness 0.5 " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    std::vector<Triple> points;
-    std::istringstream lines(Temporary_folder::content(folder.file("o.txt")));
-    for (std::string line; std::getline(lines, line);) {
-      std::istringstream numbers(line);
-      Triple p{};
-      numbers >> p[0] >> p[1];
-      points.push_back(p);
-    }
-    return points;
-  };
-  const auto limits = curve("--levels 0 --limit"), many = curve("--levels 12");
-  const auto through = curve("--levels 0 --interpolate points --limit");
+  const std::string half = "--closed --scheme bspline:3 --roundness 0.5 --levels ";
+  const auto limits = curve(half + "0 --limit"), many = curve(half + "12");
+  const auto through = curve(half + "0 --interpolate points --limit");
   ASSERT_EQ(limits.size(), 6u);
   const std::vector<Triple> given{{0, 0, 0}, {4, 0, 0}, {5, 2, 0},
                                   {3, 4, 0}, {0, 3, 0}, {-1, 1, 0}};

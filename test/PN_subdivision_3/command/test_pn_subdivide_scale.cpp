@@ -73,12 +73,6 @@ struct Mode
   std::string scheme, options;
 };
 
-bool takes_triangles(const std::string& scheme)
-{
-  return scheme.find("loop") != std::string::npos || scheme == "butterfly" || scheme == "sqrt3" ||
-         scheme == "midpoint";
-}
-
 std::vector<Mode> modes()
 {
   std::vector<Mode> result;

@@ -31,10 +31,6 @@ using namespace pn_subdivide;
 
 namespace {
 
-const char* const cube =
-  "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n"
-  "-1 1 1\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
-
 class Streams : public Command_test
 {
 protected:
@@ -45,7 +41,7 @@ protected:
 
 TEST_F(Streams, TheSameBytesAsInFiles)
 {
-  folder.write("cube.off", cube);
+  folder.write("cube.off", cube_off);
   for (const std::string format : {"ply", "off", "obj", "stl", "vtp"}) {
     const std::string file = "file." + format;
     ASSERT_EQ(run("surface " + quoted("cube.off") + " " + quoted(file) + " --levels 2").code, 0);
@@ -85,7 +81,7 @@ TEST_F(Streams, Curves)
 
 TEST_F(Streams, WhatTheyNeed)
 {
-  folder.write("cube.off", cube);
+  folder.write("cube.off", cube_off);
   const std::string file = quoted("cube.off"), out = quoted("o.ply");
   expect_one_line(run("surface - " + out), 2, "--format");
   expect_one_line(run("surface " + file + " -"), 2, "--format");
@@ -103,7 +99,7 @@ TEST_F(Streams, WhatTheyNeed)
 // Whatever is read, in any format.
 TEST_F(Streams, DevicesWithoutEnd)
 {
-  folder.write("cube.off", cube);
+  folder.write("cube.off", cube_off);
   const std::string file = quoted("cube.off"), out = quoted("o.ply");
   const std::string bounded = "ulimit -v 4000000; timeout 60 ";
   for (const std::string& arguments : {"surface " + file + " " + out + " --sharp /dev/zero",
@@ -121,7 +117,7 @@ TEST_F(Streams, DevicesWithoutEnd)
 // A reader of standard output must not take the first half of a mesh for a mesh.
 TEST_F(Streams, AFailureWritesNothing)
 {
-  folder.write("cube.off", cube);
+  folder.write("cube.off", cube_off);
   const std::string start = "surface " + quoted("cube.off") + " - --quiet --format ply ";
   expect_one_line(run(start + "--scheme loop"), 1, "--triangulate");
   expect_one_line(run(start + "--levels 20"), 1, "round");
@@ -140,7 +136,7 @@ TEST_F(Streams, AFailureWritesNothing)
 
 TEST_F(Streams, TheDeviationDoesNotGetIntoTheMesh)
 {
-  folder.write("cube.off", cube);
+  folder.write("cube.off", cube_off);
   const std::string start = "surface " + quoted("cube.off") + " - --quiet --format off ";
   const Outcome plain = run(start), verified = run(start + "--verify sphere:0,0,0,2");
   EXPECT_EQ(verified.out, plain.out);
@@ -152,7 +148,7 @@ TEST_F(Streams, TheDeviationDoesNotGetIntoTheMesh)
 TEST_F(Streams, LinksAreWrittenThrough)
 {
   namespace fs = std::filesystem;
-  folder.write("cube.off", cube);
+  folder.write("cube.off", cube_off);
   const auto write_to = [&](const std::string& name) {
     const Outcome outcome = run("surface " + quoted("cube.off") + " " + quoted(name) + " --quiet");
     EXPECT_EQ(outcome.code, 0) << outcome.err;

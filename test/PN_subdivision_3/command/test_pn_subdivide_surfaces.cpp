@@ -36,11 +36,6 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 using Json = nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
-
 // A bar along z whose section is a square of width 3 with quarters of circles of radius 1, in 6 steps, at its corners:
 // they touch the planes beside them.
 Part rounded_bar()

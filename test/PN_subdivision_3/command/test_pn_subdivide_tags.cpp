@@ -31,18 +31,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
-
-std::size_t number_of(const std::string& text, const std::string& part)
-{
-  std::size_t n = 0;
-  for (std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1)) ++n;
-  return n;
-}
-
 // A box about the origin, in quads or triangles; without its lid it has a border.
 const std::vector<Triple> box_points = {{-1, -2, -3}, {1, -2, -3}, {1, 2, -3}, {-1, 2, -3},
                                         {-1, -2, 3},  {1, -2, 3},  {1, 2, 3},  {-1, 2, 3}};
@@ -116,11 +104,6 @@ std::string selection(const std::vector<std::array<int, 2>>& edges,
 
 const std::vector<std::string> schemes = {"catmull-clark", "loop", "modified-catmull-clark",
                                           "modified-loop"};
-
-bool takes_triangles(const std::string& scheme)
-{
-  return scheme == "loop" || scheme == "modified-loop";
-}
 
 class Pn_subdivide_tags : public Refined_files
 {

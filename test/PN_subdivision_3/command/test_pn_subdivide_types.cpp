@@ -76,11 +76,6 @@ std::string vtk_name(const std::string& type)
   return type == "float" ? "Float32" : "Float64";
 }
 
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
-
 class Pn_subdivide_types : public Command_test
 {
 protected:

@@ -8,6 +8,7 @@
 
 // Creases of meshes: what is read, written and refused.
 
+#include "Messages.h"
 #include "Tagged_meshes.h"
 #include "analysis/subdivision_matrix.h"
 
@@ -358,23 +359,12 @@ TEST(Creases_of_meshes, Of_maps_that_are_only_read)
 }
 
 // \name Refusals
-template <class Function>
-std::string message_of(const Function& f)
-{
-  try {
-    f();
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return {};
-}
-
 template <class Scheme>
 void expect_refusal(const Control& control, const Scheme& scheme, const std::string& part)
 {
   Tagged<Surface_mesh> t(control);
   const State before = state(t);
-  const std::string message = message_of([&] {
+  const std::string message = messages::message_of([&] {
     PN::subdivide(t.mesh, scheme,
                   np::edge_is_constrained_map(t.sharp).vertex_is_constrained_map(t.corners));
   });
@@ -410,11 +400,12 @@ TEST(Creases_of_meshes, Are_refused_where_the_surface_is_none)
   for (int i = 1; i < 9; ++i) c.sharp_edges[{0, i}] = infinity;
   Tagged<Surface_mesh> t(c);
   const State before = state(t);
-  EXPECT_NE(message_of([&] { t.subdivide(PN::CatmullClark_scheme(), 1); }).find("vertex 0"),
+  EXPECT_NE(
+    messages::message_of([&] { t.subdivide(PN::CatmullClark_scheme(), 1); }).find("vertex 0"),
+    std::string::npos);
+  EXPECT_NE(messages::message_of([&] { PN::detect_creases(t.mesh, 30, t.sharp); }).find("vertex 0"),
             std::string::npos);
-  EXPECT_NE(message_of([&] { PN::detect_creases(t.mesh, 30, t.sharp); }).find("vertex 0"),
-            std::string::npos);
-  EXPECT_NE(message_of([&] {
+  EXPECT_NE(messages::message_of([&] {
               PN::estimate_control_normals(t.mesh, t.normals,
                                            CGAL::parameters::edge_is_constrained_map(t.sharp));
             }).find("vertex 0"),
@@ -455,7 +446,7 @@ TEST(Creases_of_meshes, Are_refused_by_matrices)
   const Tagged<Surface_mesh> cap(ball_cap().control());
   const PN::Loop_scheme loop;
   const PN::CatmullClark_scheme cc;
-  const std::string message = message_of([&] {
+  const std::string message = messages::message_of([&] {
     PN::subdivision_matrix(cap.mesh, PN::linear(PN::internal::with_border(cc, PN::Border::fixed)));
   });
   EXPECT_NE(message.find("border makes the edge of half-edge "), std::string::npos);
@@ -494,7 +485,7 @@ TEST(Creases_of_meshes, Angles_out_of_range)
   Tagged<Surface_mesh> t(crease_shapes::cube().control());
   auto sharp = t.mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", true).first;
   for (const double angle : {-1., 181., std::nan("")})
-    EXPECT_NE(message_of([&] { PN::detect_creases(t.mesh, angle, sharp); }), "");
+    EXPECT_NE(messages::message_of([&] { PN::detect_creases(t.mesh, angle, sharp); }), "");
   EXPECT_EQ(PN::detect_creases(t.mesh, 89.8, sharp), 12u);
   EXPECT_EQ(PN::detect_creases(t.mesh, 89.95, sharp), 0u);
   EXPECT_EQ(PN::detect_creases(t.mesh, 90.1, sharp), 0u);
@@ -564,12 +555,12 @@ TEST(Creases_of_meshes, What_fails_leaves_all_as_it_was)
   for (int left = 0;; left = left < 20 ? left + 1 : left * 2) {
     Tagged<Surface_mesh> t(control);
     const State before = state(t);
-    int puts = left;
+    failing_maps::Calls_left puts(left);
     try {
       PN::subdivide(t.mesh, PN::CatmullClark_scheme(),
-                    np::edge_is_constrained_map(Failing_map<decltype(t.sharp)>{t.sharp, &puts})
-                      .vertex_is_constrained_map(Failing_map<decltype(t.corners)>{t.corners, &puts})
-                      .vertex_normal_map(Failing_map<decltype(t.normals)>{t.normals, &puts}));
+                    np::edge_is_constrained_map(failing(t.sharp, puts))
+                      .vertex_is_constrained_map(failing(t.corners, puts))
+                      .vertex_normal_map(failing(t.normals, puts)));
       break;
     } catch (const std::runtime_error&) {
       ++failures;

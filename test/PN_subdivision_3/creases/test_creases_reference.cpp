@@ -69,6 +69,14 @@ reference::Creased_mesh state(const Run& run, const Control& control)
 struct Greatest_differences
 {
   double point = 0, normal = 0, roundness = 0, tangent = 0;
+
+  void expect_small() const
+  {
+    EXPECT_LE(point, 1e-13);
+    EXPECT_LE(normal, 1e-12);
+    EXPECT_LE(roundness, 1e-13);
+    EXPECT_LE(tangent, 1e-12);
+  }
 };
 
 template <class Key, class Number>
@@ -125,10 +133,7 @@ void compare_rounds(const Control& control, const Scheme& scheme, bool is_loop, 
     else
       compare(state(run, control), reference::Semi_sharp_round(old, is_loop, is_modified).result(),
               d);
-    EXPECT_LE(d.point, 1e-13);
-    EXPECT_LE(d.normal, 1e-12);
-    EXPECT_LE(d.roundness, 1e-13);
-    EXPECT_LE(d.tangent, 1e-12);
+    d.expect_small();
     if (::testing::Test::HasFailure()) return;
   }
 }
@@ -153,6 +158,15 @@ struct Case
   Border border;
   double share;
   std::vector<double> values;
+
+  Control control(std::mt19937& random) const
+  {
+    Control c = shape();
+    c.border = border;
+    perturb(c, random);
+    tag(c, random, share, values);
+    return c;
+  }
 };
 
 std::string name_of(const ::testing::TestParamInfo<Case>& info)
@@ -168,10 +182,7 @@ TEST_P(Creases, Rounds_are_those_of_the_reference)
   for (unsigned seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    Control c = GetParam().shape();
-    c.border = GetParam().border;
-    perturb(c, random);
-    tag(c, random, GetParam().share, GetParam().values);
+    Control c = GetParam().control(random);
     give_normals(c, random);
     compare_all(c, seed == 1 ? 3 : 2);
     if (HasFailure()) return;
@@ -195,10 +206,7 @@ void compare_first_round(const Control& control, const Scheme& scheme, bool is_l
   run.refine();
   Greatest_differences d;
   compare(state(run, control), reference::Semi_sharp_round(old, other, is_loop).result(), d);
-  EXPECT_LE(d.point, 1e-13);
-  EXPECT_LE(d.normal, 1e-12);
-  EXPECT_LE(d.roundness, 1e-13);
-  EXPECT_LE(d.tangent, 1e-12);
+  d.expect_small();
 }
 
 TEST_P(Creases, First_rounds_with_estimated_normals_are_those_of_the_reference)
@@ -206,10 +214,7 @@ TEST_P(Creases, First_rounds_with_estimated_normals_are_those_of_the_reference)
   for (unsigned seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    Control c = GetParam().shape();
-    c.border = GetParam().border;
-    perturb(c, random);
-    tag(c, random, GetParam().share, GetParam().values);
+    Control c = GetParam().control(random);
     compare_first_round(c, CatmullClark_scheme(), false);
     compare_first_round(triangulated(c), Loop_scheme(), true);
     if (HasFailure()) return;
@@ -256,10 +261,7 @@ TEST_P(Creases, Tangents_are_those_of_the_reference)
   for (unsigned seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    Control c = GetParam().shape();
-    c.border = GetParam().border;
-    perturb(c, random);
-    tag(c, random, GetParam().share, GetParam().values);
+    Control c = GetParam().control(random);
     give_normals(c, random);
     expect_tangents(c);
     turn_normals(c, random);
@@ -281,10 +283,7 @@ TEST_P(Creases, Estimated_normals_are_orthogonal_to_creases)
   std::size_t number = 0;
   for (unsigned seed = 1; seed <= 20; ++seed) {
     std::mt19937 random(seed);
-    Control c = GetParam().shape();
-    c.border = GetParam().border;
-    perturb(c, random);
-    tag(c, random, GetParam().share, GetParam().values);
+    Control c = GetParam().control(random);
     const Crease_run<double, CatmullClark_scheme> run(c, CatmullClark_scheme());
     const reference::Creased_mesh mesh = state(run, c);
     const reference::Crease_tangents tangents(mesh);

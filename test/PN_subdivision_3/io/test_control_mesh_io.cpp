@@ -9,6 +9,7 @@
 // Files in and out of a program: what a file says arrives at its elements, what it does not say is estimated, a file between two
 // calls is as none, and what is wrong is refused by name.
 
+#include "Messages.h"
 #include "Temporary_folder.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -271,17 +272,6 @@ TEST(Control_mesh_io, Formats)
   EXPECT_TRUE(empty_again.is_empty());
 }
 
-template <class Error, class Function>
-void expect_refused(const Function& f, const std::string& words)
-{
-  try {
-    f();
-    ADD_FAILURE() << "not refused: " << words;
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-  }
-}
-
 TEST(Control_mesh_io, What_is_wrong_is_named_and_the_mesh_stays_empty)
 {
   const Temporary_folder folder;
@@ -314,21 +304,21 @@ TEST(Control_mesh_io, What_is_wrong_is_named_and_the_mesh_stays_empty)
     {"k.abc", "solid\n", "k.abc: CGAL's reader does not take it"},
   };
   for (const auto& c : cases) {
-    expect_refused<std::runtime_error>(read(c.name, c.text), c.words);
+    messages::expect_refused<std::runtime_error>(read(c.name, c.text), {c.words});
     EXPECT_TRUE(mesh.is_empty()) << c.words;
   }
-  expect_refused<std::invalid_argument>(read("m.ply", with_edges("1 4 1\n0 4 -1\n")),
-                                        "the edge from vertex 0 to vertex 4 is negative");
-  expect_refused<std::invalid_argument>(read("n.off", off("3 0 1 4\n3 2 3 4\n", 2)), "bow-tie");
+  messages::expect_refused(read("m.ply", with_edges("1 4 1\n0 4 -1\n")),
+                           {"the edge from vertex 0 to vertex 4 is negative"});
+  messages::expect_refused(read("n.off", off("3 0 1 4\n3 2 3 4\n", 2)), {"bow-tie"});
   Mesh nowhere; // refused by the estimate, when the mesh is there
   nowhere.add_face(nowhere.add_vertex({0, 0, 0}), nowhere.add_vertex({1, 0, 0}),
                    nowhere.add_vertex({0, std::nan(""), 0}));
   PN::write_refined_mesh(folder.file("o.ply"), nowhere);
-  expect_refused<std::invalid_argument>([&] { PN::read_control_mesh(folder.file("o.ply"), mesh); },
-                                        "vertex 2");
+  messages::expect_refused([&] { PN::read_control_mesh(folder.file("o.ply"), mesh); },
+                           {"vertex 2"});
   EXPECT_TRUE(mesh.is_empty());
-  expect_refused<std::runtime_error>([&] { PN::read_control_mesh(folder.file("none.ply"), mesh); },
-                                     "is not there");
+  messages::expect_refused<std::runtime_error>(
+    [&] { PN::read_control_mesh(folder.file("none.ply"), mesh); }, {"is not there"});
 }
 
 TEST(Control_mesh_io, What_cannot_be_written_or_is_not_empty_is_refused)
@@ -337,14 +327,13 @@ TEST(Control_mesh_io, What_cannot_be_written_or_is_not_empty_is_refused)
   Mesh mesh;
   const std::string file = folder.write("a.off", off("4 0 1 2 3\n", 1));
   PN::read_control_mesh(file, mesh);
-  expect_refused<std::invalid_argument>([&] { PN::read_control_mesh(file, mesh); },
-                                        "must be empty");
+  messages::expect_refused([&] { PN::read_control_mesh(file, mesh); }, {"must be empty"});
   EXPECT_EQ(mesh.number_of_faces(), 1u);
-  expect_refused<std::runtime_error>([&] { PN::write_refined_mesh(folder.file("b.stl"), mesh); },
-                                     "triangles only");
+  messages::expect_refused<std::runtime_error>(
+    [&] { PN::write_refined_mesh(folder.file("b.stl"), mesh); }, {"triangles only"});
   for (const char* name : {"b.xyz", "no/b.ply", "no/b.off"})
-    expect_refused<std::runtime_error>([&] { PN::write_refined_mesh(folder.file(name), mesh); },
-                                       "cannot be written");
+    messages::expect_refused<std::runtime_error>(
+      [&] { PN::write_refined_mesh(folder.file(name), mesh); }, {"cannot be written"});
 }
 
 } // namespace

@@ -12,7 +12,6 @@
 #include "Tracked_double.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpfr.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/PN_subdivision_3.h>
@@ -26,7 +25,6 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 using namespace mesh_cases;
@@ -109,15 +107,6 @@ TEST(Kernels, CartesianFloat)
   expect_close_to_long_double<CGAL::Simple_cartesian<float>>(8e-6, 4 * 1.2e-7, 3);
 }
 
-TEST(Kernels, EpickIsDouble)
-{
-  using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-  const Refined<Epick> r(mixed_with_border(), false, 3);
-  const Refined<CGAL::Simple_cartesian<double>> d(mixed_with_border(), false, 3);
-  EXPECT_EQ(points(r.mesh), points(d.mesh));
-  EXPECT_EQ(values(r.mesh, r.normal), values(d.mesh, d.normal));
-}
-
 // In an exact field without square root normals have unit length up to 2^-48, squared 2^-47.
 TEST(Kernels, Epeck)
 {
@@ -161,7 +150,6 @@ TEST(Kernels, ExactNormalsKeepTheirDirection)
   EXPECT_EQ(i, 10u);
 }
 
-// The linear twin in rational numbers, by hand.
 // opposite but for 2^-600: the square of the sum's length is below the range of double. The arc from
 // a to b is half a circle, whose normals point inwards.
 TEST(Kernels, ExactSumsOfAnyLengthHaveADirection)
@@ -186,6 +174,7 @@ TEST(Kernels, ExactSumsOfAnyLengthHaveADirection)
   EXPECT_EQ(found, 1);
 }
 
+// The linear twin in rational numbers, by hand.
 TEST(Kernels, LinearTwinIsExact)
 {
   using K = CGAL::Exact_predicates_exact_constructions_kernel;

@@ -9,6 +9,7 @@
 // Kernels with intervals: of doubles, and, where MPFI is found, of any precision.
 
 #include "Mesh_cases.h"
+#include "Messages.h"
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/PN_subdivision_3.h>
@@ -26,6 +27,7 @@
 #include <vector>
 
 using namespace mesh_cases;
+using messages::message_of;
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
 
@@ -65,18 +67,6 @@ struct Interval_tetrahedron
   typename Mesh::template Property_map<Vertex, Vector> n =
     mesh.template add_property_map<Vertex, Vector>("n").first;
 };
-
-// the message of a domain_error
-template <class Function>
-std::string refusal(const Function& f)
-{
-  try {
-    f();
-  } catch (const std::domain_error& e) {
-    return e.what();
-  }
-  return "";
-}
 
 #ifdef CGAL_USE_MPFI
 using Intervals = testing::Types<CGAL::Interval_nt<true>, CGAL::Gmpfi>;
@@ -174,7 +164,7 @@ TYPED_TEST(Interval_kernel, UndecidedComparisonsAreRefusedByName)
   control[3] = {0, 0, -1};
   Data opposite(control);
   const auto old = opposite.mesh;
-  const std::string message = refusal([&] { opposite.subdivide(); });
+  const std::string message = message_of<std::domain_error>([&] { opposite.subdivide(); });
   EXPECT_NE(message.find("vertex"), std::string::npos) << message;
   EXPECT_NE(message.find("precision"), std::string::npos) << message;
   EXPECT_EQ(faces_of(opposite.mesh), faces_of(old));
@@ -187,7 +177,8 @@ TYPED_TEST(Interval_kernel, UndecidedControlNormalsAreRefusedByName)
   auto control = Data::equal_normals({0, 0, 1});
   control[2] = {0, 0, interval<TypeParam>(0, 1)}; // zero or not
   Data zero_or_not(control);
-  EXPECT_NE(refusal([&] { zero_or_not.subdivide(); }).find("vertex 2"), std::string::npos);
+  EXPECT_NE(message_of<std::domain_error>([&] { zero_or_not.subdivide(); }).find("vertex 2"),
+            std::string::npos);
 }
 
 // which component is the largest, or whether two are equal, has no part in it
@@ -201,7 +192,7 @@ TYPED_TEST(Interval_kernel, EqualComponentsOfNormalsNeedNotBeToldApart)
       control.emplace_back(third * TypeParam(x * size), third * TypeParam(y * size),
                            TypeParam(size));
     Data data(control);
-    EXPECT_EQ(refusal([&] { data.subdivide(); }), "") << size;
+    EXPECT_EQ(message_of<std::domain_error>([&] { data.subdivide(); }), "") << size;
     // |(1/3, 1/3, 1)|^2 = 11/9
     const auto [inf, sup] = ends(TypeParam(data.n[CGAL::SM_Vertex_index(0)].z()));
     EXPECT_GT(inf, 0.3);
@@ -216,7 +207,7 @@ TYPED_TEST(Interval_kernel, NormalsAreEstimatedOrRefused)
   typename Data::Mesh plain, blurred;
   build(tetrahedron(), plain);
   build(tetrahedron(), blurred);
-  EXPECT_EQ(refusal([&] { PN::Loop_subdivision(plain); }), "");
+  EXPECT_EQ(message_of<std::domain_error>([&] { PN::Loop_subdivision(plain); }), "");
   EXPECT_EQ(plain.number_of_faces(), 16u);
   // intervals that overlap
   for (auto v : blurred.vertices()) {
@@ -226,7 +217,9 @@ TYPED_TEST(Interval_kernel, NormalsAreEstimatedOrRefused)
   }
   const auto scheme =
     PN::internal::with_normal_estimate(PN::Loop_scheme(), PN::Control_normal_estimate::reciprocal);
-  EXPECT_NE(refusal([&] { PN::subdivide(blurred, scheme); }).find("precision"), std::string::npos);
+  EXPECT_NE(
+    message_of<std::domain_error>([&] { PN::subdivide(blurred, scheme); }).find("precision"),
+    std::string::npos);
 }
 
 // cosines are enclosed, not rounded: the new point of a vertex of valence 5, of which

@@ -10,6 +10,7 @@
 // cases that have defined results. None of it depends on NDEBUG.
 
 #include "Mesh_cases.h"
+#include "Messages.h"
 
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
@@ -30,6 +31,8 @@
 #include <vector>
 
 using namespace mesh_cases;
+using messages::expect_words;
+using messages::message_of;
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
 
@@ -92,23 +95,6 @@ Mesh::Property_map<Vertex, Vector> add_normals(Mesh& mesh)
   return n;
 }
 
-template <class Exception, class Function>
-std::string message_of(const Function& f)
-{
-  try {
-    f();
-  } catch (const Exception& e) {
-    return e.what();
-  }
-  return "nothing was refused";
-}
-
-void expect_words(const std::string& message, const std::vector<std::string>& words)
-{
-  for (const std::string& word : words)
-    EXPECT_NE(message.find(word), std::string::npos) << "no \"" << word << "\" in: " << message;
-}
-
 // The mesh is refused by all functions, in these words, and nothing of it changes.
 void expect_refused(Mesh mesh, const std::vector<std::string>& words)
 {
@@ -117,12 +103,11 @@ void expect_refused(Mesh mesh, const std::vector<std::string>& words)
   for (auto v : mesh.vertices()) before.add(n[v]);
   const auto np = params::number_of_iterations(2).vertex_normal_map(n);
   const std::vector<std::string> messages{
-    message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::CatmullClark_scheme(), np); }),
-    message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::CatmullClark_scheme()); }),
-    message_of<std::invalid_argument>(
-      [&] { PN::subdivide(mesh, PN::linear(PN::CatmullClark_scheme())); }),
-    message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::Loop_scheme(), np); }),
-    message_of<std::invalid_argument>([&] { PN::estimate_control_normals(mesh, n); })};
+    message_of([&] { PN::subdivide(mesh, PN::CatmullClark_scheme(), np); }),
+    message_of([&] { PN::subdivide(mesh, PN::CatmullClark_scheme()); }),
+    message_of([&] { PN::subdivide(mesh, PN::linear(PN::CatmullClark_scheme())); }),
+    message_of([&] { PN::subdivide(mesh, PN::Loop_scheme(), np); }),
+    message_of([&] { PN::estimate_control_normals(mesh, n); })};
   State after(mesh);
   for (auto v : mesh.vertices()) after.add(n[v]);
   EXPECT_TRUE(before == after);
@@ -137,17 +122,15 @@ TEST(Bad_input, LoopTakesTrianglesOnly)
 {
   Mesh mesh = mesh_of(mixed_with_border());
   const State before(mesh);
-  const std::string message =
-    message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::Loop_scheme()); });
+  const std::string message = message_of([&] { PN::subdivide(mesh, PN::Loop_scheme()); });
   expect_words(message, {"face 0", "4", "triangles"});
   EXPECT_TRUE(State(mesh) == before);
 
   Polyhedron polyhedron;
   build(mixed_with_border(), polyhedron);
   const auto p = points(polyhedron);
-  expect_words(
-    message_of<std::invalid_argument>([&] { PN::subdivide(polyhedron, PN::Loop_scheme()); }),
-    {"face number 0", "4", "triangles"});
+  expect_words(message_of([&] { PN::subdivide(polyhedron, PN::Loop_scheme()); }),
+               {"face number 0", "4", "triangles"});
   EXPECT_EQ(points(polyhedron), p);
   EXPECT_EQ(polyhedron.size_of_facets(), 5u);
 }
@@ -160,7 +143,7 @@ TEST(Bad_input, LoopNamesTheFace)
   soup.points.push_back({2.5, 2, 0});
   soup.faces.push_back({2, 8, 10, 11});
   Mesh mesh = mesh_of(soup);
-  expect_words(message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::Loop_scheme()); }),
+  expect_words(message_of([&] { PN::subdivide(mesh, PN::Loop_scheme()); }),
                {"face 9 ", "4 corners"});
 }
 
@@ -219,7 +202,7 @@ TEST(Bad_input, NormalsThatAreNotFinite)
       const auto refuse = [&] {
         PN::subdivide(mesh, PN::Loop_scheme(), params::vertex_normal_map(n));
       };
-      expect_words(message_of<std::invalid_argument>(refuse), {"normal", "vertex 3", "not finite"});
+      expect_words(message_of(refuse), {"normal", "vertex 3", "not finite"});
       EXPECT_TRUE(State(mesh) == before);
       EXPECT_EQ(n[Vertex(0)], Vector(0, 0, 1));
       // the linear twin does not read them
@@ -250,9 +233,8 @@ TEST(Bad_input, FloatValuesThatAreNotFinite)
   CGAL::Surface_mesh<Float::Point_3> mesh;
   build(cube(), mesh);
   mesh.point(Vertex(5)) = Float::Point_3(0, 0, std::numeric_limits<float>::infinity());
-  expect_words(
-    message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::CatmullClark_scheme()); }),
-    {"point", "vertex 5", "not finite"});
+  expect_words(message_of([&] { PN::subdivide(mesh, PN::CatmullClark_scheme()); }),
+               {"point", "vertex 5", "not finite"});
 }
 
 TEST(Bad_input, APolyhedronNamesVerticesByTheirPosition)
@@ -260,9 +242,8 @@ TEST(Bad_input, APolyhedronNamesVerticesByTheirPosition)
   Polyhedron mesh;
   build(cube(), mesh);
   std::next(mesh.vertices_begin(), 6)->point() = Point(not_a_number, 0, 0);
-  expect_words(
-    message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::CatmullClark_scheme()); }),
-    {"point", "vertex number 6", "not finite"});
+  expect_words(message_of([&] { PN::subdivide(mesh, PN::CatmullClark_scheme()); }),
+               {"point", "vertex number 6", "not finite"});
   EXPECT_EQ(mesh.size_of_vertices(), 8u);
 }
 
@@ -287,7 +268,7 @@ TEST(Bad_input, MoreElementsThanTheIndexTypeNumbers)
 TEST(Bad_input, ANegativeNumberOfIterations)
 {
   Mesh mesh = mesh_of(cube());
-  expect_words(message_of<std::invalid_argument>([&] {
+  expect_words(message_of([&] {
                  PN::subdivide(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(-1));
                }),
                {"number of iterations", "negative"});
@@ -389,9 +370,8 @@ TEST(Bad_input, ARemovedFaceThatHalfEdgesName)
 {
   Mesh mesh = mesh_of(cube());
   mesh.remove_face(Face(2));
-  expect_words(
-    message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::CatmullClark_scheme()); }),
-    {"half-edge", "no valid face"});
+  expect_words(message_of([&] { PN::subdivide(mesh, PN::CatmullClark_scheme()); }),
+               {"half-edge", "no valid face"});
   EXPECT_EQ(mesh.number_of_faces(), 5u);
   EXPECT_EQ(mesh.number_of_vertices(), 8u);
 }
@@ -449,9 +429,7 @@ TEST(Bad_input, BrokenLinksOfAPolyhedron)
     std::vector<Traits::halfedge_descriptor> h;
     for (auto g : halfedges(mesh)) h.push_back(g);
     breaks(mesh, h);
-    expect_words(
-      message_of<std::invalid_argument>([&] { PN::subdivide(mesh, PN::CatmullClark_scheme()); }),
-      words);
+    expect_words(message_of([&] { PN::subdivide(mesh, PN::CatmullClark_scheme()); }), words);
     EXPECT_EQ(mesh.size_of_vertices(), 8u);
     EXPECT_EQ(mesh.size_of_halfedges(), 24u);
     EXPECT_EQ(mesh.size_of_facets(), 6u);

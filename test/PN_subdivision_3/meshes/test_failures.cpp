@@ -8,6 +8,7 @@
 // Allocations and maps that fail everywhere in what is more than a plain round: creases, limits, every host.
 
 #include "Failing_allocations.h"
+#include "Failing_map.h"
 #include "Mesh_cases.h"
 #include "support/Options.h"
 
@@ -21,7 +22,6 @@
 
 #include <functional>
 #include <limits>
-#include <stdexcept>
 #include <tuple>
 #include <vector>
 
@@ -35,46 +35,17 @@ using Vector = Kernel::Vector_3;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 
-struct User_failure : std::runtime_error
-{
-  User_failure()
-    : std::runtime_error("the user's map fails")
-  {}
-};
+using failing_maps::User_failure;
 
-// How often maps may still be read or written; the call after that fails, and no other one, or all after it.
-long calls_left = std::numeric_limits<long>::max();
-bool fails_for_good = false;
+constexpr long any_number = std::numeric_limits<long>::max();
 
-void count_call()
-{
-  if (--calls_left == 0 || (fails_for_good && calls_left < 0)) throw User_failure();
-}
+// the calls of all maps, reads among them
+failing_maps::Calls_left calls_left(any_number, true);
 
 template <class Map>
-struct Failing_map
+auto failing(const Map& map)
 {
-  using key_type = typename boost::property_traits<Map>::key_type;
-  using value_type = typename boost::property_traits<Map>::value_type;
-  using reference = value_type;
-  using category = boost::read_write_property_map_tag;
-
-  friend value_type get(const Failing_map& m, const key_type& k)
-  {
-    count_call();
-    return get(m.map, k);
-  }
-  friend void put(const Failing_map& m, const key_type& k, const value_type& x)
-  {
-    count_call();
-    put(m.map, k, x);
-  }
-  Map map;
-};
-template <class Map>
-Failing_map<Map> failing(Map map)
-{
-  return {map};
+  return failing_maps::failing(map, calls_left);
 }
 
 // a mesh with all that it may have
@@ -143,13 +114,12 @@ long fail_everywhere(const Soup& soup, const Job& job, bool in_maps)
   const auto state = tagged.state();
   for (long k = 1;; ++k) {
     try {
-      const failing_allocations::Allocation_limit limit(in_maps ? std::numeric_limits<long>::max()
-                                                                : k);
-      calls_left = in_maps ? k : std::numeric_limits<long>::max();
+      const failing_allocations::Allocation_limit limit(in_maps ? any_number : k);
+      calls_left.number = in_maps ? k - 1 : any_number;
       job(tagged);
-      calls_left = std::numeric_limits<long>::max();
+      calls_left.number = any_number;
     } catch (const User_failure&) {
-      calls_left = std::numeric_limits<long>::max();
+      calls_left.number = any_number;
       EXPECT_TRUE(tagged.state() == state) << "after failure " << k << " of a map";
       if (!(tagged.state() == state)) return k;
       continue;
@@ -173,16 +143,16 @@ long fail_for_good(const Soup& soup, const Job& job)
   for (long k = 1;; ++k) {
     Tagged<Mesh> tagged(soup);
     const auto before = faces_of(tagged.mesh);
-    fails_for_good = true;
-    calls_left = k;
+    calls_left.fails_for_good = true;
+    calls_left.number = k - 1;
     bool has_failed = false;
     try {
       job(tagged);
     } catch (const User_failure&) {
       has_failed = true;
     }
-    fails_for_good = false;
-    calls_left = std::numeric_limits<long>::max();
+    calls_left.fails_for_good = false;
+    calls_left.number = any_number;
     if (!has_failed) return k - 1;
     EXPECT_EQ(faces_of(tagged.mesh), before) << "after " << k;
     EXPECT_TRUE(CGAL::is_valid_polygon_mesh(tagged.mesh)) << "after " << k;

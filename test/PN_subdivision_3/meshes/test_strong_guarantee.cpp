@@ -9,6 +9,7 @@
 // Whatever fails, wherever it fails: the mesh and its maps are as they were, and serve again.
 
 #include "Failing_allocations.h"
+#include "Failing_map.h"
 #include "Mesh_cases.h"
 #include "support/Options.h"
 
@@ -17,10 +18,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <atomic>
 #include <limits>
 #include <new>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -28,6 +27,8 @@
 
 using namespace mesh_cases;
 using failing_allocations::Allocation_limit;
+using failing_maps::Calls_left;
+using failing_maps::User_failure;
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
 
@@ -174,63 +175,6 @@ struct Maker_names
 };
 TYPED_TEST_SUITE(Strong_guarantee, Makers, Maker_names);
 
-// \name Failing property maps
-
-struct User_failure : std::runtime_error
-{
-  User_failure()
-    : std::runtime_error("the user's map fails")
-  {}
-};
-
-// A property map whose n-th call fails, and no other one.
-template <class Map>
-struct Failing_map
-{
-  using key_type = typename boost::property_traits<Map>::key_type;
-  using value_type = typename boost::property_traits<Map>::value_type;
-  using reference = value_type;
-  using category = boost::read_write_property_map_tag;
-
-  void count() const
-  {
-    if (--*gets_and_puts_left == 0) throw User_failure();
-  }
-  friend value_type get(const Failing_map& m, const key_type& k)
-  {
-    m.count();
-    return get(m.map, k);
-  }
-  friend void put(const Failing_map& m, const key_type& k, const value_type& x)
-  {
-    m.count();
-    put(m.map, k, x);
-  }
-
-  Map map;
-  std::atomic<long>* gets_and_puts_left;
-};
-
-// A property map that fails from the n-th put on.
-template <class Map>
-struct Failing_on_map
-{
-  using key_type = typename boost::property_traits<Map>::key_type;
-  using value_type = typename boost::property_traits<Map>::value_type;
-  using reference = value_type;
-  using category = boost::read_write_property_map_tag;
-
-  friend value_type get(const Failing_on_map& m, const key_type& k) { return get(m.map, k); }
-  friend void put(const Failing_on_map& m, const key_type& k, const value_type& x)
-  {
-    if (--*m.puts_left <= 0) throw User_failure();
-    put(m.map, k, x);
-  }
-
-  Map map;
-  long* puts_left;
-};
-
 struct Failing_visitor
 {
   long* calls_left;
@@ -306,12 +250,10 @@ template <class Maker, class Tag>
 long fail_in_maps(const Soup& soup, bool loop)
 {
   return fail_everywhere<Maker>(soup, [&](auto& mesh, auto n, long k) {
-    std::atomic<long> left{k};
-    auto p = get(CGAL::vertex_point, mesh);
-    const Failing_map<decltype(p)> point_map{p, &left};
-    const Failing_map<decltype(n)> normal_map{n, &left};
-    const auto np =
-      params::number_of_iterations(2).vertex_point_map(point_map).vertex_normal_map(normal_map);
+    Calls_left left(k - 1, true);
+    const auto np = params::number_of_iterations(2)
+                      .vertex_point_map(failing(get(CGAL::vertex_point, mesh), left))
+                      .vertex_normal_map(failing(n, left));
     return failure_of([&] { subdivide_as_asked<Tag>(loop, mesh, np); });
   });
 }
@@ -459,10 +401,9 @@ TYPED_TEST(Strong_guarantee, DooSabin)
   EXPECT_GE(in_allocations, 10);
   const long in_maps =
     fail_everywhere<TypeParam>(mixed_with_border(), [&](auto& mesh, auto n, long k) {
-      std::atomic<long> left{k};
-      const Failing_map<decltype(n)> normal_map{n, &left};
+      Calls_left left(k - 1, true);
       return failure_of(
-        [&] { PN::DooSabin_subdivision(mesh, params::vertex_normal_map(normal_map)); });
+        [&] { PN::DooSabin_subdivision(mesh, params::vertex_normal_map(failing(n, left))); });
     });
   EXPECT_GE(in_maps, 13 + 20); // 13 are read, 20 written
 }
@@ -497,11 +438,11 @@ TYPED_TEST(Strong_guarantee, ConnectivitySurvivesAMapThatGoesOnFailing)
   using Mesh = typename TypeParam::Mesh;
   Mesh mesh;
   TypeParam::make(mixed_with_border(), mesh);
-  auto p = get(CGAL::vertex_point, mesh);
   const State<Mesh> state(mesh);
   // all new vertices are written (17 edges, 5 faces) and one old one; the second old one fails
-  long puts_left = 17 + 5 + 2;
-  const Failing_on_map<decltype(p)> map{p, &puts_left};
+  Calls_left puts_left(17 + 5 + 1);
+  puts_left.fails_for_good = true;
+  const auto map = failing(get(CGAL::vertex_point, mesh), puts_left);
   EXPECT_THROW(PN::CatmullClark_subdivision(mesh, params::vertex_point_map(map)), User_failure);
   EXPECT_EQ(num_vertices(mesh), std::get<0>(state.slots));
   EXPECT_EQ(State<Mesh>(mesh).edge, state.edge);

@@ -8,6 +8,7 @@
 
 // An estimate that is passed on as one thing: the surface is the one without normals, and where a normal is put it is round.
 
+#include "Failing_map.h"
 #include "Mesh_cases.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -276,28 +277,6 @@ TEST(Estimate_passed_on, OfVerticesIsEstimatedAgainBetweenCreases)
   EXPECT_EQ(run(0), run(1));
 }
 
-struct Failure
-{};
-
-// a map of points that fails
-struct Failing_points
-{
-  using key_type = Vertex;
-  using value_type = Kernel::Point_3;
-  using reference = value_type;
-  using category = boost::read_write_property_map_tag;
-
-  Mesh* mesh;
-  int* puts;
-
-  friend value_type get(const Failing_points& map, Vertex v) { return map.mesh->point(v); }
-  friend void put(const Failing_points& map, Vertex v, const value_type& p)
-  {
-    if (--*map.puts == 0) throw Failure();
-    map.mesh->point(v) = p;
-  }
-};
-
 // a call that fails leaves the normals and the roundness of the old vertices, or of the corners
 template <class Estimate_of, class Keys>
 void expect_strong_guarantee(const Estimate_of& estimate_of, const Keys& keys)
@@ -306,14 +285,12 @@ void expect_strong_guarantee(const Estimate_of& estimate_of, const Keys& keys)
   const auto normals = estimate_of(mesh), before = estimate_of(mesh);
   const auto sharp = some_sharp_edges(mesh, 3);
   const std::size_t n = mesh.number_of_vertices();
-  for (int puts = 1; puts <= 35; puts += 17) {
-    int left = puts;
-    EXPECT_THROW(
-      PN::subdivide(
-        mesh, scheme,
-        params::vertex_normal_map(normals).edge_is_constrained_map(sharp).vertex_point_map(
-          Failing_points{&mesh, &left})),
-      Failure);
+  for (int puts = 0; puts < 35; puts += 17) {
+    failing_maps::Calls_left left(puts);
+    const auto points = failing(get(CGAL::vertex_point, mesh), left);
+    const auto np = params::vertex_normal_map(normals).edge_is_constrained_map(sharp);
+    EXPECT_THROW(PN::subdivide(mesh, scheme, np.vertex_point_map(points)),
+                 failing_maps::User_failure);
     ASSERT_EQ(mesh.number_of_vertices(), n);
     for (const auto key : keys(mesh)) {
       EXPECT_EQ(normals[key], before[key]);

@@ -20,7 +20,6 @@
 
 #include <array>
 #include <map>
-#include <numeric>
 #include <set>
 
 using namespace estimated_normals;
@@ -461,20 +460,10 @@ TEST(Coherent_normals, NumberingHasNoPart)
 {
   std::mt19937 generator(8);
   for (const Control_mesh& mesh : any_shapes()) {
-    std::vector<int> place(mesh.points.size());
-    std::iota(place.begin(), place.end(), 0);
-    std::shuffle(place.begin(), place.end(), generator);
-    Control_mesh other = mesh;
-    for (std::size_t v = 0; v < place.size(); ++v)
-      other.points[std::size_t(place[v])] = mesh.points[v];
-    for (reference::Face& f : other.faces) {
-      for (int& v : f) v = place[std::size_t(v)];
-      std::rotate(f.begin(), f.begin() + 1, f.end());
-    }
-    std::shuffle(other.faces.begin(), other.faces.end(), generator);
+    const auto [other, place] = renumbered(mesh, generator);
     const Result expected = coherent(mesh), result = coherent(other);
-    for (std::size_t v = 0; v < place.size(); ++v) {
-      const auto w = std::size_t(place[v]);
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      const std::size_t w = place[v];
       EXPECT_LE(distance(result.normals[w], expected.normals[v]), 64 * ulp) << mesh.name;
       EXPECT_NEAR(result.roundness[w], expected.roundness[v], 2048 * ulp) << mesh.name;
     }

@@ -10,6 +10,7 @@
 // curvature of the refined surface, what must not change.
 
 #include "Extent.h"
+#include "Failing_map.h"
 #include "Sampled_surfaces.h"
 #include "support/Exact_rational.h"
 
@@ -517,24 +518,6 @@ TEST(Smooth_normals, OfExactNumbersAreThoseOfDoubles)
                   1e-13);
 }
 
-// a map that throws at a vertex, once
-struct Failing_map
-{
-  using key_type = Sampled::Vertex;
-  using value_type = Vector_3;
-  using reference = Vector_3;
-  using category = boost::read_write_property_map_tag;
-  decltype(Sampled::normals) normals;
-  int* left;
-
-  friend Vector_3 get(const Failing_map& m, key_type v) { return m.normals[v]; }
-  friend void put(const Failing_map& m, key_type v, const Vector_3& n)
-  {
-    if (--*m.left == 0) throw std::runtime_error("full");
-    m.normals[v] = n;
-  }
-};
-
 TEST(Smooth_normals, AreAsBeforeAfterAnError)
 {
   Sampled s(sphere());
@@ -544,9 +527,9 @@ TEST(Smooth_normals, AreAsBeforeAfterAnError)
       if (s.normals[v] != given.normals[v] && s.normals[v] == s.normals[v]) ADD_FAILURE() << v;
   };
   const Sampled given(s);
-  int left = 100;
-  EXPECT_THROW(PN::smooth_control_normals(s.mesh, Failing_map{s.normals, &left}),
-               std::runtime_error);
+  failing_maps::Calls_left left(99);
+  EXPECT_THROW(PN::smooth_control_normals(s.mesh, failing(s.normals, left)),
+               failing_maps::User_failure);
   expect_unchanged(given);
   s.normals[Sampled::Vertex(3)] = Vector_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
   EXPECT_THROW(PN::smooth_control_normals(s.mesh, s.normals), std::invalid_argument);

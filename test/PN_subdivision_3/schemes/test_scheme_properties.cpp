@@ -6,12 +6,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// What holds for every scheme: invariance, reduction to the linear scheme, single rounds, rows that
-// sum to 1 and rows that copy, any number of threads.
+// What holds for every scheme: exact invariance, rows that sum to 1 and rows that copy, any number of threads; and what
+// suite/random_meshes.h has, for the schemes that the suite leaves out.
 
 #include "Scheme_rows.h"
 #include "Schemes.h"
 #include "analysis/subdivision_matrix.h"
+#include "suite/random_meshes.h"
 #include "support/Exact_rational.h"
 
 #include <CGAL/PN_subdivision_3/schemes/estimated_row_entries.h>
@@ -63,33 +64,6 @@ std::vector<Control_mesh> meshes_with_wild_normals()
 
 // --- invariance ---
 
-Triple rotated(const Triple& v)
-{
-  return {(2 * v[0] - v[1] + 2 * v[2]) / 3, (2 * v[0] + 2 * v[1] - v[2]) / 3,
-          (-v[0] + 2 * v[1] + 2 * v[2]) / 3};
-}
-
-TYPED_TEST(Scheme_property, CommutesWithSimilarities)
-{
-  const double scale = 3.7;
-  const reference::Vector shift(1.25, -2, 0.5);
-  reference::Square rotation;
-  rotation << 2, -1, 2, 2, 2, -1, -1, 2, 2;
-  rotation /= 3;
-  for (Control_mesh control : meshes_for<TypeParam>()) {
-    Result expected = refined<TypeParam>(control);
-    for (auto& p : expected.values.points) p = (scale * rotation * p + shift).eval();
-    for (auto& n : expected.values.normals) n = (rotation * n).eval();
-    for (Triple& n : control.normals) n = rotated(n);
-    for (Triple& p : control.points) {
-      p = rotated(p);
-      for (int k = 0; k < 3; ++k) p[std::size_t(k)] = scale * p[std::size_t(k)] + double(shift[k]);
-    }
-    EXPECT_TRUE(is_within(difference_by_index(refined<TypeParam>(control), expected), 1e-13))
-      << control.name;
-  }
-}
-
 // Half a turn about the z axis and a power of two as scale: no operation rounds differently.
 TYPED_TEST(Scheme_property, CommutesBitForBitWithExactSimilarities)
 {
@@ -130,67 +104,6 @@ TYPED_TEST(Scheme_property, IgnoresLabelsOfVerticesOrderAndStartOfFaces)
         double((result.values.points[std::size_t(label[i])] - expected.values.points[i]).norm()),
         1e-12)
         << control.name << ", vertex " << i;
-  }
-}
-
-TYPED_TEST(Scheme_property, ReversedNormalsGiveTheSamePointsBitForBit)
-{
-  for (Control_mesh control : meshes_with_wild_normals<TypeParam>()) {
-    Result expected = refined<TypeParam>(control);
-    for (auto& n : expected.values.normals) n = -n;
-    for (Triple& n : control.normals) n = {-n[0], -n[1], -n[2]};
-    EXPECT_TRUE(is_within(difference_by_index(refined<TypeParam>(control), expected), 0))
-      << control.name;
-  }
-}
-
-// --- reduction to the linear scheme ---
-
-template <class Description>
-Result linearly_refined(Control_mesh control)
-{
-  control.normals.assign(control.points.size(), Triple{0, 0, 0});
-  Surface_mesh mesh = to_surface_mesh(control);
-  refine_linearly<Description>(mesh, rounds);
-  return result_of(mesh);
-}
-
-TYPED_TEST(Scheme_property, WithoutNormalsIsLinearBitForBit)
-{
-  for (Control_mesh control : meshes_for<TypeParam>()) {
-    control.normals.assign(control.points.size(), Triple{0, 0, 0});
-    EXPECT_TRUE(is_within(
-      difference_by_index(refined<TypeParam>(control), linearly_refined<TypeParam>(control)), 0))
-      << control.name;
-  }
-}
-
-TYPED_TEST(Scheme_property, WithEqualNormalsIsLinear)
-{
-  if (!TypeParam::is_linear_for_equal_normals)
-    GTEST_SKIP() << "does not apply: it keeps the curvature of points";
-  const Triple normal{2. / 3, -2. / 3, 1. / 3};
-  for (Control_mesh control : meshes_for<TypeParam>()) {
-    Result expected = linearly_refined<TypeParam>(control);
-    for (auto& n : expected.values.normals) n = reference::Vector(normal[0], normal[1], normal[2]);
-    control.normals.assign(control.points.size(), normal);
-    const Difference d = difference_by_index(refined<TypeParam>(control), expected);
-    EXPECT_TRUE(is_within(d, 1e-13)) << control.name;
-    EXPECT_LE(d.normals, 1e-15) << control.name;
-  }
-}
-
-// --- rounds ---
-
-TYPED_TEST(Scheme_property, SingleRoundsGiveBitForBitWhatOneCallGives)
-{
-  if (!TypeParam::composes_single_rounds)
-    GTEST_SKIP() << "does not apply: rounds are counted within one call";
-  for (const Control_mesh& control : meshes_with_wild_normals<TypeParam>()) {
-    Surface_mesh once = to_surface_mesh(control), thrice = once;
-    refine<TypeParam>(once, 3);
-    for (int i = 0; i < 3; ++i) refine<TypeParam>(thrice, 1);
-    EXPECT_TRUE(is_identical(once, thrice)) << control.name;
   }
 }
 
@@ -236,25 +149,6 @@ TYPED_TEST(Scheme_property, RowsSumToOneInOrderOfEmission)
 TYPED_TEST(Scheme_property, RowsSumToOneExactly)
 {
   expect_rows_that_sum_to_one<CGAL::Exact_rational, TypeParam>();
-}
-
-TYPED_TEST(Scheme_property, RowsEqualReferenceWeights)
-{
-  for (const Control_mesh& control : meshes_for<TypeParam>()) {
-    Surface_mesh mesh = to_surface_mesh(control);
-    const reference::Face_list list = face_list(mesh);
-    const reference::Refined expected = TypeParam::refine(list, 1);
-    std::size_t number_of_rows = 0;
-    for_each_row<double>(
-      mesh, TypeParam::scheme(), 1, [&](std::size_t v, const auto* begin, const auto* end) {
-        ++number_of_rows;
-        reference::Row row = list.zero();
-        for (const auto* e = begin; e != end; ++e) row[e->vertex] += e->weight;
-        EXPECT_LE(double((row - expected.points.at(v)).cwiseAbs().maxCoeff()), 1e-15)
-          << control.name << ", vertex " << v;
-      });
-    EXPECT_EQ(number_of_rows, expected.points.size()) << control.name;
-  }
 }
 
 TYPED_TEST(Scheme_property, SubdivisionMatrixHoldsTheReferenceWeights)
@@ -401,20 +295,6 @@ TYPED_TEST(Scheme_property, RowsOfOneEntryCopyBitForBit)
   }
 }
 
-TYPED_TEST(Scheme_property, KeepsOldVerticesIfInterpolatory)
-{
-  if (!TypeParam::is_interpolatory) GTEST_SKIP() << "does not apply: approximates";
-  for (const Control_mesh& control : meshes_with_wild_normals<TypeParam>()) {
-    Surface_mesh old = to_surface_mesh(control), mesh = old;
-    refine<TypeParam>(mesh, 3);
-    const Normal_map old_normals = normal_map(old), normals = normal_map(mesh);
-    for (auto v : old.vertices()) {
-      EXPECT_EQ(mesh.point(v), old.point(v)) << control.name << ", " << v;
-      EXPECT_EQ(normals[v], old_normals[v]) << control.name << ", " << v;
-    }
-  }
-}
-
 TEST(Subdivision_matrix, RoundsThatCannotBeAreRefused)
 {
   Control_mesh control = test_meshes::single_polygon(3);
@@ -462,3 +342,8 @@ TYPED_TEST(Scheme_property, AnyNumberOfThreadsGivesTheSameBits)
 #endif
 
 } // namespace
+
+namespace random_meshes {
+using Transfer_schemes = testing::Types<Ct_CatmullClark_description, Ct_Loop_description>;
+INSTANTIATE_TYPED_TEST_SUITE_P(Transfer, Random_meshes, Transfer_schemes, Scheme_names);
+} // namespace random_meshes

@@ -22,24 +22,6 @@ class Scheme : public testing::Test
 {};
 TYPED_TEST_SUITE(Scheme, Schemes, Scheme_names);
 
-// What the other tests rest on: each scheme meets every kind of mesh that it takes.
-TYPED_TEST(Scheme, MeetsMeshesOfAllClasses)
-{
-  std::size_t closed = 0, bordered = 0, isolated = 0;
-  std::set<int> valences;
-  for (const Control_mesh& mesh : meshes_for<TypeParam>()) {
-    EXPECT_TRUE(test_meshes::is_without_bow_tie(mesh)) << mesh.name;
-    ++(test_meshes::is_closed(mesh) ? closed : bordered);
-    isolated += test_meshes::has_isolated_vertex(mesh);
-    for (int n : test_meshes::interior_valences(mesh)) valences.insert(n);
-    EXPECT_TRUE(is_valid_manifold(to_surface_mesh(mesh))) << mesh.name;
-  }
-  EXPECT_GE(closed, 5u);
-  EXPECT_GE(bordered, 5u);
-  EXPECT_GE(isolated, 1u);
-  for (int n : {3, 4, 5, 7, 12}) EXPECT_EQ(valences.count(n), 1u) << n;
-}
-
 TYPED_TEST(Scheme, LinearTwinEqualsCgal)
 {
   if constexpr (has_cgal_peer<TypeParam>) {
@@ -58,27 +40,6 @@ TYPED_TEST(Scheme, LinearTwinEqualsCgal)
     std::cout << "largest difference " << largest << '\n';
   } else
     GTEST_SKIP() << "does not apply: CGAL has no such function";
-}
-
-TYPED_TEST(Scheme, PnEqualsMaskInCgalHost)
-{
-  if constexpr (has_cgal_peer<TypeParam>) {
-    double largest = 0;
-    for (const Control_mesh& control : meshes_for_cgal<TypeParam>())
-      for (unsigned rounds = 1; rounds <= 2; ++rounds) {
-        Surface_mesh ours = to_surface_mesh(control), cgal = ours;
-        refine<TypeParam>(ours, rounds);
-        const auto map = CGAL::PN_subdivision_3::Zipped_point_normal_map(
-          get(CGAL::vertex_point, cgal), normal_map(cgal));
-        TypeParam::Cgal::host(cgal, TypeParam::Cgal::mask(cgal, map),
-                              CGAL::parameters::vertex_point_map(map).number_of_iterations(rounds));
-        const Difference d = difference(result_of(ours), result_of(cgal));
-        EXPECT_TRUE(is_within(d, 1e-12)) << control.name << ", rounds " << rounds;
-        largest = (std::max)({largest, d.points, d.normals});
-      }
-    std::cout << "largest difference " << largest << '\n';
-  } else
-    GTEST_SKIP() << "does not apply: CGAL has no such mask";
 }
 
 // The meshes of data/, and real ones where they are found; estimated normals where a file has none.
@@ -107,24 +68,6 @@ TYPED_TEST(Scheme, AgreesWithCgalOnMeshFiles)
     EXPECT_GE(files, 4u);
   } else
     GTEST_SKIP() << "does not apply: CGAL has no such mask";
-}
-
-// The order of vertices is CGAL's own. (CGAL's Doo-Sabin has another one.)
-TYPED_TEST(Scheme, NumbersVerticesAsCgalDoes)
-{
-  if constexpr (has_cgal_peer<TypeParam> && TypeParam::is_primal) {
-    for (const Control_mesh& control : meshes_for_cgal<TypeParam>()) {
-      Surface_mesh ours = to_surface_mesh(control), cgal = ours;
-      refine_linearly<TypeParam>(ours, 1);
-      TypeParam::Cgal::linear(cgal, CGAL::parameters::number_of_iterations(1));
-      const Result a = result_of(ours), b = result_of(cgal);
-      ASSERT_EQ(a.values.points.size(), b.values.points.size());
-      for (std::size_t i = 0; i < a.values.points.size(); ++i)
-        ASSERT_LE(double((a.values.points[i] - b.values.points[i]).norm()), 1e-12)
-          << control.name << ", vertex " << i;
-    }
-  } else
-    GTEST_SKIP() << "does not apply: CGAL has no such function";
 }
 
 // One round, vertex by vertex in the documented order.
@@ -172,23 +115,6 @@ TYPED_TEST(Scheme, EqualsReferenceForWildNormals)
       EXPECT_TRUE(is_within(difference_by_index(result_of(pn), expected), 1e-11))
         << control.name << ", seed " << seed;
     }
-}
-
-TYPED_TEST(Scheme, KeepsManifoldAndItsKind)
-{
-  for (const Control_mesh& control : meshes_for<TypeParam>()) {
-    const Surface_mesh old = to_surface_mesh(control);
-    long characteristic = euler_characteristic(old);
-    for (auto v : old.vertices()) characteristic -= !TypeParam::is_primal && old.is_isolated(v);
-    for (unsigned rounds = 1; rounds <= 3; ++rounds) {
-      Surface_mesh mesh = old;
-      refine<TypeParam>(mesh, rounds);
-      EXPECT_TRUE(is_valid_manifold(mesh)) << control.name << ", rounds " << rounds;
-      EXPECT_FALSE(mesh.has_garbage()) << control.name;
-      EXPECT_EQ(euler_characteristic(mesh), characteristic) << control.name;
-      EXPECT_EQ(CGAL::is_closed(mesh), test_meshes::is_closed(control)) << control.name;
-    }
-  }
 }
 
 } // namespace

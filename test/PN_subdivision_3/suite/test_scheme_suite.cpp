@@ -16,14 +16,6 @@
 namespace named_shapes {
 namespace {
 
-TEST(Shapes, HaveNamesOfTheirOwn)
-{
-  std::set<std::string> names;
-  for (const Shape& shape : all())
-    EXPECT_TRUE(names.insert(shape.mesh.name).second) << shape.mesh.name;
-  EXPECT_GE(names.size(), 80u);
-}
-
 TEST(Shapes, AreManifoldsOfAllKinds)
 {
   std::size_t closed = 0, bordered = 0, isolated = 0, creased = 0, triangles = 0, quads = 0;
@@ -45,24 +37,6 @@ TEST(Shapes, AreManifoldsOfAllKinds)
   EXPECT_GE(creased, 8u);
   for (int n : {2, 3, 4, 5, 6, 7, 8, 12, 64, 360}) EXPECT_EQ(valences.count(n), 1u) << n;
   for (std::size_t n : {3u, 4u, 5u, 6u, 7u, 8u, 9u, 12u}) EXPECT_EQ(degrees.count(n), 1u) << n;
-}
-
-// the numbers of the textbook
-TEST(Shapes, AreTheSolidsTheyAreNamedAfter)
-{
-  const auto counts = [](const std::string& name) {
-    for (const Shape& shape : all())
-      if (shape.mesh.name == name)
-        return std::array<std::size_t, 3>{
-          shape.mesh.points.size(), face_list(shape.mesh).edges().size(), shape.mesh.faces.size()};
-    return std::array<std::size_t, 3>{};
-  };
-  using Counts = std::array<std::size_t, 3>;
-  EXPECT_EQ(counts("tetrahedron"), (Counts{4, 6, 4}));
-  EXPECT_EQ(counts("cube"), (Counts{8, 12, 6}));
-  EXPECT_EQ(counts("bipyramid 4"), (Counts{6, 12, 8}));
-  EXPECT_EQ(counts("icosahedron"), (Counts{12, 30, 20}));
-  EXPECT_EQ(counts("dodecahedron"), (Counts{20, 30, 12}));
 }
 
 } // namespace

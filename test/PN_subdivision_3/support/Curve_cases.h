@@ -12,6 +12,7 @@
 #define CGAL_PN_SUBDIVISION_3_TEST_CURVE_CASES_H
 
 #include "reference/Curve.h"
+#include "reference/PN_rule.h"
 
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
@@ -175,6 +176,16 @@ Curve_2<K> wavy(std::size_t n)
 }
 
 // --- measures, in long double ---
+
+inline reference::Values values(const Curve_3<Double>& curve)
+{
+  reference::Values v;
+  for (const auto& [p, n] : curve) {
+    v.points.push_back({Real(p.x()), Real(p.y()), Real(p.z())});
+    v.normals.push_back({Real(n.x()), Real(n.y()), Real(n.z())});
+  }
+  return v;
+}
 
 template <class Point>
 Real radius_error(const Point& p, Real radius)

@@ -21,6 +21,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <vector>
+
 namespace estimated_normals {
 
 using CGAL::PN_subdivision_3::Control_normal_estimate;
@@ -81,6 +86,28 @@ inline double largest_distance(const std::vector<Triple>& a, const std::vector<T
   for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
     if (!(distance(a[i], b[i]) <= largest)) largest = distance(a[i], b[i]); // NaN is large
   return largest;
+}
+
+// the same mesh, with its faces in another order, each from another corner on; vertex v is now number place[v]
+struct Renumbered
+{
+  Control_mesh mesh;
+  std::vector<std::size_t> place;
+};
+
+inline Renumbered renumbered(const Control_mesh& mesh, std::mt19937& generator)
+{
+  Renumbered result{mesh, std::vector<std::size_t>(mesh.points.size())};
+  auto& [other, place] = result;
+  std::iota(place.begin(), place.end(), std::size_t(0));
+  std::shuffle(place.begin(), place.end(), generator);
+  for (std::size_t v = 0; v < place.size(); ++v) other.points[place[v]] = mesh.points[v];
+  for (reference::Face& f : other.faces) {
+    for (int& v : f) v = int(place[std::size_t(v)]);
+    std::rotate(f.begin(), f.begin() + 1, f.end());
+  }
+  std::shuffle(other.faces.begin(), other.faces.end(), generator);
+  return result;
 }
 
 // angles to the true normals, in degrees

@@ -118,6 +118,12 @@ struct Case
     set_attributes(attributes);
   }
 
+  auto tags() const
+  {
+    return params::number_of_iterations(rounds)
+      .edge_is_constrained_map(sharpness)
+      .vertex_is_constrained_map(vertex_sharpness);
+  }
   std::vector<double> points() const
   {
     return coordinates(mesh.vertices(), [&](auto v) { return mesh.point(v); });
@@ -221,9 +227,7 @@ struct Estimated
   template <class Function>
   void operator()(Case& c, const Function& f) const
   {
-    f(c.scheme, params::number_of_iterations(rounds)
-                  .edge_is_constrained_map(c.sharpness)
-                  .vertex_is_constrained_map(c.vertex_sharpness));
+    f(c.scheme, c.tags());
   }
 };
 struct Linear
@@ -232,9 +236,7 @@ struct Linear
   template <class Function>
   void operator()(Case& c, const Function& f) const
   {
-    f(PN::linear(c.scheme), params::number_of_iterations(rounds)
-                              .edge_is_constrained_map(c.sharpness)
-                              .vertex_is_constrained_map(c.vertex_sharpness));
+    f(PN::linear(c.scheme), c.tags());
   }
 };
 struct Of_vertices
@@ -243,10 +245,7 @@ struct Of_vertices
   template <class Function>
   void operator()(Case& c, const Function& f) const
   {
-    f(c.scheme, params::number_of_iterations(rounds)
-                  .edge_is_constrained_map(c.sharpness)
-                  .vertex_is_constrained_map(c.vertex_sharpness)
-                  .vertex_normal_map(c.normals));
+    f(c.scheme, c.tags().vertex_normal_map(c.normals));
   }
 };
 struct Of_corners
@@ -255,10 +254,7 @@ struct Of_corners
   template <class Function>
   void operator()(Case& c, const Function& f) const
   {
-    f(c.scheme, params::number_of_iterations(rounds)
-                  .edge_is_constrained_map(c.sharpness)
-                  .vertex_is_constrained_map(c.vertex_sharpness)
-                  .vertex_normal_map(c.corner_normals));
+    f(c.scheme, c.tags().vertex_normal_map(c.corner_normals));
   }
 };
 

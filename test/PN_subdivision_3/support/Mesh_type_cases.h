@@ -78,16 +78,22 @@ inline Result reference(const Case& c)
   return {points(mesh), values(mesh, n), faces_of(mesh)};
 }
 
-template <class K, class M, class Point_map>
-Result with_dynamic_normals(const Case& c, M& mesh, Point_map p)
+// of a mesh with the faces of the case and its points in p
+template <class M, class Point_map, class Normal_map>
+Result with_maps(const Case& c, M& mesh, Point_map p, Normal_map n)
 {
-  build(c.soup, mesh, p);
-  auto n = get(CGAL::dynamic_vertex_property_t<typename K::Vector_3>(), mesh);
   put_normals(normals(c.soup), mesh, n);
   subdivide(c, mesh, params::number_of_iterations(2).vertex_point_map(p).vertex_normal_map(n));
   EXPECT_TRUE(is_linked(mesh)) << c.name;
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh)) << c.name;
   return {values(mesh, p), values(mesh, n), faces_of(mesh)};
+}
+
+template <class K, class M, class Point_map>
+Result with_dynamic_normals(const Case& c, M& mesh, Point_map p)
+{
+  build(c.soup, mesh, p);
+  return with_maps(c, mesh, p, get(CGAL::dynamic_vertex_property_t<typename K::Vector_3>(), mesh));
 }
 
 template <class K, class M>

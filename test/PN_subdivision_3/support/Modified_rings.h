@@ -28,7 +28,6 @@ using test_meshes::star;
 struct Quads
 {
   using Modified = PN::CatmullClark_scheme::Tuned;
-  using Description = Modified_CatmullClark_description;
   static constexpr Cells cells = Cells::quads;
   static constexpr int regular_valence = 4;
   static constexpr int groups = 2;
@@ -45,7 +44,6 @@ struct Quads
 struct Triangles
 {
   using Modified = PN::Loop_scheme::Tuned;
-  using Description = Modified_Loop_description;
   static constexpr Cells cells = Cells::triangles;
   static constexpr int regular_valence = 6;
   static constexpr int groups = 1;

@@ -169,15 +169,20 @@ struct Control
   }
 };
 
-// CGAL's masks, each with its host and CGAL's own linear function.
-struct CatmullClark
+template <template <class...> class Mask, bool of_triangles>
+struct Masks_of_cgal
 {
-  static constexpr bool triangles = false;
+  static constexpr bool triangles = of_triangles;
   template <class Mesh, class Map>
   static auto mask(const Mesh& mesh, const Map& map)
   {
-    return CGAL::PN_subdivision_3::make_PN_mask_3<CGAL::CatmullClark_mask_3>(mesh, map);
+    return CGAL::PN_subdivision_3::make_PN_mask_3<Mask>(mesh, map);
   }
+};
+
+// CGAL's masks, each with its host and CGAL's own linear function.
+struct CatmullClark : Masks_of_cgal<CGAL::CatmullClark_mask_3, false>
+{
   template <class Mesh, class Mask, class NP>
   static void host(Mesh& mesh, const Mask& pn_mask, const NP& np)
   {
@@ -190,14 +195,8 @@ struct CatmullClark
   }
 };
 
-struct Loop
+struct Loop : Masks_of_cgal<CGAL::Loop_mask_3, true>
 {
-  static constexpr bool triangles = true;
-  template <class Mesh, class Map>
-  static auto mask(const Mesh& mesh, const Map& map)
-  {
-    return CGAL::PN_subdivision_3::make_PN_mask_3<CGAL::Loop_mask_3>(mesh, map);
-  }
   template <class Mesh, class Mask, class NP>
   static void host(Mesh& mesh, const Mask& pn_mask, const NP& np)
   {
@@ -210,14 +209,8 @@ struct Loop
   }
 };
 
-struct DooSabin
+struct DooSabin : Masks_of_cgal<CGAL::DooSabin_mask_3, false>
 {
-  static constexpr bool triangles = false;
-  template <class Mesh, class Map>
-  static auto mask(const Mesh& mesh, const Map& map)
-  {
-    return CGAL::PN_subdivision_3::make_PN_mask_3<CGAL::DooSabin_mask_3>(mesh, map);
-  }
   template <class Mesh, class Mask, class NP>
   static void host(Mesh& mesh, const Mask& pn_mask, const NP& np)
   {
@@ -230,14 +223,8 @@ struct DooSabin
   }
 };
 
-struct Sqrt3
+struct Sqrt3 : Masks_of_cgal<CGAL::Sqrt3_mask_3, true>
 {
-  static constexpr bool triangles = true;
-  template <class Mesh, class Map>
-  static auto mask(const Mesh& mesh, const Map& map)
-  {
-    return CGAL::PN_subdivision_3::make_PN_mask_3<CGAL::Sqrt3_mask_3>(mesh, map);
-  }
   template <class Mesh, class Mask, class NP>
   static void host(Mesh& mesh, const Mask& pn_mask, const NP& np)
   {

@@ -12,6 +12,7 @@
 #define CGAL_PN_SUBDIVISION_3_TEST_TAGGED_MESHES_H
 
 #include "Crease_shapes.h"
+#include "Failing_map.h"
 #include "Mesh_cases.h"
 
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
@@ -212,30 +213,6 @@ inline Control tagged_washer()
   c.sharp_vertices[5] = infinity;
   return c;
 }
-
-// counts what is put and then fails
-template <class Map>
-struct Failing_map
-{
-  using key_type = typename boost::property_traits<Map>::key_type;
-  using value_type = typename boost::property_traits<Map>::value_type;
-  using reference = value_type;
-  using category = boost::read_write_property_map_tag;
-  Map map;
-  int* left;
-
-  friend value_type get(const Failing_map& m, const key_type& k)
-  {
-    using boost::get;
-    return get(m.map, k);
-  }
-  friend void put(const Failing_map& m, const key_type& k, const value_type& v)
-  {
-    if ((*m.left)-- == 0) throw std::runtime_error("full");
-    using boost::put;
-    put(m.map, k, v);
-  }
-};
 
 } // namespace tagged_meshes
 

@@ -18,6 +18,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace tessellation_cases {
@@ -40,6 +42,19 @@ std::vector<Triangle> triangles(const Mesh& mesh)
       {point(source(h, mesh)), point(target(h, mesh)), point(target(next(h, mesh), mesh))});
   }
   return result;
+}
+
+inline double distance(const Point& p, const std::vector<Triangle>& all)
+{
+  using Triangle_3 = CGAL::Simple_cartesian<double>::Triangle_3;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b, c] : all) {
+    const double radius =
+      std::sqrt((std::max)(CGAL::squared_distance(a, b), CGAL::squared_distance(a, c)));
+    if (std::sqrt(CGAL::squared_distance(p, a)) - radius > least) continue;
+    least = (std::min)(least, std::sqrt(CGAL::squared_distance(p, Triangle_3(a, b, c))));
+  }
+  return least;
 }
 
 // Every edge has two triangles, or one if it had one; as many pieces, holes and handles; no triangle without area.

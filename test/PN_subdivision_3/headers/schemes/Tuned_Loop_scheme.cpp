@@ -8,16 +8,11 @@
 
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 
+#include "headers/row.h"
+
 using namespace CGAL::PN_subdivision_3;
 
 namespace header_in_use {
-
-Level_connectivity connect();
-struct Row
-{
-  void add(Level_connectivity::Index, double) {}
-  void add_rest(Level_connectivity::Index) {}
-};
 
 void use_modified_loop()
 {
