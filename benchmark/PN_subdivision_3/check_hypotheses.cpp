@@ -18,7 +18,7 @@
 #include "../../examples/PN_certificates_3/Order_samples.h"
 #include "analysis/subdivision_matrix.h"
 
-#include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <algorithm>

@@ -20,7 +20,7 @@
 #include "Order_samples.h"
 
 #include <CGAL/PN_curves/masks/curve_masks.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

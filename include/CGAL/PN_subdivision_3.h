@@ -14,7 +14,7 @@
 Schemes and the functions that subdivide meshes. Other packages have curves (`PN_subdivision_curve.h`), the limit surface and
 `Surface_refiner` (`PN_subdivision_limit_3.h`), fitting (`PN_fitting_3.h`), recognition (`PN_recognition_3.h`), certificates
 (`PN_certificates_3.h`) and \cgal's own masks (`PN_cgal_masks_3.h`). Not included are files (`control_mesh_io.h`), pieces (`refine_in_pieces.h`),
-`estimate_curvature.h` and schemes by name (`schemes/scheme_by_name.h`).
+`estimate_curvature.h` and schemes chosen at run time (`schemes/Any_scheme.h`).
 */
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>

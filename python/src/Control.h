@@ -10,7 +10,7 @@
 #define PN_PYTHON_CONTROL_H
 
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

@@ -17,7 +17,7 @@
 
 #include <CGAL/PN_limit_surface_3/Limit_surface_queries.h>
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <gtest/gtest.h>

@@ -21,7 +21,6 @@
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/estimated_row_entries.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>

@@ -12,7 +12,7 @@
 #include "../../examples/PN_certificates_3/Order_limits.h"
 
 #include <CGAL/PN_curves/masks/curve_masks.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 
 #include <gtest/gtest.h>
 

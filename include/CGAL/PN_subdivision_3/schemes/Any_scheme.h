@@ -13,12 +13,18 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/Scheme_on_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_weights.h>
+#include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 
+#include <map>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <variant>
 
 namespace CGAL::PN_subdivision_3 {
+
 /*!
 \ingroup PkgPNSubdivision3Schemes
 
@@ -116,6 +122,101 @@ private:
 
   On_a_host on_a_host_;
 };
+
+/// \ingroup PkgPNSubdivision3Schemes
+/// numbers that a scheme takes, by their names.
+using Scheme_parameters = std::map<std::string, Scheme_parameter>;
+
+namespace internal {
+
+template <class Scheme>
+constexpr bool takes_first_round_v =
+  std::is_constructible_v<Scheme, Scheme_parameter, unsigned, Tuned_valences>;
+
+constexpr const char* first_round_name = "first-round";
+
+template <class Scheme>
+std::string known_parameters()
+{
+  std::string names;
+  if constexpr (has_parameter_v<Scheme>) names = Scheme::parameter_name();
+  if constexpr (takes_first_round_v<Scheme>) names += std::string(" and ") + first_round_name;
+  return names;
+}
+
+template <class Scheme>
+void check_parameters(const Scheme_parameters& parameters)
+{
+  for (const auto& [name, value] : parameters) {
+    bool is_known = false;
+    if constexpr (has_parameter_v<Scheme>) is_known = name == Scheme::parameter_name();
+    if constexpr (takes_first_round_v<Scheme>) {
+      const double round = value.to_double();
+      if (name == first_round_name && !(round >= 1 && round <= 1e6 && round == unsigned(round)))
+        throw std::invalid_argument(
+          "PN_subdivision_3: first-round must be a whole number, at least 1");
+      is_known = is_known || name == first_round_name;
+    }
+    if (is_known) continue;
+    const std::string known = known_parameters<Scheme>();
+    throw std::invalid_argument("PN_subdivision_3: the scheme " + std::string(Scheme::name()) +
+                                " has no parameter '" + name + "': it takes " +
+                                (known.empty() ? "none" : known));
+  }
+}
+
+template <class Scheme>
+Scheme with_parameters([[maybe_unused]] const Scheme_parameters& parameters)
+{
+  check_parameters<Scheme>(parameters);
+  if constexpr (has_parameter_v<Scheme>) {
+    const auto given = parameters.find(Scheme::parameter_name());
+    const Scheme_parameter value =
+      given == parameters.end() ? Scheme_parameter(Scheme::default_parameter()) : given->second;
+    if constexpr (takes_first_round_v<Scheme>) {
+      const auto round = parameters.find(first_round_name);
+      return Scheme(value, round == parameters.end() ? 1u : unsigned(round->second.to_double()),
+                    Tuned_valences::all);
+    } else
+      return Scheme(value);
+  } else
+    return Scheme();
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+returns one of the `Shipped_schemes` by its name.
+
+\code{.cpp}
+const auto scheme = any_scheme<double>("kobbelt", {{"tension", 1. / 16}});
+\endcode
+
+\tparam FT the number type of the points
+\param name the name, as in the command `pn_subdivide`
+\param parameters the scheme's parameter by its `parameter_name()`, and `first-round` of a modified scheme; what is
+  not given has its default
+
+\throws std::invalid_argument if there is no such scheme, or it has no such parameter: the message lists those that
+  there are; or if a parameter is out of its range
+*/
+template <class FT = double>
+Any_scheme<FT> any_scheme(const std::string& name,
+                          const Scheme_parameters& parameters = Scheme_parameters())
+{
+  std::optional<Any_scheme<FT>> found;
+  std::string names;
+  for_each_shipped_scheme([&](const auto& scheme) {
+    using Scheme = std::decay_t<decltype(scheme)>;
+    names += (names.empty() ? "" : ", ") + std::string(Scheme::name());
+    if (name == Scheme::name()) found.emplace(internal::with_parameters<Scheme>(parameters));
+  });
+  if (!found)
+    throw std::invalid_argument("PN_subdivision_3: there is no scheme '" + name +
+                                "'; there are: " + names);
+  return *found;
+}
 
 } // namespace CGAL::PN_subdivision_3
 

@@ -41,4 +41,9 @@ bool use_any_scheme()
   return scheme.name().empty() && scheme.needs_triangles();
 }
 
+bool use_scheme_by_name()
+{
+  return any_scheme("kobbelt", {{"tension", {1, 16}}}).interpolates();
+}
+
 } // namespace header_in_use

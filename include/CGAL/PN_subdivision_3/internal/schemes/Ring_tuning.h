@@ -12,7 +12,7 @@
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
-#include <CGAL/PN_subdivision_3/scheme_parts/Scheme_parameter.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_weights.h>
 #include <CGAL/Uncertain.h>
 
 #include <algorithm>
