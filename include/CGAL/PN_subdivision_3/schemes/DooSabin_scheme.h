@@ -71,7 +71,7 @@ public:
   }
 
 private:
-  // those of the vertices k steps along a face of degree n; that of k = 0 is not used
+  // the weights of the vertices k steps along a face of degree n; the weight of k = 0 is not used
   static std::vector<FT> weights(Index n)
   {
     std::vector<FT> result;

@@ -229,7 +229,7 @@ public:
     return result;
   }
 
-  // those of at least that valence
+  // vertices of at least that valence
   std::vector<Index> vertices_of_valence(Index least) const
   {
     std::vector<Index> result;
