@@ -13,7 +13,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
-#include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_weights.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>

@@ -109,7 +109,7 @@ Enclosure::Mesh mesh_of_intervals(const PolygonMesh& mesh, Point_map points,
   return result;
 }
 
-// of the same vertices in the same order
+// the roundness of the vertices of the copy, which are in the same order
 template <class PolygonMesh, class Roundness_map>
 auto roundness_in_intervals(const PolygonMesh& mesh, Enclosure::Mesh& copy, Roundness_map roundness)
 {

@@ -72,7 +72,7 @@ public:
 
   bool is_good() const { return is_good_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
-  // those that are no rims
+  // edges that are no rims
   const std::vector<Edge>& inner_edges() const { return inner_edges_; }
 
 private:

@@ -47,7 +47,7 @@ void estimate_vertex_normals(const Access& access, const PolygonMesh& mesh,
   }
 }
 
-// into maps of vertices or of half-edges; of an estimate both
+// puts normals, and the roundness of an estimate, into maps of vertices or of half-edges
 template <class PolygonMesh, class Normal_map, class Roundness_map, class NamedParameters>
 void estimate_into(const PolygonMesh& mesh, const Normal_map& normals,
                    const Roundness_map& roundness, const NamedParameters& np)

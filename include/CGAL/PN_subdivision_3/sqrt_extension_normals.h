@@ -36,7 +36,7 @@ template <class NT>
 bool has_root(const NT& x, NT& root)
 {
   using Is_square = typename Algebraic_structure_traits<NT>::Is_square;
-  if constexpr (std::is_same_v<Is_square, Null_functor>) { // those of few digits at least
+  if constexpr (std::is_same_v<Is_square, Null_functor>) { // roots of few digits at least
     root = NT(std::sqrt(close_double(x)));
     return root * root == x;
   } else

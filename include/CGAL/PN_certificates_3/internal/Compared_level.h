@@ -43,7 +43,7 @@ struct Level_with_points
   Level_connectivity level;
   std::vector<Coordinates<FT, 3>> points;
   std::vector<bool> is_sharp = {}; // of edges; or empty
-  // of control vertices, if their roundness varies
+  // how many control vertices have them, if the roundness varies
   std::size_t of_roundness_0 = 0, of_roundness_below_1 = 0;
 };
 
@@ -192,7 +192,7 @@ public:
   const Level_connectivity& level() const { return level_; }
   const std::vector<Vector>& points() const { return points_; }
   bool is_closed() const { return level_.number_of_faces() > 0 && !level_.has_border(); }
-  // of a closed level; 0 if it is no more than rounding
+  // the volume of a closed level; 0 if it is no more than rounding
   double volume() const
   {
     return std::abs(volume_) <= 1e-13 * volume_terms_ + rounding_ * area_ ? 0 : volume_;
@@ -221,7 +221,7 @@ public:
     return folds;
   }
 
-  // of each vertex the mean length of its edges, 0 without edges
+  // the mean length of the edges at each vertex, 0 without edges
   std::vector<double> edge_lengths() const
   {
     std::vector<double> sum(points_.size(), 0.);

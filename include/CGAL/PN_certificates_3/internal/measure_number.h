@@ -166,7 +166,7 @@ class Scaled_interval
 public:
   using Interval = Interval_nt<>;
 
-  // of |x|; tight unless x is an interval itself
+  // an interval around |x|; tight unless x is an interval itself
   template <class Number>
   static Scaled_interval of(Number x)
   {

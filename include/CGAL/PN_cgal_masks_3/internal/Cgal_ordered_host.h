@@ -180,7 +180,7 @@ private:
   void append_flipped(const Level_connectivity& level)
   {
     const Index edges = level.number_of_edges(), faces = level.number_of_faces();
-    // those that stay come first
+    // edges and faces that stay come first
     Table edge_at(halfedge_.size()), face_at(face_.size());
     Table ordinal(level.number_of_halfedges());
     for (Index f = 0; f < faces; ++f) {

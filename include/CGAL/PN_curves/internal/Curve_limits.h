@@ -253,7 +253,7 @@ private:
   const Limit_demand& demand_;
   bool has_curvature_ = false;
   std::vector<Value> window_, next_;
-  // of what look() has seen
+  // what look() has found
   std::vector<Reals> offsets_, slopes_;
   Reals normal_{};
   double rounding_ = 0; // of the coordinates

@@ -346,7 +346,7 @@ private:
   bool closed_;
 };
 
-// of all points of a polygon
+// the normals of all points of a polygon
 template <class FT, int dimension>
 std::vector<Coordinates<FT, dimension>>
 polygon_normals(const std::vector<Coordinates<FT, dimension>>& points, bool closed)

@@ -213,21 +213,21 @@ private:
 
   // Seen from a half-edge h of a face: the new vertex that forms a triangle with h, and the
   // half-edges from it to the two ends of h. In an ordinary face these are the three spokes. In a
-  // face whose border edge s->t is refined by n1, n2, apex a: inner edges n1->a, n2->a, n1->n2;
+  // face whose border edge s->t is refined by n1, n2, third corner a: inner edges n1->a, n2->a, n1->n2;
   // n2->t is the last part, and the border half-edge keeps the part n1->s.
-  struct Fan
+  struct Apex
   {
     Index vertex, to_source, to_target;
   };
   // In line: returning three 32 bit numbers costs more than computing them.
-  BOOST_FORCEINLINE Fan fan(Index h) const
+  BOOST_FORCEINLINE Apex apex_over(Index h) const
   {
     const Index f = corner_[h] / 4, i = corner_[h] % 4;
     if (refined_border_halfedge(f) == Level_connectivity::null)
       return {vertex_of_face(f), inner(f, i == 0 ? 2 : i - 1), inner(f, i)};
-    return fan_of_refined_border(h, f);
+    return apex_at_refined_border(h, f);
   }
-  Fan fan_of_refined_border(Index h, Index f) const
+  Apex apex_at_refined_border(Index h, Index f) const
   {
     const Index border = border_halfedge(f);
     if (h == level_.next(border)) return {vertex_of_face(f) + 1, last_part(f), inner(f, 1)};
@@ -239,7 +239,7 @@ private:
   {
     if (level_.is_isolated(v)) return child.set_isolated(v);
     const Index h = level_.halfedge_of_vertex(v);
-    child.set_halfedge_of_vertex(v, level_.is_border(h) ? h : fan(h).to_target);
+    child.set_halfedge_of_vertex(v, level_.is_border(h) ? h : apex_over(h).to_target);
   }
 
   template <class Child>
@@ -247,7 +247,7 @@ private:
   {
     if (level_.is_border(h)) return connect_border(opposite(h), child);
     if (level_.is_border(opposite(h))) return connect_border(h, child);
-    const Fan x = fan(h), y = fan(opposite(h));
+    const Apex x = apex_over(h), y = apex_over(opposite(h));
     connect_flipped(h, x, y, child);
     connect_flipped(opposite(h), y, x, child);
   }
@@ -286,7 +286,7 @@ private:
 
   // half-edge h now joins the new vertices of x on its side and of y on the other
   template <class Child>
-  void connect_flipped(Index h, const Fan& x, const Fan& y, Child& child) const
+  void connect_flipped(Index h, const Apex& x, const Apex& y, Child& child) const
   {
     connect_triangle(triangle(h), h, y.vertex, y.to_source, level_.target(h), opposite(x.to_target),
                      x.vertex, child);
@@ -295,7 +295,7 @@ private:
   template <class Child>
   void connect_kept_border(Index h, Child& child) const
   {
-    const Fan x = fan(h);
+    const Apex x = apex_over(h);
     connect_triangle(triangle(h), h, level_.target(h), opposite(x.to_target), x.vertex, x.to_source,
                      level_.source(h), child);
     const Index b = opposite(h);
@@ -308,9 +308,9 @@ private:
   void connect_refined_border(Index h, Child& child) const
   {
     const Index f = level_.face(h), b = opposite(h);
-    const Index n1 = vertex_of_face(f), n2 = n1 + 1, apex = level_.target(level_.next(h));
+    const Index n1 = vertex_of_face(f), n2 = n1 + 1, third = level_.target(level_.next(h));
     const Index middle = inner(f, 2), last = last_part(f);
-    connect_triangle(triangle(h), middle, n2, inner(f, 1), apex, opposite(inner(f, 0)), n1, child);
+    connect_triangle(triangle(h), middle, n2, inner(f, 1), third, opposite(inner(f, 0)), n1, child);
     for (Index part : {b, opposite(middle), opposite(last)}) child.set_border(part);
     child.set_target(opposite(last), n2);
     child.set_target(opposite(middle), n1);

@@ -308,13 +308,13 @@ struct Halfedge_circle
   bool operator!=(std::nullptr_t) const { return !is_closed; }
 };
 
-// those of the face of h, from h on
+// the half-edges of the face of h, from h on
 inline Halfedge_circle<&Level_connectivity::next>
 halfedges_around_face(const Level_connectivity& level, Level_connectivity::Index h)
 {
   return {level, h};
 }
-// those with the target of h, from h on, clockwise
+// the half-edges that lead to the target of h, from h on, clockwise
 inline Halfedge_circle<&Level_connectivity::next_around_target>
 halfedges_around_target(const Level_connectivity& level, Level_connectivity::Index h)
 {

@@ -14,7 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
-#include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_weights.h>
 
 #include <cstddef>
 #include <map>
@@ -71,7 +71,7 @@ public:
   }
 
 private:
-  // those of the vertices k steps along a face of degree n; that of k = 0 is not used
+  // the weights of the vertices k steps along a face of degree n; the weight of k = 0 is not used
   static std::vector<FT> weights(Index n)
   {
     std::vector<FT> result;

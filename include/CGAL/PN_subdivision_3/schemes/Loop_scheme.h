@@ -12,7 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
-#include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_weights.h>
 
 namespace CGAL::PN_subdivision_3 {
 

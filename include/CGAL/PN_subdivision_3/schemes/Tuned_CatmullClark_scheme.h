@@ -14,8 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
-#include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
-#include <CGAL/PN_subdivision_3/scheme_parts/Scheme_parameter.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_weights.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 
 #include <array>

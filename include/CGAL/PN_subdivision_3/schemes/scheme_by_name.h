@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_SCHEME_BY_NAME_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_SCHEME_BY_NAME_H
 
-#include <CGAL/PN_subdivision_3/scheme_parts/Scheme_parameter.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_weights.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 

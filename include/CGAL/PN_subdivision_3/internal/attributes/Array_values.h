@@ -147,7 +147,7 @@ public:
     check_array(array, number, kind);
   }
 
-  // of a part
+  // the values of a part
   Copied_array(const Copied_array& whole, Of_part)
     : array_(own_)
     , old_(whole.old_)
@@ -172,7 +172,7 @@ public:
   std::any kept_of_part() override { return std::any(std::move(own_)); }
 
 private:
-  Attribute_array own_; // of a part
+  Attribute_array own_; // the values of a part
   Attribute_array& array_;
   const std::vector<double>& old_;
   std::vector<double> result_;
@@ -193,7 +193,7 @@ public:
   {
     check_array(array, number, kind);
   }
-  // of a part
+  // the values of a part
   Array_values(const Array_values& whole, const std::vector<Index>& sources)
     : array_(own_)
     , dimension_(whole.dimension_)
@@ -274,7 +274,7 @@ private:
         old_[first + i * dimension_ + c] = from[sources[i] * dimension_ + c];
   }
 
-  Attribute_array own_; // of a part
+  Attribute_array own_; // the values of a part
   Attribute_array& array_;
   const std::size_t dimension_;
   Values old_, new_;
@@ -288,7 +288,7 @@ public:
   explicit Face_parent_array(std::vector<std::uint32_t>& parents)
     : parents_(parents)
   {}
-  // of a part
+  // the values of a part
   Face_parent_array()
     : parents_(own_)
   {}
@@ -303,7 +303,7 @@ public:
   std::any kept_of_part() override { return std::any(std::move(own_)); }
 
 private:
-  std::vector<std::uint32_t> own_; // of a part
+  std::vector<std::uint32_t> own_; // the values of a part
   std::vector<std::uint32_t>& parents_;
   std::vector<std::uint32_t> result_;
 };
@@ -317,7 +317,7 @@ public:
   Origin_map(const Access& access, Map map, std::size_t number)
     : map_(access, map, number)
   {}
-  // of a part
+  // the values of a part
   Origin_map(const Origin_map& whole, Of_part)
     : map_(whole.map_.access(), Map())
   {}

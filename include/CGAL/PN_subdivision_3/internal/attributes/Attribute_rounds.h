@@ -60,8 +60,8 @@ public:
   Attribute_rounds(Carried_attributes<FT>&& carried, Kinds visited, const Level_connectivity& level,
                    const std::vector<Index>& extra_slots, const Control_sharpness& sharpness,
                    const Element_names& names, const For_chunks& for_chunks);
-  // Those of a part of a level between two rounds, whose slots in the whole are given. `whole` must stay, and so must
-  // `corner_slots`, see slots_of_charts().
+  // The attributes of a part of a level between two rounds, whose slots in the whole are given. `whole` must stay, and so must
+  // `chart_slots`, see slots_of_charts().
   Attribute_rounds(const Attribute_rounds& whole, const Level_part& part, const Indices& slot_ids,
                    const Chart_slots& chart_slots);
   Attribute_rounds(const Attribute_rounds&) = delete;
@@ -103,7 +103,7 @@ public:
            const Origin_of_element& rules);
   void keep() noexcept { carried_.keep(); }
 
-  // of a part after all rounds; what has been put there is taken from the result
+  // puts the attributes of a part after all rounds; what has been put is taken from the result
   Carried_attributes<FT>& put_part(const Level_part& part)
   {
     put(part.level.size(), &part.level, Own_origins{origins_});
@@ -112,7 +112,7 @@ public:
   }
   // whether charts are cut, so that their rules look at more faces than those of the scheme
   bool has_charts() const { return !smooth_.empty(); }
-  // of the level that the values are of, for its parts
+  // the slots of corners in each chart of the level, for its parts
   Chart_slots slots_of_charts(const Level_connectivity& level) const
   {
     Chart_slots chart_slots;

@@ -68,7 +68,7 @@ public:
   virtual void begin(const std::vector<Index>& sources) = 0;
 
   virtual void begin_round(std::size_t number_of_values) = 0;
-  // of a round whose value i is put for element i. Values may be put at once, but by several threads only if the
+  // Begins a round whose value i is put for element i. Values may be put at once, but by several threads only if the
   // map allows it; put() comes nevertheless.
   virtual void begin_last_round(std::size_t number_of_values, bool /*has_threads*/)
   {
@@ -77,7 +77,7 @@ public:
   // for the rows from value `first` on; from several threads
   virtual void evaluate(Index first, const Stencil_block<FT>& rows) = 0;
   virtual void evaluate(Index value, const Entry* begin, const Entry* end) = 0;
-  // of the new level
+  // a value of the new level
   virtual void copy(Index from, Index to) = 0;
   virtual void end_round() = 0;
 
@@ -107,7 +107,7 @@ void make_unit(FT* begin, FT* end)
   for (FT* x = begin; x != end; ++x) *x *= inverse;
 }
 
-// of elements with so many numbers each
+// divides the vectors of elements with so many numbers each by their lengths
 inline void make_units(std::size_t dimension, std::vector<double>& values)
 {
   for (std::size_t i = 0; i + dimension <= values.size(); i += dimension)
@@ -127,7 +127,7 @@ FT average_from(const FT& origin, const FT& sum, [[maybe_unused]] const Plain_su
     return origin + sum;
 }
 
-// where differences leave the range of the numbers
+// the average without differences, where these leave the range of the numbers
 template <class FT, class Entry, class Value>
 FT plain_average(const Entry* begin, const Entry* end, const Value& value)
 {

@@ -48,7 +48,7 @@ public:
 
   Corner_rule corner_rule() const { return rule_; }
   bool has_straight_bounds() const { return rule_ == Corner_rule::boundaries; }
-  // of two charts at a vertex, both are smooth or none
+  // both charts at a vertex with two are smooth, or none
   bool are_charts_alike() const
   {
     return rule_ == Corner_rule::corners_plus1 || rule_ == Corner_rule::corners_plus2;

@@ -52,7 +52,7 @@ public:
 
   std::size_t memory() const { return memory_; }
 
-  // those of a control mesh, of which the creases are known
+  // reads and refines the attributes of a control mesh whose creases are known
   template <class FT, class Scheme, class Access, class Level_creases, class Attributes>
   void refine(const Scheme& scheme, const Access& access, const Level_connectivity& level,
               const Level_creases& creases, const Control_sharpness& sharpness, unsigned rounds,
@@ -95,13 +95,13 @@ public:
   }
 
   bool empty() const { return lists_.empty(); }
-  // null if there is none
+  // null if the attributes are no table
   const Attribute_table* table() const
   {
     return lists_.size() == 1 ? std::any_cast<Attribute_table>(&lists_[0]) : nullptr;
   }
 
-  // into maps of the elements of a mesh with the refined level
+  // puts all values into maps of the elements of a mesh with the refined level
   template <class Access, class... Items>
   void put_all(const Access& access, const Level_connectivity& refined,
                const Attributes<Items...>& attributes) const
@@ -164,7 +164,7 @@ private:
   template <class FT, class... Items>
   void take(Carried_attributes<FT>& put, const Attributes<Items...>&)
   {
-    // those of a kind are in their order
+    // attributes of a kind are in the order in which the call names them
     (lists_.push_back(take_first(Items::list(put))), ...);
   }
   template <class List>

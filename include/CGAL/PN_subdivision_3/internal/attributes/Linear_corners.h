@@ -130,7 +130,7 @@ public:
     , creases_(std::move(charts.creases()))
     , rules_(std::make_shared<const Chart_rules>(std::move(charts.rules())))
   {}
-  // of a part, whose creases are given
+  // the corners of a part, whose creases are given
   Smooth_corners(Row_values<FT>& values, Creases<FT>&& creases, const Smooth_corners& whole)
     : values_(values)
     , creases_(std::move(creases))
@@ -175,7 +175,7 @@ public:
     creases_ = std::move(refined_->creases);
   }
 
-  // of the half-edges of the refined level with a face whose slot is not their target
+  // calls f(half-edge, slot) where the slot of the corner of a half-edge is not its target
   template <class Function>
   void for_each_extra_corner(const Level_connectivity& refined, const Function& f) const
   {
@@ -213,8 +213,8 @@ private:
   Creases<FT> creases_;
   std::shared_ptr<const Chart_rules> rules_;
   // of a round
-  std::vector<char> is_special_;    // of the old vertices
-  std::vector<char> needs_own_row_; // of the new ones
+  std::vector<char> is_special_;    // old vertices on seams and creases
+  std::vector<char> needs_own_row_; // new vertices whose row reads a special one
   std::optional<Refined_creases<FT>> refined_;
 };
 

@@ -94,7 +94,7 @@ public:
     : map_(access, map, number)
     , old_(map_.old())
   {}
-  // of a part
+  // the values of a part
   Copied_map(const Copied_map& whole, Of_part)
     : map_(whole.map_.access(), Map())
     , old_(whole.old_)
@@ -144,7 +144,7 @@ public:
     else
       return a == b;
   }
-  // of a part
+  // the values of a part
   Row_map(const Row_map& whole, const std::vector<Index>& sources)
     : map_(whole.map_.access(), Map())
   {

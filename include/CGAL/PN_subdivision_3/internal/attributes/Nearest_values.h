@@ -49,7 +49,7 @@ public:
     }
   }
 
-  // the one with the largest share; of several the first
+  // the control vertex with the largest share; of several the first
   Index nearest() const
   {
     constexpr float rounding = 1e-5f;
@@ -80,7 +80,7 @@ public:
   explicit Nearest_values(std::unique_ptr<Copied_values> copied)
     : copied_(std::move(copied))
   {}
-  // of a part
+  // the values of a part
   Nearest_values(const Nearest_values& whole, const std::vector<Index>& sources)
     : copied_(whole.copied_->part())
   {

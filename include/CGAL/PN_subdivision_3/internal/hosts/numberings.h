@@ -126,7 +126,7 @@ class Ranks
 public:
   // all elements
   Ranks() = default;
-  // those of `number` for which is_counted(i) is true
+  // the numbers below `number` for which is_counted(i) is true
   template <class Is_counted>
   Ranks(Index number, const Is_counted& is_counted)
   {
@@ -234,9 +234,9 @@ public:
   // In an ordinary face the edge from the new vertex to corner i. In a face at the refined border: from the
   // first and the second new vertex to the corner opposite, and the part between them.
   Index inner_edge(Index f, Index i) const { return edges_ + 3 * f + i; }
-  // of the border edge of a face
+  // the last part of the border edge of a face
   Index last_part(Index f) const { return edges_ + 3 * faces_ + border_faces_before_[f]; }
-  // of half-edge i of a face
+  // the triangle at half-edge i of a face
   Index triangle(Index f, Index i) const { return i == 0 ? f : faces_ + 2 * f + i - 1; }
 
   // of a new vertex the face

@@ -50,7 +50,7 @@ FT rounded_to_bits(const FT& x, int bits)
   return times_power(sum, -bits);
 }
 
-// of a number from 1 to some thousands: Newton's iteration, each step of which is rounded
+// the root of a number from 1 to some thousands: Newton's iteration, each step of which is rounded
 template <class FT>
 FT rounded_root(const FT& square, int bits)
 {

@@ -12,7 +12,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/scheme_parts/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_weights.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -48,7 +48,7 @@ public:
     bool any() const { return vertices || edges || faces; }
   };
 
-  // those of the control level: every element itself
+  // the origins of the control level: every element itself
   Level_origins() = default;
 
   Origin of_vertex(Index v) const { return is_control_ ? Origin{Kind::vertex, v} : vertices_[v]; }
@@ -66,7 +66,7 @@ public:
     return wanted;
   }
 
-  // those of the elements of the child, from all those that are needed
+  // the origins of the elements of the child that are needed
   template <class Rules>
   static Level_origins of_child(const Rules& rules, const Level_size& child, Kinds kinds,
                                 const For_chunks& for_chunks)
@@ -189,7 +189,7 @@ private:
   using Kind = Element_parent::Kind;
 
   Origin of_edge_at(Index h) const { return origins_.of_edge(Level_connectivity::edge(h)); }
-  // of the edge that a triangle of an odd round has flipped, or has kept on the border
+  // the origin of the edge that a triangle of an odd round has flipped, or has kept on the border
   Origin of_base(Index f) const { return of_edge_at(level_.halfedge_of_face(f)); }
   bool has_refined_border(Index f) const
   {

@@ -12,7 +12,7 @@
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
-#include <CGAL/PN_subdivision_3/scheme_parts/Scheme_parameter.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_weights.h>
 #include <CGAL/Uncertain.h>
 
 #include <algorithm>
@@ -229,7 +229,7 @@ public:
     return result;
   }
 
-  // those of at least that valence
+  // vertices of at least that valence
   std::vector<Index> vertices_of_valence(Index least) const
   {
     std::vector<Index> result;

@@ -31,7 +31,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// of an old element; the hosts tell which
+// which function of a mask writes a row; the hosts tell
 enum class Row_kind { vertex, edge, face, corner, border_vertex, border_edge };
 
 // A mask behind a virtual call a row.
@@ -51,7 +51,7 @@ public:
   // 0 without parts of faces, see Slot_shares
   virtual FT face_part_of_vertex(Index h, Index valence) const = 0;
   virtual FT face_part_of_edge(Index h) const = 0;
-  // where the scheme transfers curvature
+  // the separated vertices, where the scheme transfers curvature
   virtual std::vector<Index> separated_vertices() const = 0;
 };
 
@@ -310,7 +310,7 @@ public:
     : facts_(std::make_shared<const Scheme_facts<FT>>(facts_of<FT>(scheme)))
   {}
 
-  // it refines normals as another one does
+  // this scheme for the points, another one for the normals
   Scheme_on_host with_normals_of(const Scheme_on_host& normals) const
   {
     Scheme_facts<FT> facts = stated_facts<FT>(with_normal_scheme(*this, normals));

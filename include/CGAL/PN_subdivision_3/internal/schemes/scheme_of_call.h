@@ -126,7 +126,7 @@ std::optional<Control_normal_estimate> stated_normal_estimate(const Scheme& sche
     return std::nullopt;
 }
 
-// of the two schemes for points and normals the one for normals is asked first
+// the scheme of the normals is asked before the scheme of the points
 template <class Scheme, class Normal_scheme>
 std::optional<Control_normal_estimate>
 stated_normal_estimate(const Scheme_with_normals<Scheme, Normal_scheme>& scheme)

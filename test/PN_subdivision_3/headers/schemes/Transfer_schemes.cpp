@@ -14,13 +14,17 @@ using namespace CGAL::PN_subdivision_3;
 
 namespace header_in_use {
 
-void use_ct_loop()
+void use_transfer()
 {
   const Level_connectivity level = connect();
-  const auto mask = Loop_scheme::Transfer().mask<double>(level, 1);
+  const auto quads = CatmullClark_scheme::Transfer().mask<double>(level, 1);
+  const auto triangles = Loop_scheme::Transfer().mask<double>(level, 1);
   Row row;
-  mask.vertex(0, row);
-  mask.edge(0, row);
+  quads.vertex(0, row);
+  quads.edge(0, row);
+  quads.face(0, row);
+  triangles.vertex(0, row);
+  triangles.edge(0, row);
 }
 
 } // namespace header_in_use
