@@ -198,6 +198,7 @@ private:
   using Kernel = Simple_cartesian<double>;
   using Triangle = typename Places::Triangle;
   using Place = typename Places::Place;
+  using Step = std::array<double, 2>; // of the parameters
   using Primitive = internal::Query_primitive<typename Surface::Face>;
 
   // Collects the triangles whose boxes, grown, a ray meets.
@@ -254,8 +255,7 @@ private:
     place.gap = place.distance;
     for (int i = 0; i < most_steps; ++i) {
       Place next = place;
-      // what a side cuts off of Newton's step may be what was good of it; of the gradient's it is not
-      if (!go(next, step(place, p), p) && !go(next, slope(place, p), p)) break;
+      if (!go(next, step(place, p), p)) break;
       const double moved = std::sqrt(CGAL::squared_distance(Places::in_double(next.at.point),
                                                             Places::in_double(place.at.point)));
       next.gap = place.distance - next.distance;
@@ -267,7 +267,7 @@ private:
   }
 
   // by a step or a part of it, if that is closer
-  bool go(Place& place, const std::array<double, 2>& step, const Kernel::Point_3& p) const
+  bool go(Place& place, const Step& step, const Kernel::Point_3& p) const
   {
     const Place from = place;
     for (double t = step[0] == 0 && step[1] == 0 ? 0 : 1; t > 1e-3; t /= 4) {
@@ -282,18 +282,8 @@ private:
     return false;
   }
 
-  std::array<double, 2> slope(const Place& place, const Kernel::Point_3& p) const
-  {
-    const auto r = Places::in_double(place.at.point) - p;
-    const auto along = [&](const auto& derivative) {
-      const auto d = Places::vector_in_double(derivative);
-      return d * d > 0 ? -(r * d) / (d * d) : 0.;
-    };
-    return {along(place.at.du), along(place.at.dv)};
-  }
-
-  // of Newton's method for the half square of the distance; what leads out of the domain is left out
-  std::array<double, 2> step(const Place& place, const Kernel::Point_3& p) const
+  // to the least value in the domain of what Newton's method takes for the half square of the distance
+  Step step(const Place& place, const Kernel::Point_3& p) const
   {
     const auto& s = place.at;
     if (s.derivatives == 0) return {0, 0};
@@ -307,26 +297,35 @@ private:
                    z = c + r * Places::vector_in_double(s.dvv);
       if (x > 0 && x * z - y * y > 1e-3 * a * c) a = x, b = y, c = z;
     }
-    return bounded(place, gu, gv, a, b, c);
+    return step_to_least(place, gu, gv, a, b, c);
   }
 
-  std::array<double, 2> bounded(const Place& place, double gu, double gv, double a, double b,
-                                double c) const
+  // of gu x + gv y + a x^2 / 2 + b x y + c y^2 / 2, which is nowhere concave: inside, or else on a side
+  Step step_to_least(const Place& place, double gu, double gv, double a, double b, double c) const
   {
-    const double det = a * c - b * b;
-    if (!(a > 0) || !(c > 0) || !(det > 0)) return {0, 0};
-    std::array<double, 2> step = {(b * gv - c * gu) / det, (b * gu - a * gv) / det};
-    const auto leaves = [](double x, double dx) {
-      return (x <= 0 && dx < 0) || (x >= 1 && dx > 0);
-    };
-    if (places_.surface().is_triangular() && place.u + place.v >= 1 - 1e-15 &&
-        step[0] + step[1] > 0) {
-      const double along = -(gu - gv) / (a - 2 * b + c);
-      step = {along, -along};
+    const bool is_triangular = places_.surface().is_triangular();
+    const double u = place.u, v = place.v, det = a * c - b * b;
+    if (det > 0) {
+      const Step s = {(b * gv - c * gu) / det, (b * gu - a * gv) / det};
+      const double x = u + s[0], y = v + s[1];
+      if (x >= 0 && y >= 0 && (is_triangular ? x + y <= 1 : x <= 1 && y <= 1)) return s;
     }
-    if (leaves(place.u, step[0])) step = {0, -gv / c};
-    if (leaves(place.v, step[1])) step = {leaves(place.u, -gu / a) ? 0 : -gu / a, 0};
-    return step;
+    const std::size_t n = is_triangular ? 3 : 4;
+    const Step corners[] = {{0, 0}, {1, 0}, {is_triangular ? 0. : 1., 1}, {0, 1}};
+    Step best{};
+    double least = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Step &p = corners[k], &q = corners[(k + 1) % n];
+      const double x = p[0] - u, y = p[1] - v, dx = q[0] - p[0], dy = q[1] - p[1];
+      const double slope = (gu + a * x + b * y) * dx + (gv + b * x + c * y) * dy,
+                   bend = a * dx * dx + 2 * b * dx * dy + c * dy * dy,
+                   t = bend > 0 ? (std::min)(1., (std::max)(0., -slope / bend)) : slope < 0;
+      const Step s = {x + t * dx, y + t * dy};
+      const double value =
+        gu * s[0] + gv * s[1] + (a * s[0] * s[0] + c * s[1] * s[1]) / 2 + b * s[0] * s[1];
+      if (value < least) least = value, best = s;
+    }
+    return best;
   }
 
   Hit hit(const Place& p, double distance, double error) const

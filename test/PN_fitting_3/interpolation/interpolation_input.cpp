@@ -146,6 +146,17 @@ void expect_within_an_edge(const Surface_mesh& net, const Surface_mesh& before)
   }
 }
 
+// The limit at the tip of a spike is at 3/8 of its height: the tip would have to move by half as much again as its edges are long.
+TEST(Interpolation_input, TheTipOfASpikeStaysWithinAnEdge)
+{
+  Control_mesh data = test_meshes::star(3, 1, test_meshes::Cells::quads);
+  data.points[0] = {0, 0, 3};
+  data.normals.assign(data.points.size(), {0, 0, 1});
+  const Interpolated result = interpolated(data, scheme, Options());
+  expect_within_an_edge(result.mesh, to_surface_mesh(data));
+  EXPECT_FALSE(result.report.is_within_tolerance());
+}
+
 // Vertices between faces that are turned by up to 180 degrees: there limits are far from control points, and arcs tell little.
 TEST(Interpolation_input, SlideStaysWithinAnEdge)
 {

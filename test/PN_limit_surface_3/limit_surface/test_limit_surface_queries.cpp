@@ -243,6 +243,25 @@ TEST(LimitSurfaceQueries, BordersOfASquare)
   expect_point(queries.closest_point(at(-1, -1, 0)), at(0, 0, 0), std::hypot(side, side));
 }
 
+// Where lines of parameters are oblique to a side, what it leaves of a step past it may lead to the wrong end of the side.
+TEST(LimitSurfaceQueries, ObliqueBordersFromFarAway)
+{
+  const auto expect = [](const test_meshes::Cells cells, const auto& scheme) {
+    Control_mesh shape = test_meshes::grid(3, 3, false, false, cells);
+    shape.normals = shape.points; // not used
+    Surface_mesh mesh = to_surface_mesh(shape);
+    for (auto v : mesh.vertices())
+      mesh.point(v) = Point(double(v % 4), double(v / 4) + double(v % 4), 0);
+    const PN::Limit_surface surface(mesh, scheme,
+                                    PN::parameters::tolerance(1e-9).border(PN::Border::corners));
+    const Queries queries(surface, 2);
+    for (const double y : {1.2, 1.8})
+      EXPECT_NEAR(queries.closest_point({-20, y, 0}).distance, 20, 1e-8) << y;
+  };
+  expect(test_meshes::Cells::quads, PN::linear(PN::CatmullClark_scheme()));
+  expect(test_meshes::Cells::triangles, PN::linear(PN::Loop_scheme()));
+}
+
 TEST(LimitSurfaceQueries, WrongArgumentsAreRefused)
 {
   Control_mesh shape = named_shapes::cube();
