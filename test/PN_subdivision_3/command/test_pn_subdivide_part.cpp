@@ -367,7 +367,7 @@ TEST_F(Pn_subdivide_part, WhatElseIsAskedForIsDone)
                                         "--pieces 2"};
   for (const std::string& option : others)
     EXPECT_FALSE(contains(said("plate.ply", option), taken)) << option;
-  for (const std::string& option :
+  for (const std::string option :
        {"--sharp auto", "--normals auto", "--limit", "--chord 1%", "--border curve --levels 2",
         "--roundness 1", "--levels 0 --output-normals both", "--threads 2", "--scheme ct-loop"})
     EXPECT_TRUE(contains(
@@ -561,11 +561,12 @@ TEST_F(Pn_subdivide_part, BordersOfPlanesAreLinesAndArcs)
         for (const Triple& p : mesh.points) EXPECT_NEAR(p[2], 0, 1e-12);
         for (const double x : {-2., 2.})
           for (const double y : {-2., 2.})
-            if (exact > 12)
+            if (exact > 12) {
               EXPECT_EQ(std::count_if(
                           mesh.points.begin(), mesh.points.end(),
                           [&](const Triple& p) { return std::hypot(p[0] - x, p[1] - y) < 1e-9; }),
                         1);
+            }
       }
     }
 }
