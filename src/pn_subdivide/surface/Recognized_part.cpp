@@ -179,6 +179,37 @@ using Patch_map = Surface::Property_map<Face, std::size_t>;
 using Crease_map = Surface::Property_map<Edge, bool>;
 using Normals_of_surfaces = Surface::Property_map<Halfedge, Vector_3>;
 
+// of the farthest corner of a face over an edge of it
+double height_over(const Surface& surface, Halfedge h)
+{
+  const Point_3& p = surface.point(surface.source(h));
+  const Vector_3 along = surface.point(surface.target(h)) - p;
+  double most = 0;
+  for (const Vertex v : surface.vertices_around_face(h))
+    most = (std::max)(most, CGAL::cross_product(surface.point(v) - p, along).squared_length());
+  return std::sqrt(most / along.squared_length());
+}
+
+// Schemes move the edge between a narrow facet and a wide one by a part of the height of the latter, and fold the former over, as beside
+// cuts near rulings. A crease stays; nobody sees it, since both sides have the normals of the surface.
+void tag_narrow_facets(Recognized_part& part, const Surface& surface)
+{
+  constexpr double narrow = 1. / 4;
+  std::vector<bool> is_at_end(surface.number_of_vertices(), false); // of a surface
+  for (const Edge e : surface.edges())
+    if (part.creases[e] || surface.is_border(e))
+      for (const Vertex v : {surface.vertex(e, 0), surface.vertex(e, 1)}) is_at_end[v] = true;
+  for (const Edge e : surface.edges()) {
+    const Halfedge h = surface.halfedge(e);
+    if (surface.is_border(e) || !is_at_end[surface.source(h)] || !is_at_end[surface.target(h)] ||
+        !is_round(part.surfaces[part.segments[surface.face(h)]].kind))
+      continue;
+    const auto [less, more] =
+      std::minmax({height_over(surface, h), height_over(surface, surface.opposite(h))});
+    if (less < narrow * more) part.creases[e] = true;
+  }
+}
+
 Surface without_normals(const Mesh_data& mesh)
 {
   Surface surface = make_surface(mesh);
@@ -367,6 +398,7 @@ Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& pl
     part.roundness.push_back(roundness[v]);
   }
   fill(part, surface, segments, creases, normals);
+  tag_narrow_facets(part, surface);
   return part;
 }
 

@@ -192,11 +192,11 @@ double Surface_table::along(const Face_place& place, std::size_t segment) const
              as_shape(part_.surfaces[segment]).normal(as_vec3(place.middle)));
 }
 
-// against most of its surface, by more than rounding
+// against most of its surface, by more than rounding: that of the control mesh, whose cut vertices have moved
 bool Surface_table::is_folded(const Face_place& place, std::size_t segment) const
 {
   const double side = along_[segment] < 0 ? -1 : 1;
-  const double rounding = 1e-9 * place.size + 8 * part_.surfaces[segment].residual;
+  const double rounding = 1e-9 * place.size + 8 * before_[segment].of_vertices;
   return side * along(place, segment) < -rounding * place.size;
 }
 

@@ -212,15 +212,80 @@ inline std::size_t insert_sliver(Part& part, Kind first, Kind second)
   throw std::logic_error("no such edge");
 }
 
-// A cylinder of n facets from which planes cut pieces, not at its rulings: vertices on chords.
-inline Part cut_cylinder(int n, double at)
+// of radius 1 at z = 0 and `top` at `height`
+inline True_surface round_side(double top, double height)
+{
+  if (top == 1) return {Kind::cylinder, {}, {0, 0, 1}, 1, 0, 0};
+  const double slope = (1 - top) / height;
+  return {Kind::cone, {0, 0, 1 / slope},         {0, 0, slope > 0 ? -1. : 1.}, 0,
+          0,          std::atan(std::abs(slope))};
+}
+
+// A cylinder or frustum of n facets from which the plane x = at has cut a piece off, not at rulings: vertices on chords.
+inline Part cut_at_side(int n, double top, double at)
 {
   Convex_builder b;
   b.add_plane({0, 0, -1}, {0, 0, 0});
   b.add_plane({0, 0, 1}, {0, 0, 1});
-  b.add_fillet(0, 0, 1, 0, 360, n);
+  const std::size_t side = b.add(round_side(top, 1));
+  for (int i = 0; i < n; ++i) {
+    const double t = 2 * pi * (i + 0.5) / n, r = std::cos(pi / n);
+    b.add_facet({std::cos(t), std::sin(t), r * (1 - top)}, {r * std::cos(t), r * std::sin(t), 0},
+                side);
+  }
   b.add_plane({1, 0, 0}, {at, 0, 0});
-  return b.take("cut cylinder", false);
+  return b.take("cut at a side", false);
+}
+
+// At either side a plane has cut two facets, and has left their end chords in the middle.
+inline Part bitten_cylinder(int n)
+{
+  Convex_builder b;
+  b.add_plane({0, 0, -1}, {0, 0, 0});
+  b.add_plane({0, 0, 1}, {0, 0, 5});
+  b.add_fillet(0, 0, 1, 0, 360, n);
+  const double at = (1 + std::cos(2 * pi / n)) / 2;
+  for (const double side : {-1., 1.}) b.add_plane({side, 0, 1}, {side * at, 0, 5});
+  return b.take("bitten cylinder", false);
+}
+
+// As openscad writes frusta, and cylinders that it has turned: two triangles a facet, with a vertex in the middle of each chord
+// where a plane has cut them.
+inline Part cut_between_circles(int n, double top, double height, double slope)
+{
+  const Vec middle{0, 0, height / 2}, normal = unit({-slope, 0, 1});
+  Part part;
+  part.name = "cut between circles";
+  part.surfaces = {{Kind::plane, {}, {0, 0, -1}, 0, 0, 0},
+                   {Kind::plane, middle, normal, 0, 0, 0},
+                   round_side(top, height)};
+  const auto on_circle = [&](std::size_t i, double r, double z) {
+    const double t = 2 * pi * static_cast<double>(i) / n;
+    return Vec{r * std::cos(t), r * std::sin(t), z};
+  };
+  const auto cut = [&](const Vec& p, const Vec& q) {
+    const double a = dot(normal, middle - p), b = dot(normal, q - p);
+    return p + (a / b) * (q - p);
+  };
+  std::vector<std::size_t> low, high;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+    const Vec p = on_circle(i, 1, 0);
+    part.points.insert(part.points.end(), {p, cut(p, on_circle(i, top, height)),
+                                           cut(p, on_circle(i + 1, top, height))});
+    low.push_back(3 * i);
+    high.insert(high.end(), {3 * i + 1, 3 * i + 2});
+  }
+  part.faces = {{low.rbegin(), low.rend()}, high};
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    const std::size_t k = (i + 1) % low.size();
+    part.faces.push_back({low[i], low[k], high[2 * k], high[2 * i + 1]});
+    part.faces.push_back({low[i], high[2 * i + 1], high[2 * i]});
+  }
+  part.surface_of_face.assign(part.faces.size(), 2);
+  part.surface_of_face[0] = 0;
+  part.surface_of_face[1] = 1;
+  check_closed(part);
+  return part;
 }
 
 } // namespace synthetic_parts

@@ -64,7 +64,7 @@ std::vector<Part> parts()
                       shaft(24, 6),
                       elbow(steps(16), steps(4), 90, 0.2, random),
                       plate_with_drilled_hole(24),
-                      cut_cylinder(24, 0.52),
+                      cut_at_side(24, 1, 0.52),
                       regular_prism(40)};
   for (Vec& x : p.back().points) x[0] *= 2.3; // nothing that is known
   return p;

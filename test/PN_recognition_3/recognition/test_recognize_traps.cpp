@@ -163,12 +163,20 @@ TEST(Recognize_traps, sliver_along_a_rim)
 
 TEST(Recognize_traps, vertices_on_chords)
 {
-  for (int n : {16, 24, 32})
-    for (double at : {0.13, 0.52}) {
-      const Part part = cut_cylinder(n, at);
-      EXPECT_TRUE(Part_marks(part, recognition_of(part)).are_segments_right())
-        << Part_marks(part, recognition_of(part)).text() << ' ' << n << ' ' << at;
-    }
+  const auto expect_segments = [](const Part& part) {
+    const Part_marks marks(part, recognition_of(part));
+    EXPECT_TRUE(marks.are_segments_right()) << marks.text();
+  };
+  for (int n : {16, 20, 24, 32}) {
+    SCOPED_TRACE(n);
+    for (double at : {0.13, 0.52})
+      for (double top : {1., 0.6, 1.5}) expect_segments(cut_at_side(n, top, at));
+    for (double slope : {0., 0.2})
+      for (double top : {0.3, 0.6, 1.5}) expect_segments(cut_between_circles(n, top, 0.7, slope));
+    expect_segments(cut_between_circles(n, 0.4, 0.2, 0)); // a flat cone
+    expect_segments(cut_between_circles(n, 1, 4, 1));
+    expect_segments(bitten_cylinder(n));
+  }
 }
 
 TEST(Recognize_traps, far_from_the_origin)

@@ -82,6 +82,57 @@ Part cut_cylinder()
   return part;
 }
 
+// The cylinder with a notch above z = 1 instead, whose wall is just beside a ruling.
+Part notched_cylinder()
+{
+  constexpr double wall = 1.63;
+  const Triple p = on_circle(2, 18, 0), q = on_circle(2, 36, 0);
+  const double y = p[1] + (wall - p[0]) / (q[0] - p[0]) * (q[1] - p[1]);
+  const Triple left{wall, -y, 1}, right{wall, y, 1}, upper_left{wall, -y, 3},
+    upper_right{wall, y, 3};
+  Part part;
+  std::vector<Triple> bottom, top{upper_right};
+  for (int k = 0; k < 20; ++k) {
+    const auto a = [&](double z) { return on_circle(2, 18 * k, z); };
+    const auto b = [&](double z) { return on_circle(2, 18 * (k + 1), z); };
+    bottom.insert(bottom.begin(), a(0));
+    if (k > 1 && k < 19) top.push_back(a(3));
+    if (k == 0 || k == 19)
+      part.add({a(0), b(0), b(1), a(1)});
+    else if (k == 1)
+      part.add({b(0), b(3), upper_right, right, a(1), a(0)});
+    else if (k == 18)
+      part.add({a(0), b(0), b(1), left, upper_left, a(3)});
+    else
+      part.add({a(0), b(0), b(3), a(3)});
+  }
+  top.push_back(upper_left);
+  part.add({left, on_circle(2, -18, 1), on_circle(2, 0, 1), on_circle(2, 18, 1), right});
+  part.add({left, right, upper_right, upper_left});
+  part.add(top);
+  part.add(bottom);
+  return part;
+}
+
+// A cone of 20 facets of two triangles each, cut where its radius is 1.3.
+Part cut_frustum()
+{
+  Part part;
+  std::vector<Triple> bottom, top;
+  for (int k = 0; k < 20; ++k) {
+    const Triple a = on_circle(2, 18 * k, 0), b = on_circle(2, 18 * (k + 1), 0),
+                 p = on_circle(1.3, 18 * k, 0.7), q = on_circle(1.3, 18 * (k + 1), 0.7),
+                 m{p[0] + 0.7 * (q[0] - p[0]), p[1] + 0.7 * (q[1] - p[1]), 0.7};
+    part.add({a, b, q, m});
+    part.add({a, m, p});
+    top.insert(top.end(), {p, m});
+    bottom.insert(bottom.begin(), a);
+  }
+  part.add(top);
+  part.add(bottom);
+  return part;
+}
+
 using Profile = std::vector<std::array<double, 2>>;
 const Profile of_shaft{{2, 0}, {2, 1}, {1, 1}, {1, 3}},
   of_countersunk{{2.4, 0}, {.8, 1.6}, {.8, 3}}; // with a cone
@@ -278,6 +329,21 @@ TEST_F(Pn_subdivide_part, CutsEndOnTheSurface)
     EXPECT_LT(off, 1e-5) << options;
   }
   EXPECT_TRUE(contains(said("cut.ply", "--part"), "4 vertices that a cut left on chords"));
+  folder.write("frustum.ply", cut_frustum().ply());
+  double off = 0;
+  for (const Triple& p : refined("frustum.ply", "o.ply", "--part").points)
+    off = (std::max)(off, std::abs(std::hypot(p[0], p[1]) - 2 + p[2]));
+  EXPECT_LT(off, 1e-5);
+}
+
+TEST_F(Pn_subdivide_part, NarrowFacetsDoNotFold)
+{
+  folder.write("notch.ply", triangles(notched_cylinder()).ply());
+  for (const std::string options : {"--levels 2", "--part"}) {
+    const std::string text = checked("notch.ply", options + reported());
+    EXPECT_EQ(report()["check"].at("edges_folded_by_150_degrees"), 0) << text;
+    EXPECT_LT(report()["check"].at("largest_distance").get<double>(), 1e-4) << text;
+  }
 }
 
 TEST_F(Pn_subdivide_part, WhatElseIsAskedForIsDone)
@@ -296,7 +362,7 @@ TEST_F(Pn_subdivide_part, WhatElseIsAskedForIsDone)
                                         "--pieces 2"};
   for (const std::string& option : others)
     EXPECT_FALSE(contains(said("plate.ply", option), taken)) << option;
-  for (const std::string& option :
+  for (const std::string option :
        {"--sharp auto", "--normals auto", "--limit", "--chord 1%", "--border curve --levels 2",
         "--roundness 1", "--levels 0 --output-normals both", "--threads 2", "--scheme ct-loop"})
     EXPECT_TRUE(contains(
@@ -490,11 +556,12 @@ TEST_F(Pn_subdivide_part, BordersOfPlanesAreLinesAndArcs)
         for (const Triple& p : mesh.points) EXPECT_NEAR(p[2], 0, 1e-12);
         for (const double x : {-2., 2.})
           for (const double y : {-2., 2.})
-            if (exact > 12)
+            if (exact > 12) {
               EXPECT_EQ(std::count_if(
                           mesh.points.begin(), mesh.points.end(),
                           [&](const Triple& p) { return std::hypot(p[0] - x, p[1] - y) < 1e-9; }),
                         1);
+            }
       }
     }
 }

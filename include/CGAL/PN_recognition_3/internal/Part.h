@@ -299,6 +299,8 @@ std::vector<Region> find_regions(const Context& c);
 
 // --- from regions to segments ---
 
+// whether a patch is a facet of a region that a polyhedral Boolean has cut, which leaves vertices on chords
+bool is_cut_facet(const Context& c, const Patches::Patch& patch, const Region& r);
 // leaves the rounds; of patches of prisms, the steps of these, 0 of others
 std::vector<double> take_prisms_out(const Context& c, std::vector<Region>& regions);
 // lets regions take what growing has left undone at their borders; the region of each patch, null: none

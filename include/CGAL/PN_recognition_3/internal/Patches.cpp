@@ -143,8 +143,8 @@ private:
     patch.width = extent > 0 ? patch.area / (2 * extent) : 0;
   }
 
-  // Polyhedral Booleans leave vertices in the middle of sharp sides, at the facets of what is beyond: of a round surface they are
-  // on chords.
+  // Polyhedral Booleans leave vertices in the middle of sides: at the facets of what is beyond a sharp one, or where the diagonal of a
+  // facet has been. Of a round surface they are on chords.
   void drop_chords(Patches::Patch& patch) const
   {
     std::vector<std::pair<Index, Index>> sides, outline;
@@ -162,7 +162,7 @@ private:
         std::equal_range(outline.begin(), outline.end(), std::make_pair(s.second, Index(0)),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
       if (next.second - next.first == 1 && is_straight(s.first, s.second, next.first->second) &&
-          is_sharp_at(patch, s.second))
+          is_on_chord(patch, s.second))
         dropped.push_back(s.second);
     }
     std::sort(dropped.begin(), dropped.end());
@@ -178,15 +178,20 @@ private:
     const double length = norm(r - p);
     return norm(cross(q - p, r - p)) <= 2 * part_.tolerance * length && dot(q - p, r - q) > 0;
   }
-  // whether all faces around a vertex that are not of the patch are beyond what may be round
-  bool is_sharp_at(const Patches::Patch& patch, Index v) const
+  // whether all else around a vertex is beyond what may be round, or one patch, of which the vertex is in the middle of a side, too
+  bool is_on_chord(const Patches::Patch& patch, Index v) const
   {
     const Vec3& normal = part_.normal[patch.faces[0]];
-    for (const Index f : part_.faces_around[v])
-      if (result_.patch_of_face[f] != result_.patch_of_face[patch.faces[0]] &&
-          !part_.is_sliver(f) && angle_between(part_.normal[f], normal) <= greatest_angle_)
-        return false;
-    return !part_.on_border[v];
+    Index other = null;
+    bool is_sharp = true, is_alone = true;
+    for (const Index f : part_.faces_around[v]) {
+      const Index p = result_.patch_of_face[f];
+      if (p == null || p == result_.patch_of_face[patch.faces[0]]) continue;
+      is_sharp = is_sharp && angle_between(part_.normal[f], normal) > greatest_angle_;
+      is_alone = is_alone && (other == null || other == p);
+      other = p;
+    }
+    return (is_sharp || is_alone) && !part_.on_border[v];
   }
 
   void make_joints()

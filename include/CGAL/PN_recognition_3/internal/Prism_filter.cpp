@@ -67,6 +67,8 @@ private:
   bool is_cut_of_unknown(Index i) const
   {
     const Region& r = regions_[i];
+    // narrower ones, between facets that look like cut ones, are in any free form
+    const bool has_third_of_turn = r.turn.end - r.turn.start > radians(119);
     double loose = 0, all = 0;
     for (const Index p : r.patches)
       for (const Index number : c_.patches[p].joints) {
@@ -75,7 +77,8 @@ private:
         if (owner_[q] == i) continue;
         all += j.length;
         if (owner_[q] == null && j.angle <= radians(30) &&
-            !is_tangent_along(c_, j, q, r.shape, r.side) && goes_on(q) && !is_continued_by(r, q))
+            !is_tangent_along(c_, j, q, r.shape, r.side) && goes_on(q) && !is_continued_by(r, q) &&
+            !(has_third_of_turn && is_cut_facet(c_, c_.patches[q], r)))
           loose += j.length;
       }
     const double share = all > 0 ? loose / all : 0;

@@ -36,6 +36,33 @@ inline bool may_be_facet(const Context& c, const Region& r, Lists::Range vertice
   return true;
 }
 
+// The radius of the shape about the same center, axis or apex that a plane touches; -1: there is none.
+inline double radius_of_touched(const Shape& s, const Vec3& normal, const Vec3& point)
+{
+  constexpr double most = 2e-3;
+  const double along = dot(normal, s.axis);
+  if (s.kind == Kind::cone) {
+    const Vec3 d = point - s.apex();
+    return std::abs(dot(normal, d)) <= most * norm(d)
+             ? -along / std::sqrt(1 - along * along) * s.radius * s.cosine / s.sine
+             : -1;
+  }
+  return s.kind == Kind::sphere || (s.kind == Kind::cylinder && std::abs(along) <= most)
+           ? dot(normal, point - s.center)
+           : -1;
+}
+
+inline bool is_cut_facet(const Context& c, const Patches::Patch& patch, const Region& r)
+{
+  const Shape& s = r.shape;
+  const double t = 3 * c.tolerance(), step = r.step(),
+               radius = radius_of_touched(s, r.side * patch.normal, patch.mean);
+  return radius >= s.radius * std::cos(0.51 * step) - t &&
+         radius <= s.radius * std::cos(step / (s.kind == Kind::sphere ? 6 : 4)) &&
+         std::all_of(patch.vertices.begin(), patch.vertices.end(),
+                     [&](Index v) { return s.distance(c.point(v)) <= t; });
+}
+
 // what growing leaves undone
 class Region_borders
 {
@@ -66,7 +93,7 @@ private:
     const auto is_row_of = [&](const Region& cone, const Region& sphere) {
       return sphere.shape.kind == Kind::sphere &&
              std::all_of(cone.patches.begin(), cone.patches.end(),
-                         [&](Index p) { return is_cut_facet(c_.patches[p], sphere); });
+                         [&](Index p) { return is_cut_facet(c_, c_.patches[p], sphere); });
     };
     for (std::size_t i = regions_.size(); i-- > 0;) {
       if (regions_[i].shape.kind != Kind::cone) continue;
@@ -116,27 +143,10 @@ private:
   }
   bool is_absorbed(const Patches::Patch& patch, const Region& r) const
   {
-    return is_cut_facet(patch, r) ||
+    return is_cut_facet(c_, patch, r) ||
            (may_be_facet(c_, r, patch.vertices, patch.normal, patch.width, 3 * c_.tolerance()) &&
             midpoint_distance(c_, r.shape, patch.faces) <= r.greatest_midpoint_distance);
   }
-  // polyhedral Booleans leave vertices on chords
-  bool is_cut_facet(const Patches::Patch& patch, const Region& r) const
-  {
-    const Shape& s = r.shape;
-    const double t = 3 * c_.tolerance(), step = r.step();
-    if (s.kind != Kind::sphere &&
-        (s.kind != Kind::cylinder || std::abs(dot(patch.normal, s.axis)) > 2e-3))
-      return false;
-    const double h = r.side * dot(patch.normal, patch.mean - s.center);
-    if (!(h >= s.radius * std::cos(0.51 * step) - t &&
-          h <= s.radius * std::cos(step / (s.kind == Kind::sphere ? 6 : 4))))
-      return false;
-    for (const Index v : patch.vertices)
-      if (s.distance(c_.point(v)) > t) return false;
-    return true;
-  }
-
   void set_patches()
   {
     for (Region& r : regions_) r.patches.clear();

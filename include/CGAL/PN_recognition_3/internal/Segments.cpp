@@ -261,10 +261,12 @@ private:
   bool are_equal(const Segments::Segment& a, const Segments::Segment& b) const
   {
     if (a.shape.kind != b.shape.kind || a.shape.kind == Kind::unknown) return false;
+    const double margin = 2 * c_.tolerance(); // vertices of cut facets are off both
     for (const Index f : b.faces)
       for (const Index v : c_.part.corners[f]) {
         const Vec3& x = c_.point(v);
-        if (!(std::abs(a.shape.distance(x)) <= 2 * c_.tolerance())) return false;
+        const double d = a.shape.distance(x);
+        if (!(std::abs(d) <= margin || std::abs(d - b.shape.distance(x)) <= margin)) return false;
         if (dot(a.side * a.shape.normal(x), b.side * b.shape.normal(x)) < std::cos(radians(8)))
           return false;
       }
