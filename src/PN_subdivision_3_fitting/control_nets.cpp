@@ -12,10 +12,16 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-template Interpolation_result<3> interpolate_mesh(const Level_connectivity&,
-                                                  Control_normal_estimate,
-                                                  const Interpolation_options&, bool,
-                                                  Interpolation_data<3>&, Surface_limits&);
+template Interpolation_result<3> interpolate_estimated(const Level_connectivity&,
+                                                       Control_normal_estimate,
+                                                       Interpolation_data<3>&, Surface_limits&);
+template Interpolation_result<3> slide_along_normals(const Level_connectivity&,
+                                                     Control_normal_estimate,
+                                                     Interpolation_data<3>&, Surface_limits&,
+                                                     Surface_limits::Farthest);
+template Interpolation_result<3> interpolate_strictly(const Level_connectivity&,
+                                                      const Interpolation_options&,
+                                                      Interpolation_data<3>&, Surface_limits&);
 template Interpolation_result<3>
 interpolate_creased(const Interpolation_data<3>&,
                     Function_ref<void(Vectors<3>&, double, Limit_interpolation*)>);

@@ -206,7 +206,20 @@ interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
             "are interpolated only: give a vertex_normal_map, or take "
             "Limit_interpolation::Free::fixed");
         const Control_normal_estimate estimate = internal::normal_estimate(scheme);
-        auto result = internal::interpolate_mesh(level, estimate, options, estimates, data, source);
+        // a way that the call does not name is not compiled
+        const auto find = [&] {
+          if constexpr (estimates)
+            return internal::interpolate_estimated(level, estimate, data, source);
+          else {
+            if constexpr (internal::is_given_v<internal::interpolation_mode_t, NamedParameters>)
+              if (options.mode == Limit_interpolation::Mode::strict)
+                return internal::interpolate_strictly(level, options, data, source);
+            return internal::slide_along_normals(
+              level, estimate, data, source,
+              [&](const auto&... arguments) { return source.farthest(arguments...); });
+          }
+        };
+        auto result = find();
         report = result.report;
         internal::multiply_by_size(data.exponent, report);
         internal::multiply_by_size<FT, 3>(data.exponent, data.points);

@@ -88,7 +88,7 @@ Normal_smoothing_report smooth(const Level_connectivity& level,
                                const Interpolation_data<dimension>& data,
                                Vectors<dimension>& smooth_normals)
 {
-  Normal_smoothing smoothing(level, data.points, data.normals);
+  Normal_smoothing<dimension> smoothing(level, data.points, data.normals);
   smooth_normals = smoothing();
   Normal_smoothing_report report;
   report.noise = in_degrees(smoothing.noise());

@@ -83,9 +83,10 @@ Limit_report vertex_limit_points(const PolygonMesh& mesh, const Scheme& scheme, 
           put(limits, access.vertex(v), to_limit_point<Limit>(of_mesh.results[v]));
       };
       report = with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
-        return vertex_limits<FT>(access, s, points, normals, Parameters::edge_constraint_map(np),
-                                 Parameters::vertex_constraint_map(np), limit_options(np),
-                                 For_chunks::with(Concurrency_tag()), put_all);
+        return vertex_limits<FT, asks_for_points_alone<NamedParameters>()>(
+          access, s, points, normals, Parameters::edge_constraint_map(np),
+          Parameters::vertex_constraint_map(np), limit_options(np),
+          For_chunks::with(Concurrency_tag()), put_all);
       });
     });
   }

@@ -26,7 +26,7 @@ namespace {
 
 namespace in = CGAL::PN_subdivision_3::internal;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Correction = in::Smooth_correction;
+using Correction = in::Smooth_correction<3>;
 using Number = Correction::Index;
 using Conditions = std::vector<Correction::Condition>;
 

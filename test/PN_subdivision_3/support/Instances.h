@@ -51,6 +51,10 @@ void creased_rounds(const Scheme& scheme)
     params::number_of_iterations(1).vertex_normal_map(normals).edge_is_constrained_map(sharpness));
   PN::subdivide(mesh, PN::linear(scheme),
                 params::number_of_iterations(1).edge_is_constrained_map(sharpness));
+  const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>().first;
+  PN::subdivide(
+    mesh, scheme,
+    params::number_of_iterations(1).vertex_normal_map(normals).edge_is_constrained_map(sharp));
 }
 
 template <class Scheme>

@@ -27,6 +27,8 @@ void limits(const Scheme& scheme)
   const auto normals = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>().first;
   const auto at = mesh.add_property_map<Mesh::Vertex_index, PN::Limit_point<Kernel>>().first;
   PN::limit_points(mesh, scheme, at, params::vertex_normal_map(normals));
+  PN::limit_points(mesh, scheme, at,
+                   PN::parameters::surface_normals(true).vertex_normal_map(normals));
   PN::limit_points(mesh, PN::linear(scheme), at);
 }
 

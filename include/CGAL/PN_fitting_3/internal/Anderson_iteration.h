@@ -19,6 +19,7 @@ namespace CGAL::PN_subdivision_3::internal {
 
 // Solves r(x) = 0 where x + r(x) is nearer to the solution than x: this step, mixed with the last ones so that what is left of a
 // linear r would be the least (D. G. Anderson, Iterative procedures for nonlinear integral equations, 1965).
+template <class Real = double>
 class Anderson_iteration
 {
 public:

@@ -69,7 +69,7 @@ private:
   {
     std::vector<double> error;
     Eigen::VectorXd f = defects(normals, error);
-    const Limit_matrix matrix = make_limit_matrix();
+    const Limit_matrix<> matrix = make_limit_matrix();
     if (!matrix.is_regular()) return leave_worst(normals, error, active_.size());
     differences_.clear();
     keeps_history_ = false;
@@ -77,7 +77,7 @@ private:
     unsigned without_gain = 0;
     Vectors<dimension> best_normals = normals;
     while (best > tolerance && without_gain < 6 && steps_ < max_steps) {
-      Limit_preconditioner solver;
+      Limit_preconditioner<double> solver;
       solver.set(&matrix, dimension);
       const Eigen::VectorXd g = solver.solve(f);
       ++steps_;
@@ -149,7 +149,7 @@ private:
     return error.empty() ? 0 : *std::max_element(error.begin(), error.end());
   }
 
-  Limit_matrix make_limit_matrix() const
+  Limit_matrix<> make_limit_matrix() const
   {
     Data part;
     part.vertices = active_;

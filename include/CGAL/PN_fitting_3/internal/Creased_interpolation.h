@@ -63,8 +63,9 @@ public:
     demand.tolerance = tolerance;
     demand.max_depth = data_.max_depth;
     Creases<double> creases = creases_; // whose tangents become those of the limit
-    const auto results =
-      limits_at_slots<double>(scheme_, demand, for_chunks_, level_, creases, 1, &data_.vertices);
+    constexpr bool points_alone = asks_for_points_alone<parameters::Default_named_parameters>();
+    const auto results = limits_at_slots<double, points_alone>(scheme_, demand, for_chunks_, level_,
+                                                               creases, 1, &data_.vertices);
     if (report != nullptr) report->error = report->depth = 0;
     for (const Index v : data_.vertices) {
       points[v] = to_eigen<3>(point_of(results[v].value));

@@ -23,12 +23,13 @@ namespace CGAL::PN_subdivision_3::internal {
 // Control points whose limits on a surface with creases are given points. With the normals of the wedges and the
 // tangents of the creases as they are, limits are linear in the control points: L p = P. L is not made, but
 // evaluated, and GMRES solves for the corrections.
+template <int dimension>
 class Creased_solution
 {
 public:
   using Limits = Function_ref<void(Vectors<3>&, double, Limit_interpolation*)>;
 
-  Creased_solution(const Interpolation_data<3>& data, Limits limits)
+  Creased_solution(const Interpolation_data<dimension>& data, Limits limits)
     : data_(data)
     , limits_(limits)
     , size_(box_size<3>(data.points))

@@ -36,6 +36,7 @@ namespace CGAL::PN_subdivision_3::internal {
 // where r is the share that slopes have in the second form, 1 but at irregular vertices of another roundness. It keeps
 // what is refined linearly, hence the limit and its tangent plane, to third order; these are then
 // restored as by Prescription. That is repeated: what remains of the curvature is of higher order.
+template <int dimension>
 class Curvature_prescription
 {
 public:
@@ -45,7 +46,7 @@ public:
   // names: takes a vertex. Where no point or normal is prescribed but a curvature, they stay.
   // \throws std::invalid_argument where curvature cannot be prescribed
   template <class Names>
-  Curvature_prescription(const Level_connectivity& level, const Interpolation_data<3>& data,
+  Curvature_prescription(const Level_connectivity& level, const Interpolation_data<dimension>& data,
                          Surface_limits& source, std::vector<Prescribed_vertex> prescribed,
                          const std::vector<Prescribed_form>& forms, unsigned rings,
                          const Names& names)
@@ -271,7 +272,7 @@ private:
   const Interpolation_data<3>& data_;
   Surface_limits& source_;
   std::vector<Target> targets_;
-  Prescription prescription_;
+  Prescription<dimension> prescription_;
   std::vector<Functionals> functionals_; // at the last points and normals
   double most_missed_ = 0;
 };

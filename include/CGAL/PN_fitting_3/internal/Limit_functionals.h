@@ -13,6 +13,7 @@
 #include <CGAL/PN_fitting_3/internal/Curve_distance.h>
 #include <CGAL/PN_fitting_3/internal/Foot_of_point.h>
 #include <CGAL/PN_fitting_3/internal/Functional_tower.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -151,9 +152,9 @@ public:
                                               const Limit_precision& precision) = 0;
 
   // The largest distance of the limit from the points of some vertices, each sought about its vertex; distances below the
-  // tolerance need not be known any better.
-  virtual Farthest_point farthest(const Values& values, const Vectors<dimension>& points,
-                                  const std::vector<Index>& vertices, double tolerance) = 0;
+  // tolerance need not be known any better. Apart from the class, so that only what slides compiles it.
+  using Farthest = Function_ref<Farthest_point(const Values&, const Vectors<dimension>&,
+                                               const std::vector<Index>&, double)>;
 };
 
 using Surface_limits = Limit_source<3, 2>;
@@ -204,7 +205,7 @@ public:
   }
 
   Farthest_point farthest(const Values& values, const Vectors<dimension>& points,
-                          const std::vector<Index>& vertices, double tolerance) override
+                          const std::vector<Index>& vertices, double tolerance) const
   {
     return Curve_distance<dimension>(is_closed_)(values, points, vertices, tolerance);
   }

@@ -27,6 +27,7 @@ using Row_matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 // A factor of the matrix M of the linear limit points. Rows of border vertices involve border vertices
 // only and are solved first. What is left is symmetric but for a factor a row with most schemes and
 // meshes, and then positive definite; otherwise it is factored as it is.
+template <class Real = double>
 class Limit_matrix
 {
 public:
@@ -165,6 +166,7 @@ private:
 };
 
 // M for each of some coordinates, in the form that Eigen's iterative solvers ask of a preconditioner
+template <class Real>
 class Limit_preconditioner
 {
 public:
@@ -173,7 +175,7 @@ public:
   explicit Limit_preconditioner(const Matrix&)
   {}
 
-  void set(const Limit_matrix* matrix, Eigen::Index copies)
+  void set(const Limit_matrix<Real>* matrix, Eigen::Index copies)
   {
     matrix_ = matrix;
     copies_ = copies;
@@ -208,18 +210,19 @@ public:
   }
 
 private:
-  const Limit_matrix* matrix_ = nullptr;
+  const Limit_matrix<Real>* matrix_ = nullptr;
   Eigen::Index copies_ = 1;
 };
 
 // Solves a x = b to a relative tolerance by iterations with M, `copies` times, as preconditioner; by a
 // factor of a itself where M is singular or this fails. Empty if a is singular.
-inline Eigen::VectorXd solve_limit_system(const Row_matrix& a, const Eigen::VectorXd& b,
-                                          const Limit_matrix& m, Eigen::Index copies,
-                                          double tolerance)
+template <class Real>
+Eigen::VectorXd solve_limit_system(const Row_matrix& a, const Eigen::VectorXd& b,
+                                   const Limit_matrix<Real>& m, Eigen::Index copies,
+                                   double tolerance)
 {
   if (m.is_regular()) {
-    Eigen::BiCGSTAB<Row_matrix, Limit_preconditioner> solver;
+    Eigen::BiCGSTAB<Row_matrix, Limit_preconditioner<Real>> solver;
     solver.preconditioner().set(&m, copies);
     solver.setTolerance(tolerance);
     solver.setMaxIterations(60);
@@ -237,9 +240,9 @@ inline Eigen::VectorXd solve_limit_system(const Row_matrix& a, const Eigen::Vect
 
 // the factor of the matrix of the linear limit points
 template <int dimension, class Functionals>
-Limit_matrix make_limit_matrix(const Interpolation_data<dimension>& data,
-                               const std::vector<Functionals>& functionals,
-                               const Unknowns& unknowns)
+Limit_matrix<> make_limit_matrix(const Interpolation_data<dimension>& data,
+                                 const std::vector<Functionals>& functionals,
+                                 const Unknowns& unknowns)
 {
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<char> is_at_border;
@@ -252,7 +255,7 @@ Limit_matrix make_limit_matrix(const Interpolation_data<dimension>& data,
   const auto n = static_cast<Eigen::Index>(functionals.size());
   Row_matrix matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  return Limit_matrix(matrix, is_at_border);
+  return Limit_matrix<>(matrix, is_at_border);
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

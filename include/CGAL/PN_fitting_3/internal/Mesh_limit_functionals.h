@@ -93,7 +93,7 @@ public:
                                       const Limit_precision& precision) override;
 
   Farthest_point farthest(const Values& values, const Vectors<3>& points,
-                          const std::vector<Index>& vertices, double tolerance) override;
+                          const std::vector<Index>& vertices, double tolerance) const;
 
 private:
   using Average = PN_average<double, 3>;
@@ -347,7 +347,7 @@ auto Mesh_limit_functionals<Scheme>::operator()(const Values& values,
 template <class Scheme>
 Farthest_point
 Mesh_limit_functionals<Scheme>::farthest(const Values& values, const Vectors<3>& points,
-                                         const std::vector<Index>& vertices, double tolerance)
+                                         const std::vector<Index>& vertices, double tolerance) const
 {
   constexpr unsigned most_checks = 16;
   std::vector<Foot> feet;

@@ -30,6 +30,7 @@ namespace CGAL::PN_subdivision_3::internal {
 
 // See smooth_control_normals(). Points and unit normals, or zero ones, of the vertices of a level that is cut open
 // along creases; lengths have squares in the range of double.
+template <int dimension>
 class Normal_smoothing
 {
 public:

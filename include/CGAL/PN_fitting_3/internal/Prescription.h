@@ -24,13 +24,14 @@ namespace CGAL::PN_subdivision_3::internal {
 // Control points for prescribed limit points and surface normals, with the control normals as they are:
 // limit points and tangents are linear in the control points, so that one system of conditions is
 // solved, together with the smoothest change.
+template <int dimension>
 class Prescription
 {
 public:
   using Functionals = Surface_limits::Functionals;
 
   // rings: how far from the vertices control points may move
-  Prescription(const Level_connectivity& level, const Interpolation_data<3>& data,
+  Prescription(const Level_connectivity& level, const Interpolation_data<dimension>& data,
                Surface_limits& source, std::vector<Prescribed_vertex> prescribed, unsigned rings)
     : data_(data)
     , source_(source)
@@ -80,7 +81,7 @@ public:
 private:
   using Vector = Eigen_vector<3>;
   using Index = Level_connectivity::Index;
-  using Condition = Smooth_correction::Condition;
+  using Condition = typename Smooth_correction<dimension>::Condition;
 
   static constexpr double normal_tolerance = 1e-12; // in radians
   static constexpr unsigned most_rounds = 100;      // of normals
@@ -184,7 +185,7 @@ private:
   Surface_limits& source_;
   const std::vector<Prescribed_vertex> prescribed_;
   const std::vector<Index> vertices_;
-  Smooth_correction correction_;
+  Smooth_correction<dimension> correction_;
   std::vector<Functionals> functionals_;
   std::vector<double> scales_; // of the conditions
 };

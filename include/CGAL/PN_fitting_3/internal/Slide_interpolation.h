@@ -188,8 +188,10 @@ private:
 // point, nothing need be sought. Where the net is so coarse that arcs may mislead, a component for which the data
 // would be the better net becomes these.
 template <int dimension, int tangents>
-Interpolation_result<dimension> slide_and_measure(const Interpolation_data<dimension>& data,
-                                                  Limit_source<dimension, tangents>& source)
+Interpolation_result<dimension>
+slide_and_measure(const Interpolation_data<dimension>& data,
+                  Limit_source<dimension, tangents>& source,
+                  typename Limit_source<dimension, tangents>::Farthest farthest_point)
 {
   constexpr double coarse_slip = 0.25;
   constexpr unsigned most_changes = 8;
@@ -197,8 +199,8 @@ Interpolation_result<dimension> slide_and_measure(const Interpolation_data<dimen
   Limit_interpolation& report = result.report;
   if (report.slip <= report.tolerance) return result;
   const auto farthest_of = [&](const Vectors<dimension>& points) {
-    return source.farthest(to_values<dimension>(points, result.normals, data), data.points,
-                           data.vertices, data.tolerance / 8);
+    return farthest_point(to_values<dimension>(points, result.normals, data), data.points,
+                          data.vertices, data.tolerance / 8);
   };
   const auto component = [&](std::size_t v) {
     return data.components.empty() ? 0 : data.components[v];
@@ -220,11 +222,13 @@ Interpolation_result<dimension> slide_and_measure(const Interpolation_data<dimen
 
 // of the points that have a normal
 template <int dimension, int tangents>
-Interpolation_result<dimension> interpolate_by_sliding(Interpolation_data<dimension>& data,
-                                                       Limit_source<dimension, tangents>& source)
+Interpolation_result<dimension>
+interpolate_by_sliding(Interpolation_data<dimension>& data,
+                       Limit_source<dimension, tangents>& source,
+                       typename Limit_source<dimension, tangents>::Farthest farthest)
 {
   const std::size_t left_out = leave_out_without_normal(data);
-  auto result = slide_and_measure<dimension, tangents>(data, source);
+  auto result = slide_and_measure<dimension, tangents>(data, source, farthest);
   result.report.left_out = left_out;
   return result;
 }
@@ -232,11 +236,12 @@ Interpolation_result<dimension> interpolate_by_sliding(Interpolation_data<dimens
 // Normals M that are those of the surface that slides along them: the surface that interpolates with M
 // tells its normals at the points P, and they become the next M. The normal at P is that at the limit
 // point L, carried from L to P by the second fundamental form.
+template <int dimension>
 class Natural_normals
 {
 public:
   // the data, the normals of which are the first ones
-  Natural_normals(Interpolation_data<3>& data, Surface_limits& source)
+  Natural_normals(Interpolation_data<dimension>& data, Surface_limits& source)
     : data_(data)
     , source_(source)
   {}

@@ -44,6 +44,7 @@ struct Degree_ordering
 //
 // A row of U at a vertex of large valence n would give the matrix n^2 entries. Its value is an unknown s instead,
 // with the equations U d - s = 0 and, in place of U^T U d, U^T s: 2n entries.
+template <int dimension>
 class Smooth_correction
 {
 public:

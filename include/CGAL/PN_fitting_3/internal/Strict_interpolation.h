@@ -120,7 +120,7 @@ private:
     return a;
   }
 
-  void iterate(const Limit_matrix& matrix)
+  void iterate(const Limit_matrix<>& matrix)
   {
     const Row_matrix a = make_system();
     for (unsigned k = 0; k < most_steps && report_.steps < data_.max_steps; ++k) {
@@ -163,11 +163,12 @@ private:
 
 // Control points whose limit points are the given points, where control normals and roundness are those that are estimated
 // from the control points. These limits lie near the control points.
+template <int dimension>
 class Estimated_interpolation
 {
 public:
   Estimated_interpolation(const Level_connectivity& level, Control_normal_estimate estimate,
-                          Interpolation_data<3>& data, Surface_limits& source)
+                          Interpolation_data<dimension>& data, Surface_limits& source)
     : level_(level)
     , estimate_(estimate)
     , data_(data)
@@ -231,7 +232,7 @@ private:
   Surface_limits& source_;
   const bool estimates_roundness_;
   std::vector<Surface_limits::Functionals> functionals_;
-  Anderson_iteration iteration_{8, false};
+  Anderson_iteration<> iteration_{8, false};
   Eigen::VectorXd x_,
     rest_; // the control points, and what is missing, of all vertices to be interpolated
 };

@@ -27,10 +27,10 @@
 namespace CGAL::PN_subdivision_3::internal {
 
 // all control points move, as smoothly as they can
-inline Interpolation_result<3> interpolate_smoothly(const Level_connectivity& level,
-                                                    Interpolation_data<3> data,
-                                                    Surface_limits& source,
-                                                    Vectors<3> control_normals)
+template <int dimension>
+Interpolation_result<3> interpolate_smoothly(const Level_connectivity& level,
+                                             Interpolation_data<dimension> data,
+                                             Surface_limits& source, Vectors<3> control_normals)
 {
   std::vector<Prescribed_vertex> prescribed;
   for (const auto v : data.vertices) {
@@ -42,17 +42,29 @@ inline Interpolation_result<3> interpolate_smoothly(const Level_connectivity& le
                       (std::numeric_limits<unsigned>::max)())();
 }
 
-template <class Options>
-Interpolation_result<3> interpolate_mesh(const Level_connectivity& level,
-                                         Control_normal_estimate estimate, const Options& options,
-                                         bool are_estimated, Interpolation_data<3>& data,
-                                         Surface_limits& source)
+template <int dimension>
+Interpolation_result<dimension>
+interpolate_estimated(const Level_connectivity& level, Control_normal_estimate estimate,
+                      Interpolation_data<dimension>& data, Limit_source<dimension, 2>& source)
 {
-  if (are_estimated) return Estimated_interpolation(level, estimate, data, source)();
-  if (options.mode == Limit_interpolation::Mode::slide) {
-    estimate_missing_normals(level, estimate, data);
-    return interpolate_by_sliding<3, 2>(data, source);
-  }
+  return Estimated_interpolation(level, estimate, data, source)();
+}
+
+template <int dimension>
+Interpolation_result<dimension>
+slide_along_normals(const Level_connectivity& level, Control_normal_estimate estimate,
+                    Interpolation_data<dimension>& data, Limit_source<dimension, 2>& source,
+                    typename Limit_source<dimension, 2>::Farthest farthest)
+{
+  estimate_missing_normals(level, estimate, data);
+  return interpolate_by_sliding<dimension, 2>(data, source, farthest);
+}
+
+template <class Options>
+Interpolation_result<3> interpolate_strictly(const Level_connectivity& level,
+                                             const Options& options, Interpolation_data<3>& data,
+                                             Surface_limits& source)
+{
   const bool solves = options.normals == Limit_interpolation::Normals::solved && data.takes_normals;
   Solved_normals<3> control_normals = solved_or_given<3, 2>(solves, data, source);
   auto result = options.free == Limit_interpolation::Free::smooth
@@ -100,7 +112,8 @@ Interpolation_result<dimension> interpolate_polygon(bool is_closed, const Option
 {
   Curve_limit_functionals<dimension> source(is_closed);
   if (options.mode == Limit_interpolation::Mode::slide)
-    return interpolate_by_sliding<dimension, 1>(data, source);
+    return interpolate_by_sliding<dimension, 1>(
+      data, source, [&](const auto&... arguments) { return source.farthest(arguments...); });
   const bool solves = options.normals == Limit_interpolation::Normals::solved && data.takes_normals;
   Solved_normals<dimension> normals = solved_or_given<dimension, 1>(solves, data, source);
   auto result = Strict_interpolation<dimension, 1>(data, source)(std::move(normals.normals));

@@ -144,13 +144,23 @@ Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme
   return data;
 }
 
-// The control net of data that have been read: their normals are control normals, or are found. If they are estimated they
-// follow the control points.
+// The control net of data that have been read: their normals are control normals, or are found.
 template <class Options>
-Interpolation_result<3> interpolate_mesh(const Level_connectivity& level,
-                                         Control_normal_estimate estimate, const Options& options,
-                                         bool are_estimated, Interpolation_data<3>& data,
-                                         Surface_limits& source);
+Interpolation_result<3> interpolate_strictly(const Level_connectivity& level,
+                                             const Options& options, Interpolation_data<3>& data,
+                                             Surface_limits& source);
+
+// with normals that are estimated of the control points, again in each step
+template <int dimension>
+Interpolation_result<dimension>
+interpolate_estimated(const Level_connectivity& level, Control_normal_estimate estimate,
+                      Interpolation_data<dimension>& data, Limit_source<dimension, 2>& source);
+
+template <int dimension>
+Interpolation_result<dimension>
+slide_along_normals(const Level_connectivity& level, Control_normal_estimate estimate,
+                    Interpolation_data<dimension>& data, Limit_source<dimension, 2>& source,
+                    typename Limit_source<dimension, 2>::Farthest farthest);
 
 // The control net for limit points, normals and curvatures. Without curvatures control normals stay.
 template <int dimension, class Options>

@@ -41,12 +41,12 @@ namespace CGAL::PN_subdivision_3::internal {
 // the ring alone, and in it on slots. Vertices on creases are evaluated with their neighbors along the
 // crease, darts with their ring, and corners stay. If a ring is not settled, or an edge is sharp, but not forever, the
 // whole level is refined.
-template <class Scheme, class FT>
+template <class Scheme, class FT, bool points_alone = false>
 class Creased_limits
 {
 public:
   using Index = Level_connectivity::Index;
-  using Evaluation = Limit_evaluation<Scheme, FT>;
+  using Evaluation = Limit_evaluation<Scheme, FT, points_alone>;
   using Value = typename Evaluation::Value;
   using Result = typename Evaluation::Result;
   using Level = typename Evaluation::Level;
@@ -404,12 +404,15 @@ private:
   std::map<std::tuple<bool, bool, Index>, std::unique_ptr<Dart>> darts_;
 };
 
-template <class Scheme, class FT>
-auto Creased_limits<Scheme, FT>::operator()(Level& level, Creases<FT>& creases, unsigned next_round,
-                                            const std::vector<Index>* some) -> std::vector<Result>
+template <class Scheme, class FT, bool points_alone>
+auto Creased_limits<Scheme, FT, points_alone>::operator()(Level& level, Creases<FT>& creases,
+                                                          unsigned next_round,
+                                                          const std::vector<Index>* some)
+  -> std::vector<Result>
 {
   if (creases.empty()) return evaluation_(level, next_round, some);
-  if (is_anything_ending(creases)) return after_the_end(level, creases, next_round, some);
+  if constexpr (creases_may_end_v<Scheme>)
+    if (is_anything_ending(creases)) return after_the_end(level, creases, next_round, some);
   std::vector<Result> results(creases.number_of_slots);
   Creases<FT> limits = creases;
   some_ = some;
@@ -417,24 +420,26 @@ auto Creased_limits<Scheme, FT>::operator()(Level& level, Creases<FT>& creases, 
   {
     const Cut cut(level.level, creases);
     evaluate_creases(level, creases, limits, results);
-    if constexpr (!is_pn)
+    if constexpr (!is_pn && !points_alone)
       if (demand_.surface_normals) evaluate_normals(level, creases, next_round, results);
     rest =
       selected(rest, evaluate_rest(level, creases, limits, {rest, rest}, next_round, 0, results));
   }
   if (!rest.empty()) refine(level, creases, limits, std::move(rest), next_round, results);
-  if (demand_.surface_normals) {
-    const Cut cut(level.level, creases);
-    orient_normals(level, results, for_chunks_, some == nullptr || demand_.has_neighbors);
-  }
+  if constexpr (!points_alone)
+    if (demand_.surface_normals) {
+      const Cut cut(level.level, creases);
+      orient_normals(level, results, for_chunks_, some == nullptr || demand_.has_neighbors);
+    }
   creases = std::move(limits);
   return results;
 }
 
 // What finds the limits at the slots of a level.
-template <class Scheme, class FT, class Level_creases>
-using Limits_of_level = std::conditional_t<are_creases_v<Level_creases>, Creased_limits<Scheme, FT>,
-                                           Limit_evaluation<Scheme, FT>>;
+template <class Scheme, class FT, class Level_creases, bool points_alone = false>
+using Limits_of_level =
+  std::conditional_t<are_creases_v<Level_creases>, Creased_limits<Scheme, FT, points_alone>,
+                     Limit_evaluation<Scheme, FT, points_alone>>;
 
 } // namespace CGAL::PN_subdivision_3::internal
 

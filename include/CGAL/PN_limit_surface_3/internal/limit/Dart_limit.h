@@ -144,8 +144,9 @@ private:
   static void set_rules(const Mask_of& mask_of, Index valence, unsigned round, Rules& result)
   {
     using Real = Ring_masks::Real;
-    const auto matrix = dart_matrix<FT>(mask_of, valence, round);
-    const auto real_matrix = dart_matrix<Real>(mask_of, valence, round);
+    const Wheel wheel(valence, round);
+    const auto matrix = dart_matrix<FT>(mask_of, wheel, valence);
+    const auto real_matrix = dart_matrix<Real>(mask_of, wheel, valence);
     const Ring_masks masks(real_matrix, Ring_layout());
     if (masks.limit().empty()) throw std::invalid_argument(no_mask(valence));
     result = rules(matrix, limit_weights(masks.limit(), matrix));
@@ -156,27 +157,42 @@ private:
            std::to_string(valence) + " where a crease ends";
   }
 
+  // What matrices of all number types have in common: the wheel, cut open for a round, and then whole with counted valences.
+  struct Wheel
+  {
+    Wheel(Index valence, unsigned round)
+      : whole(wheel(valence, Host::refined_degree))
+      , creases(Make_creases<FT>(whole, Border::surface)(
+          [](Index e) { return e == 0 ? infinite_sharpness : 0; }, [](Index) { return 0.; }))
+      , cut(whole, creases)
+      , host(cut.connectivity(), round)
+    {
+      Vertex_ring::append(cut.connectivity(), 0, 1, rings.ring);
+      Vertex_ring::append_next(cut.connectivity(), host, 0, rings.next_ring);
+      count_valences(whole, creases);
+    }
+
+    Level_connectivity whole;
+    const Creases<FT> creases;
+    const Cut_level<FT> cut;
+    const Host host;
+    Ring_pair rings;
+  };
+
   // that of the points, which are the same on both sides of the crease
   template <class Number, class Mask_of>
-  static Ring_matrix<Number> dart_matrix(const Mask_of& mask_of, Index valence, unsigned round)
+  static Ring_matrix<Number> dart_matrix(const Mask_of& mask_of, const Wheel& wheel, Index valence)
   {
-    Level_connectivity whole = wheel(valence, Host::refined_degree);
-    const Creases<Number> creases = Make_creases<Number>(whole, Border::surface)(
-      [](Index e) { return e == 0 ? infinite_sharpness : 0; }, [](Index) { return 0.; });
-    const Cut_level<Number> cut(whole, creases);
-    const Level_connectivity& level = cut.connectivity();
-    const Host host(level, round);
-    Ring_pair rings;
-    Vertex_ring::append(level, 0, 1, rings.ring);
-    Vertex_ring::append_next(level, host, 0, rings.next_ring);
-    auto matrix = ring_matrix<Number>(host, mask_of(Number(), level), rings);
+    const Ring_pair& rings = wheel.rings;
+    auto matrix =
+      ring_matrix<Number>(wheel.host, mask_of(Number(), wheel.cut.connectivity()), rings);
     if (!matrix) throw std::invalid_argument(no_mask(valence));
 
-    count_valences(whole, creases);
-    const auto mask = mask_of(Number(), whole);
-    const Corner_slots<Number> slot_of(whole, creases);
+    const auto mask = mask_of(Number(), wheel.whole);
+    const Corner_slots<FT> slot_of(wheel.whole, wheel.creases);
     Entry_row<Number> row;
-    Slot_shares<Number, std::decay_t<decltype(mask)>>(whole, slot_of, mask).vertex(0, row);
+    Slot_shares<Number, std::decay_t<decltype(mask)>, FT>(wheel.whole, slot_of, mask)
+      .vertex(0, row);
     matrix->front().clear();
     for (const auto* e = row.begin(); e != row.end(); ++e) {
       const auto place = std::find(rings.ring.begin(), rings.ring.end(), e->vertex);

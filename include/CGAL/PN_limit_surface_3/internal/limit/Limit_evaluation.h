@@ -66,12 +66,12 @@ Valued_level<Value> level_of_round(const One_round& round, const std::vector<Val
 // see compiled_limits.h. Where the neighborhood of a
 // vertex is not settled yet but will be after one round, the round makes its ring and nothing else;
 // the faces around all other such vertices are cut out and refined until it is.
-template <class Scheme, class FT>
+template <class Scheme, class FT, bool points_alone = false>
 class Limit_evaluation
 {
 public:
   using Index = Level_connectivity::Index;
-  using Tower = Limit_tower<Scheme, FT>;
+  using Tower = Limit_tower<Scheme, FT, points_alone>;
   using Value = typename Tower::Value;
   using Result = typename Tower::Result;
   using Level = Valued_level<Value>;
@@ -114,7 +114,7 @@ private:
   using Average = typename Tower::Average;
   using One_round = Round<Scheme, Average>;
 
-  using Towers = Limit_towers<Scheme, FT>;
+  using Towers = Limit_towers<Scheme, FT, points_alone>;
   using Rings = Gathered_rings<Value, typename Towers::Vertex>;
   using Vertices = std::vector<typename Towers::Vertex>;
 
@@ -235,9 +235,10 @@ private:
   std::shared_ptr<Classes> classes_;
 };
 
-template <class Scheme, class FT>
-auto Limit_evaluation<Scheme, FT>::operator()(const Level& level, unsigned next_round,
-                                              const std::vector<Index>* some) -> std::vector<Result>
+template <class Scheme, class FT, bool points_alone>
+auto Limit_evaluation<Scheme, FT, points_alone>::operator()(const Level& level, unsigned next_round,
+                                                            const std::vector<Index>* some)
+  -> std::vector<Result>
 {
   std::vector<Result> results(level.level.number_of_vertices());
   std::vector<Index> all;
@@ -248,32 +249,33 @@ auto Limit_evaluation<Scheme, FT>::operator()(const Level& level, unsigned next_
   }
   evaluate(level, *some, next_round, 0, results.data(), some->data());
   // where points are not asked for, rings have oriented them
-  if (demand_.surface_normals && demand_.points)
-    orient_normals(level, results, for_chunks_, some == &all || demand_.has_neighbors);
+  if constexpr (!points_alone)
+    if (demand_.surface_normals && demand_.points)
+      orient_normals(level, results, for_chunks_, some == &all || demand_.has_neighbors);
   return results;
 }
 
-template <class Scheme, class FT>
-auto Limit_evaluation<Scheme, FT>::operator()(const Level& level, unsigned next_round,
-                                              const std::vector<Index>& vertices,
-                                              std::vector<Result>& results) -> void
+template <class Scheme, class FT, bool points_alone>
+auto Limit_evaluation<Scheme, FT, points_alone>::operator()(const Level& level, unsigned next_round,
+                                                            const std::vector<Index>& vertices,
+                                                            std::vector<Result>& results) -> void
 {
   results.assign(vertices.size(), Result());
   std::vector<Index> places(vertices.size());
   std::iota(places.begin(), places.end(), Index(0));
   evaluate(level, vertices, next_round, 0, results.data(), places.data());
-  if (demand_.surface_normals && demand_.points)
-    orient_normals(
-      level.level, results, for_chunks_,
-      [&](Index v) { return to_double_3(point_of(level.values[v])); },
-      [&](Index i) { return vertices[i]; });
+  if constexpr (!points_alone)
+    if (demand_.surface_normals && demand_.points)
+      orient_normals(
+        level.level, results, for_chunks_,
+        [&](Index v) { return to_double_3(point_of(level.values[v])); },
+        [&](Index i) { return vertices[i]; });
 }
 
-template <class Scheme, class FT>
-auto Limit_evaluation<Scheme, FT>::evaluate_settled(const Level& level,
-                                                    const std::vector<Index>& vertices,
-                                                    unsigned next_round, unsigned depth,
-                                                    Result_of result_of) -> std::vector<Index>
+template <class Scheme, class FT, bool points_alone>
+auto Limit_evaluation<Scheme, FT, points_alone>::evaluate_settled(
+  const Level& level, const std::vector<Index>& vertices, unsigned next_round, unsigned depth,
+  Result_of result_of) -> std::vector<Index>
 {
   const unsigned first_final_round = first_tuned_round(scheme_);
   const Settled_neighborhood<Scheme> is_settled(scheme_, level.level,
@@ -323,8 +325,9 @@ auto Limit_evaluation<Scheme, FT>::evaluate_settled(const Level& level,
   return unsettled;
 }
 
-template <class Scheme, class FT>
-auto Limit_evaluation<Scheme, FT>::require_depth(unsigned depth, unsigned next_round) const -> void
+template <class Scheme, class FT, bool points_alone>
+auto Limit_evaluation<Scheme, FT, points_alone>::require_depth(unsigned depth,
+                                                               unsigned next_round) const -> void
 {
   const unsigned first_final_round = first_tuned_round(scheme_);
   if (depth < most_rounds) return;

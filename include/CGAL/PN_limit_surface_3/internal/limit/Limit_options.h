@@ -67,6 +67,18 @@ Limit_options limit_options(const NamedParameters& np)
   return o;
 }
 
+// Whether a call names neither surface normals nor curvatures, and what finds them is not compiled. The library is for all calls.
+template <class NamedParameters>
+constexpr bool asks_for_points_alone()
+{
+#ifdef CGAL_PN_SUBDIVISION_3_LIMITS
+  return false;
+#else
+  return !is_given_v<surface_normals_t, NamedParameters> &&
+         !is_given_v<curvatures_t, NamedParameters>;
+#endif
+}
+
 // What is asked of the limit.
 struct Limit_demand
 {

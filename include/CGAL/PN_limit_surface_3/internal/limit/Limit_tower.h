@@ -44,7 +44,7 @@ struct Limit_result
 // The ring of a vertex or face is refined round by round on its own; the averages of the limit mask
 // over it converge, and their differences tell how far they have come. Rings of one class are refined
 // side by side, which changes nothing of their results.
-template <class Scheme, class FT>
+template <class Scheme, class FT, bool points_alone = false>
 class Limit_tower
 {
 public:
@@ -102,9 +102,10 @@ public:
         std::copy(next_.begin(), next_.end(), rings_.begin());
       }
       class_.limit(rings_.data(), limits_.data());
-      if (demand_.surface_normals && class_.has_tangents())
-        planes_.find(rings_.data(), limits_.data(), count_,
-                     [&](std::size_t c) { return states_[c].is_done; });
+      if constexpr (!points_alone)
+        if (demand_.surface_normals && class_.has_tangents())
+          planes_.find(rings_.data(), limits_.data(), count_,
+                       [&](std::size_t c) { return states_[c].is_done; });
       for (std::size_t c = 0; c < count_; ++c)
         if (!states_[c].is_done && advance(c, depth)) --left;
     }
@@ -172,17 +173,21 @@ private:
       result.error = limit_error(class_.error_factor(), class_.error_ratio(),
                                  distance(point, state.last_limit), state.last_step);
     bool is_last = (is_exact || depth != 0) && result.error <= demand_.tolerance;
-    if (demand_.surface_normals && class_.has_tangents()) {
-      const bool is_normal_found = note_normal(c, depth);
-      // stand-ins for normals are as exact as points
-      const bool has_to_be_close = demand_.points || !planes_[c].exists;
-      is_last = is_normal_found && (is_last || !has_to_be_close);
+    if constexpr (!points_alone) {
+      if (demand_.surface_normals && class_.has_tangents()) {
+        const bool is_normal_found = note_normal(c, depth);
+        // stand-ins for normals are as exact as points
+        const bool has_to_be_close = demand_.points || !planes_[c].exists;
+        is_last = is_normal_found && (is_last || !has_to_be_close);
+      }
+      if (demand_.curvatures && settles() && !is_spline_ && depth < curvature_depth)
+        is_last = false;
     }
-    if (demand_.curvatures && settles() && !is_spline_ && depth < curvature_depth) is_last = false;
     is_last = is_last || depth * class_.rounds() >= demand_.max_depth;
-    if (demand_.curvatures &&
-        (is_last ? depth <= most_curvature_depth : depth == most_curvature_depth))
-      note_curvature(c);
+    if constexpr (!points_alone)
+      if (demand_.curvatures &&
+          (is_last ? depth <= most_curvature_depth : depth == most_curvature_depth))
+        note_curvature(c);
     if (!is_last) {
       state.last_limit = point;
       return false;
@@ -264,13 +269,17 @@ private:
   }
 
   // what will still be transferred in the ring of `planes_`
-  std::optional<Quadratic_part<double>> remaining_part(const Vector& origin_of_ring) const
+  std::optional<Quadratic_part<double>>
+  remaining_part([[maybe_unused]] const Vector& origin_of_ring) const
   {
-    if (!transfer_ || is_spline_) return std::nullopt;
-    std::vector<Point_normal<double, 3>> ring(planes_.ring().size());
-    for (std::size_t j = 0; j < ring.size(); ++j) ring[j] = planes_.ring()[place(j)];
-    const auto degree = static_cast<Level_connectivity::Index>(Scheme::Host::refined_degree);
-    return Normal_transfer<double>(degree, class_.transfer_valence())(ring, origin_of_ring);
+    if constexpr (has_transfers)
+      if (transfer_ && !is_spline_) {
+        std::vector<Point_normal<double, 3>> ring(planes_.ring().size());
+        for (std::size_t j = 0; j < ring.size(); ++j) ring[j] = planes_.ring()[place(j)];
+        const auto degree = static_cast<Level_connectivity::Index>(Scheme::Host::refined_degree);
+        return Normal_transfer<double>(degree, class_.transfer_valence())(ring, origin_of_ring);
+      }
+    return std::nullopt;
   }
 
   // of the ring of `planes_`, whose neighbors are in front of its diagonal vertices

@@ -36,12 +36,12 @@
 namespace CGAL::PN_subdivision_3::internal {
 
 // The towers of vertices of several kinds: rings are gathered until the tower of their kind is full.
-template <class Scheme, class FT>
+template <class Scheme, class FT, bool points_alone = false>
 class Limit_towers
 {
 public:
   using Index = Level_connectivity::Index;
-  using Tower = Limit_tower<Scheme, FT>;
+  using Tower = Limit_tower<Scheme, FT, points_alone>;
   using Kind = typename Limit_classes<Scheme, FT>::Kind;
 
   // what its limit is stored in, and of which kind its ring is

@@ -84,8 +84,7 @@ std::optional<Ring_matrix<FT>> ring_matrix(const Host& host, const Mask& mask,
       if (found == place.end()) return std::nullopt;
       matrix.back().emplace_back(found->second, e->weight);
     }
-    std::stable_sort(matrix.back().begin(), matrix.back().end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    sort_stably(matrix.back(), [](const auto& entry) { return entry.first; });
     put_rest_last<FT>(matrix.back());
   }
   return matrix;

@@ -80,7 +80,7 @@ double box_size(const Valued_level<Value>& level)
 template <class FT, class Access>
 void require_sharp_for_ever(const Access& access, const Creases<FT>& creases, unsigned rounds)
 {
-  const auto require = [&](double s, const auto& name) {
+  const auto require = [&](double s, Function_ref<std::string()> name) {
     if (s == infinite_sharpness || s <= rounds) return;
     std::ostringstream message;
     message << "PN_subdivision_3: the sharpness of " << name() << " is " << s
@@ -125,13 +125,14 @@ void with_slot_level(const Access& access, const Scheme& scheme, Point_map point
 
 // The limits at the slots of a level, which are its vertices if there are no creases. These get the tangents of the
 // limit. If only some vertices are asked for, which are sorted, the others have no results.
-template <class FT, class Scheme, class Level, class Level_creases>
+template <class FT, bool points_alone = false, class Scheme, class Level, class Level_creases>
 auto limits_at_slots(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
                      Level& level, Level_creases& creases, unsigned next_round,
                      const std::vector<Level_connectivity::Index>* some = nullptr,
                      std::shared_ptr<Limit_classes<Scheme, FT>> classes = nullptr)
 {
-  Limits_of_level<Scheme, FT, Level_creases> limits(scheme, demand, for_chunks, std::move(classes));
+  Limits_of_level<Scheme, FT, Level_creases, points_alone> limits(scheme, demand, for_chunks,
+                                                                  std::move(classes));
   return limits(level, creases, next_round, some);
 }
 

@@ -134,8 +134,8 @@ struct Vertex_limits
 };
 
 // Calls sink(limits, creases of the mesh) with the limits of a mesh as its maps tell of it.
-template <class FT, class Access, class Scheme, class Point_map, class Normal_map, class Edge_map,
-          class Vertex_map, class Sink>
+template <class FT, bool points_alone, class Access, class Scheme, class Point_map,
+          class Normal_map, class Edge_map, class Vertex_map, class Sink>
 Limit_report vertex_limits(const Access& access, const Scheme& scheme, Point_map points,
                            Normal_map normals, Edge_map edge_map, Vertex_map vertex_map,
                            const Limit_options& options, const For_chunks& for_chunks,
@@ -144,8 +144,8 @@ Limit_report vertex_limits(const Access& access, const Scheme& scheme, Point_map
   Limit_report report;
   const auto evaluate = [&](auto& level, auto& creases, auto& of_mesh) {
     const Limit_demand demand = limit_demand<FT>(options, box_size(level));
-    auto results = limits_at_slots<FT>(rules_of(scheme), demand, for_chunks, level, creases,
-                                       options.rounds_done + 1);
+    auto results = limits_at_slots<FT, points_alone>(rules_of(scheme), demand, for_chunks, level,
+                                                     creases, options.rounds_done + 1);
     std::decay_t<decltype(level.values)>().swap(level.values);
     check_limits<FT>(results, [&](std::size_t v) {
       return access.vertex_name(static_cast<Level_connectivity::Index>(v));
@@ -199,7 +199,7 @@ Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const NamedParamete
     const auto normals = Parameters::normal_map(np);
     with_mesh_access(mesh, [&](const auto& access) {
       report = with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
-        return vertex_limits<FT>(
+        return vertex_limits<FT, asks_for_points_alone<NamedParameters>()>(
           access, s, points, normals, Parameters::edge_constraint_map(np),
           Parameters::vertex_constraint_map(np), options, For_chunks::with(Concurrency_tag()),
           [&](const auto& limits, auto& of_mesh) {

@@ -291,8 +291,9 @@ private:
       Set_roundness_of_value<FT>{values_.data()});
   }
 
-  template <class Normal_of>
-  void strip_all(const Normal_of& normal)
+  using Normal_of = Function_ref<Vector&(Index)>;
+
+  void strip_all(Normal_of normal)
   {
     for (const Crease_star& star : creases_.stars)
       if (is_at_crease_or_corner(star))
@@ -318,8 +319,7 @@ private:
 
   // makes the estimated normals orthogonal to the tangents of the edges beside their wedges, if that turns
   // them little
-  template <class Normal_of>
-  void strip_normals(const Crease_star& star, const Normal_of& normal) const
+  void strip_normals(const Crease_star& star, Normal_of normal) const
   {
     const Vector none = zero_vector<FT, 3>();
     std::vector<Vector> after(star.number_of_wedges, none), before = after;

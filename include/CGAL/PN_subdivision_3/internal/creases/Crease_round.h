@@ -132,6 +132,7 @@ public:
 private:
   using Host = typename Scheme::Host;
   static constexpr bool is_pn = !Is_linear<Scheme>::value;
+  static constexpr bool may_end = is_pn && creases_may_end_v<Scheme>;
 
   static bool ends(const Crease_edge<FT>& e) { return !(refined_sharpness(e.sharpness) > 0); }
 
@@ -149,11 +150,10 @@ private:
   {
     std::vector<Index> all(ended_.begin(),
                            std::lower_bound(ended_.begin(), ended_.end(), number_of_vertices()));
-    if constexpr (is_pn)
-      if (gone_) {
-        const std::vector<Index> blended = gone_->vertices();
-        all.insert(all.end(), blended.begin(), blended.end());
-      }
+    if (gone_) {
+      const std::vector<Index> blended = gone_->vertices();
+      all.insert(all.end(), blended.begin(), blended.end());
+    }
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     std::set_difference(all.begin(), all.end(), on_creases.begin(), on_creases.end(),
@@ -216,7 +216,7 @@ private:
   std::optional<One_round> round_;
   std::vector<Index> ended_;  // new slots that are not round, by their numbers
   std::vector<Index> others_; // new vertices, by their numbers
-  std::unique_ptr<Gone_round<Scheme, Average>> gone_;
+  std::conditional_t<may_end, std::unique_ptr<Gone_round<Scheme, Average>>, std::nullptr_t> gone_{};
 };
 
 template <class Scheme, class Average, class Level_creases>
@@ -231,15 +231,15 @@ Crease_round<Scheme, Average, Level_creases>::Crease_round(const Scheme& scheme,
   , refined_(creases, level, number_of_vertices())
 {
   if (needs_smooth_rules()) make_smooth_rows(number);
-  if constexpr (is_pn)
+  if constexpr (may_end) {
     if (std::any_of(creases.edges.begin(), creases.edges.end(), ends))
       ended_ = slots_at_ended(Host(level, number), level, creases, refined_);
-  if constexpr (is_pn)
     if (has_fractions(creases))
       gone_ = std::make_unique<Gone_round<Scheme, Average>>(scheme, level, creases, number);
+  }
   round_.emplace(scheme, level, number, [&] { cut_.emplace(level, creases); });
   const std::vector<Index> on_creases = vertices_on_creases();
-  find_others(on_creases);
+  if constexpr (may_end) find_others(on_creases);
   if constexpr (!std::is_floating_point_v<FT>) round_->set_vertices_of_others(on_creases);
 }
 
@@ -251,14 +251,14 @@ auto Crease_round<Scheme, Average, Level_creases>::crease_values(const For_chunk
   const typename Crease_pass<Scheme, Average>::Data data{
     scheme_, level_, creases_, *round_, pointer(smooth_rows_), pointer(smooth_normal_rows_), old_};
   std::vector<Slot_value> values = Crease_pass<Scheme, Average>(data, refined_)(for_chunks);
-  if (!others_.empty())
-    values = with_others(values, values_of_rows(*round_, others_, old_, for_chunks));
-  if constexpr (is_pn)
+  if constexpr (may_end) {
+    if (!others_.empty())
+      values = with_others(values, values_of_rows(*round_, others_, old_, for_chunks));
     if (!ended_.empty())
       for (Slot_value& v : values)
         if (std::binary_search(ended_.begin(), ended_.end(), v.first)) v.second.roundness = FT(0);
-  if constexpr (is_pn)
     if (gone_) gone_->blend(creases_, old_, refined_, values, for_chunks);
+  }
   return values;
 }
 

@@ -72,7 +72,7 @@ private:
 // every face hands its share to the slots of its own corners: to the vertex itself and to the ends of
 // an edge equal shares of every face, to a neighbor half of either face beside the edge to it, and to
 // every corner what it has as such.
-template <class FT, class Mask>
+template <class FT, class Mask, class FT_of_creases = FT>
 class Slot_shares
 {
 public:
@@ -80,7 +80,8 @@ public:
   using Row = Entry_row<FT>;
 
   // `level` is that of the mask, `slots` has those of its corners
-  Slot_shares(const Level_connectivity& level, const Corner_slots<FT>& slot_of, const Mask& mask)
+  Slot_shares(const Level_connectivity& level, const Corner_slots<FT_of_creases>& slot_of,
+              const Mask& mask)
     : level_(level)
     , slots_(slot_of)
     , mask_(mask)
@@ -140,11 +141,9 @@ private:
 
   void share_out(Row& row)
   {
-    std::stable_sort(corners_.begin(), corners_.end(),
-                     [](const Corner& a, const Corner& b) { return a.vertex < b.vertex; });
+    sort_stably(corners_, [](const Corner& c) { return c.vertex; });
     entries_.assign(mask_row_.begin(), mask_row_.end());
-    std::stable_sort(entries_.begin(), entries_.end(),
-                     [](const Entry& a, const Entry& b) { return a.vertex < b.vertex; });
+    sort_stably(entries_, [](const Entry& e) { return e.vertex; });
     shares_.clear();
     auto corner = corners_.begin();
     for (auto e = entries_.begin(); e != entries_.end();) {
@@ -190,7 +189,7 @@ private:
   }
 
   const Level_connectivity& level_;
-  const Corner_slots<FT>& slots_;
+  const Corner_slots<FT_of_creases>& slots_;
   const Mask& mask_;
   Row mask_row_;
   std::vector<Corner> corners_;

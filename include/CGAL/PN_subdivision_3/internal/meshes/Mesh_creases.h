@@ -154,7 +154,7 @@ public:
   std::vector<Value> values(const Level_connectivity& level, Point_map points, Normal_map normals,
                             Creases<FT>& creases) const
   {
-    if constexpr (is_pn_v<Scheme>)
+    if constexpr (is_pn_v<Scheme> && creases_may_end_v<Scheme>)
       if (!is_of_halfedges_v<Access, Normal_map> || !goes_on(creases))
         keep_without_fractions<FT>(level, creases, [&](Creases<FT>& others) {
           return values_of_slots(level, points, normals_without_fractions(normals), others);

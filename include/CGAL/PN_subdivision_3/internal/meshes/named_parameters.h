@@ -224,6 +224,19 @@ constexpr bool
                            (Has_crease_rules<Scheme>::value &&
                             may_be_semi_sharp<typename Parameters::Edge_constraint_map>()));
 
+// Whether what a call names as sharp may end. The libraries are compiled for maps of all kinds, as are calls that name nothing.
+template <class Parameters>
+constexpr bool creases_may_end_in_call()
+{
+#ifndef CGAL_PN_SUBDIVISION_3_DOUBLE
+  using Edge_map = typename Parameters::Edge_constraint_map;
+  using Vertex_map = typename Parameters::Vertex_constraint_map;
+  if constexpr (is_constraint_map_v<Edge_map> || is_constraint_map_v<Vertex_map>)
+    return may_be_semi_sharp<Edge_map>() || may_be_semi_sharp<Vertex_map>();
+#endif
+  return true;
+}
+
 // Masks with negative weights take what is from 0 to 1 a little beyond, from which a further call goes on.
 template <class FT, class Name>
 FT checked_roundness(const FT& w, bool may_be_refined, const Name& name)
@@ -261,8 +274,8 @@ decltype(auto) with_roundness_of_call([[maybe_unused]] const Access& access, con
   using FT = typename Parameters::FT;
   if constexpr (is_pn_v<Scheme>) {
     const auto given = read_roundness<FT, Parameters>(access, np);
-    return f(
-      With_roundness<Scheme, FT>{{scheme}, &given, varies_in_roundness_v<Scheme, Parameters>});
+    return f(With_roundness<Scheme, FT, creases_may_end_in_call<Parameters>()>{
+      {scheme}, &given, varies_in_roundness_v<Scheme, Parameters>});
   } else
     return f(scheme);
 }

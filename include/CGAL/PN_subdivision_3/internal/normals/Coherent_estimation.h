@@ -89,6 +89,7 @@ public:
 private:
   enum class Kind : char { given, empty, open, closed };
 
+public:
   // Beside the normal, which is first the reciprocal one, and its weight, which is the roundness when
   // all normals are estimated, but for what the neighbors do to it. New memory costs more than what is
   // done with it here, so numbers take the places of others.
@@ -111,6 +112,8 @@ private:
     } // when the area is of length 1
   };
   using Reciprocal_estimation = Normal_estimation<FT, Sectors, Point_of, More>;
+
+private:
   using Estimate = typename Reciprocal_estimation::Estimate;
 
   template <class Given, class Set_normal>

@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/face_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/reciprocal_normals.h>
@@ -26,12 +27,9 @@ namespace CGAL::PN_subdivision_3::internal {
 
 // Estimates the normals of sectors: closed fans by reciprocal weights, open ones by the arcs to the
 // closed ones, then those open ones whose neighbors are all open by the arcs to the former, and
-// last mixes in the angle-weighted normals of wide fans. Whoever goes on from there keeps More at each
+// last mixes in the angle-weighted normals of wide fans. The coherent estimation, which goes on from there, keeps More at each
 // sector.
-struct No_more
-{};
-
-template <class FT, class Sectors, class Point_of, class More = No_more>
+template <class FT, class Sectors, class Point_of, class More>
 class Normal_estimation
 {
 public:
@@ -56,8 +54,9 @@ public:
   {}
 
   // given(s) points to the given normal of a sector or is null, set_normal(s, n) gets all others
-  template <class Given, class Set_normal>
-  void operator()(const Given& given, const Set_normal& set_normal)
+  using Given = Function_ref<const Coordinates<FT, 3>*(Index)>;
+  using Set_normal = Function_ref<void(Index, const Coordinates<FT, 3>&)>;
+  void operator()(Given given, Set_normal set_normal)
   {
     estimate(given, set_normal, [&](Index s, const Fan& fan, const Inverted_fan<FT>& inverted) {
       Estimate& e = estimates_[s];
@@ -70,8 +69,8 @@ public:
 
   // The same, but that set_closed(s, fan, inverted_fan) may take over a closed sector: its normal is
   // not set if it returns true.
-  template <class Given, class Set_normal, class Set_closed>
-  void estimate(const Given& given, const Set_normal& set_normal, const Set_closed& set_closed)
+  using Set_closed = Function_ref<bool(Index, const Fan&, const Inverted_fan<FT>&)>;
+  void estimate(Given given, Set_normal set_normal, Set_closed set_closed)
   {
     const Index n = sectors_.number_of_sectors();
     std::vector<Index> open;
@@ -123,15 +122,13 @@ private:
     e.is_done = true;
   }
 
-  template <class Set_normal>
-  void finish(Index s, const Coordinates<FT, 3>& normal, const Set_normal& set_normal)
+  void finish(Index s, const Coordinates<FT, 3>& normal, Set_normal set_normal)
   {
     estimates_[s].is_done = true;
     set_normal(s, normal);
   }
 
-  template <class Set_closed>
-  void estimate_closed(Index s, const Fan& fan, const Set_closed& set_closed)
+  void estimate_closed(Index s, const Fan& fan, Set_closed set_closed)
   {
     Estimate& e = estimates_[s];
     inverted_.assign(level_, fan, point_);
@@ -141,8 +138,7 @@ private:
   }
 
   // estimates open fans by the arcs to known neighbors; returns those that have none
-  template <class Set_normal>
-  std::vector<Index> estimate_open(const std::vector<Index>& open, const Set_normal& set_normal)
+  std::vector<Index> estimate_open(const std::vector<Index>& open, Set_normal set_normal)
   {
     std::vector<Index> without_arcs, found;
     for (Index s : open) {
@@ -162,16 +158,14 @@ private:
     return without_arcs;
   }
 
-  template <class Set_normal>
-  void take_open_normal(Index s, const Set_normal& set_normal)
+  void take_open_normal(Index s, Set_normal set_normal)
   {
     const Fan fan = sectors_.fan(s);
     inverted_.assign(level_, fan, point_);
     set_open(s, reciprocal_normal(level_, fan, point_, inverted_), set_normal);
   }
 
-  template <class Set_normal>
-  void set_open(Index s, const Vector& normal, const Set_normal& set_normal)
+  void set_open(Index s, const Vector& normal, Set_normal set_normal)
   {
     Estimate& e = estimates_[s];
     e.normal = normal;
@@ -211,8 +205,7 @@ private:
     return quotient(t, t_length);
   }
 
-  template <class Set_normal>
-  void blend(const Set_normal& set_normal)
+  void blend(Set_normal set_normal)
   {
     const auto is_done = [this](Index s) { return estimates_[s].is_done; };
     bool all_done = true;

@@ -41,9 +41,9 @@ void estimate_normals_alone(const Level_connectivity& level, Control_normal_esti
                             const Set_normal& set_normal)
 {
   if (estimate == Control_normal_estimate::reciprocal) {
-    Normal_estimation<FT, Sectors, Point_of> estimation(level, sectors, point);
-    estimation(given, set_normal);
-    return;
+    typename Coherent_estimation<FT, Sectors, Point_of>::Reciprocal_estimation estimation(
+      level, sectors, point);
+    return estimation(given, set_normal);
   }
   Angle_weighted_normals<FT, Sectors> normals(level, sectors);
   for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f)

@@ -172,6 +172,21 @@ private:
   int shift_ = 0;
 };
 
+// By keys, equal ones in their order: by numbers of one type, so that elements of all types share the sorting.
+template <class Element, class Key>
+void sort_stably(std::vector<Element>& elements, const Key& key)
+{
+  using Index = Level_connectivity::Index;
+  std::vector<std::pair<Index, Index>> order; // keys and places
+  order.reserve(elements.size());
+  for (const Element& e : elements) order.emplace_back(key(e), static_cast<Index>(order.size()));
+  std::sort(order.begin(), order.end());
+  std::vector<Element> sorted;
+  sorted.reserve(elements.size());
+  for (const auto& of_element : order) sorted.push_back(std::move(elements[of_element.second]));
+  elements.swap(sorted);
+}
+
 } // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_STENCIL_BLOCK_H

@@ -208,7 +208,7 @@ struct Given_roundness
 
 // A scheme with a roundness, which is put around the user's scheme as the outermost adaptor. It varies in the calls that
 // estimate normals, that are given a map, or in which sharp edges end.
-template <class Scheme, class FT>
+template <class Scheme, class FT, bool creases_may_end = true>
 struct With_roundness : Scheme_adaptor<Scheme>
 {
   const Given_roundness<FT>* given = nullptr; // none is given
@@ -225,9 +225,15 @@ struct With_roundness : Scheme_adaptor<Scheme>
 template <class Scheme>
 struct Is_with_roundness : std::false_type
 {};
-template <class Scheme, class FT>
-struct Is_with_roundness<With_roundness<Scheme, FT>> : std::true_type
+template <class Scheme, class FT, bool creases_may_end>
+struct Is_with_roundness<With_roundness<Scheme, FT, creases_may_end>> : std::true_type
 {};
+
+// Whether sharpness may be used up. It is not where maps tell by bool what is sharp, and what blends wedges is not compiled then.
+template <class Scheme>
+constexpr bool creases_may_end_v = true;
+template <class Scheme, class FT, bool creases_may_end>
+constexpr bool creases_may_end_v<With_roundness<Scheme, FT, creases_may_end>> = creases_may_end;
 
 // What rounds and limits ask of a scheme. What a call says of the border, the tangents of creases and the estimate of normals is
 // known when the mesh has been read, and all such calls share the code that follows.
@@ -239,14 +245,15 @@ decltype(auto) rules_of(const Scheme& scheme)
   else
     return (scheme);
 }
-template <class Scheme, class FT>
-auto rules_of(const With_roundness<Scheme, FT>& scheme)
+template <class Scheme, class FT, bool creases_may_end>
+auto rules_of(const With_roundness<Scheme, FT, creases_may_end>& scheme)
 {
   using Rules = std::decay_t<decltype(rules_of(scheme.scheme))>;
   if constexpr (Is_linear<Rules>::value)
     return rules_of(scheme.scheme);
   else
-    return With_roundness<Rules, FT>{{rules_of(scheme.scheme)}, scheme.given, scheme.varies};
+    return With_roundness<Rules, FT, creases_may_end>{
+      {rules_of(scheme.scheme)}, scheme.given, scheme.varies};
 }
 template <class Scheme>
 using Rules_of = std::decay_t<decltype(rules_of(std::declval<const Scheme&>()))>;
