@@ -8,9 +8,18 @@
 
 // What the tests do with the page, and what they see on it.
 import assert from "node:assert/strict";
+import { mkdtempSync, rmSync } from "node:fs";
 import { readFile, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
 import path from "node:path";
 import { isFirefox } from "./browser.mjs";
+
+/** Of the tests that run. */
+export const folder = mkdtempSync(path.join(tmpdir(), "pn-page-test-"));
+process.on("exit", () => rmSync(folder, { recursive: true }));
+
+/** The faces of a cube. */
+export const quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
 
 /** Binary PLY as the page and the command write it: vertices of doubles, of which the first three are the point, then faces. */
 export function readPly(bytes) {

@@ -10,23 +10,20 @@
 //   node --test test_readers.mjs      with PN_LIBRARY, the npm package's folder, and PN_SUBDIVIDE, the command, in the environment
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
+import { readFile, writeFile } from "node:fs/promises";
 import path from "node:path";
-import { after, before, test } from "node:test";
+import { before, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { readPly } from "./page_actions.mjs";
+import { folder, readPly } from "./page_actions.mjs";
 
 const library = path.resolve(process.env.PN_LIBRARY, "library");
 const command = path.resolve(process.env.PN_SUBDIVIDE);
 const meshes = path.resolve(import.meta.dirname, "../../../data/meshes");
-let folder, modeler;
+let modeler;
 before(async () => {
-  folder = await mkdtemp(path.join(tmpdir(), "pn-readers-test-"));
   const { default: create } = await import(pathToFileURL(path.join(library, "modeler.js")));
   modeler = await create({ wasmBinary: await readFile(path.join(library, "modeler.wasm")) });
 });
-after(() => rm(folder, { recursive: true }));
 
 /** The control mesh's state, or the message of the one that refuses it. */
 function readHere(content, format) {
