@@ -245,7 +245,7 @@ TEST_F(Pn_subdivide_surfaces, AScaledFileIsTold)
   for (const double scale : {1., 1. / 3}) {
     Part part = drilled_plate();
     for (Triple& p : part.points)
-      for (double& x : p) x = scale * (std::round(1e5 * x) / 1e5);
+      for (double& x : p) x = scale * (std::round(1e4 * x) / 1e4);
     folder.write("scaled.ply", part.ply());
     const auto outcome = surface("scaled.ply", "o.ply", "--sharp surfaces");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
