@@ -23,7 +23,7 @@ fi
 logs=()
 for folder; do
   log=$folder/Testing/Temporary/LastTest.log
-  [[ -s $log ]] || { echo "$log is not there: run ctest first" >&2; exit 2; }
+  grep -q " Test: " "$log" || { echo "$log has no tests: run ctest first" >&2; exit 2; }
   logs+=("$log")
 done
 

@@ -20,6 +20,7 @@ import json
 import re
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -29,7 +30,9 @@ SECTIONS = {"short": "### Short tests", "long": "### Long tests"}
 
 
 def tiers(build: Path) -> dict[str, str]:
-    shown = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], capture_output=True, text=True, check=True)
+    with tempfile.TemporaryDirectory() as folder: # in the folder itself ctest would empty the log of the tests that are running
+        Path(folder, "CTestTestfile.cmake").write_text(f'subdirs("{build.resolve()}")\n')
+        shown = subprocess.run(["ctest", "--test-dir", folder, "--show-only=json-v1"], capture_output=True, text=True, check=True)
     result = {}
     for test in json.loads(shown.stdout)["tests"]:
         labels = next((p["value"] for p in test["properties"] if p["name"] == "LABELS"), [])
