@@ -92,12 +92,13 @@ if(NOT TARGET pn_limit_test_headers_code)
   pn_precompile_tests(pn_command_test_headers ${pn_headers_of_command_tests})
 endif()
 
-# What of the reference implementations takes long to compile, or to run without optimization; and main().
+# What of the reference implementations takes long to compile, or to run without optimization; schemes by their names; main().
 file(GLOB reference_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/reference/*.cpp)
 if(NOT TARGET CGAL::PN_subdivision_3_Eigen)
   set(reference_sources)
 endif()
-add_library(pn_test_main STATIC ${CMAKE_CURRENT_SOURCE_DIR}/support/main.cpp ${reference_sources})
+add_library(pn_test_main STATIC ${CMAKE_CURRENT_SOURCE_DIR}/support/main.cpp
+                                ${CMAKE_CURRENT_SOURCE_DIR}/support/scheme_named.cpp ${reference_sources})
 pn_test_settings(pn_test_main)
 if(NOT PN_TEST_FULL)
   set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/support/main.cpp PROPERTIES

@@ -9,6 +9,7 @@
 // meshes that are refined as a whole.
 
 #include "Named_shapes.h"
+#include "Scheme_named.h"
 #include "Scheme_runs.h"
 #include "Surface_checks.h"
 #include "support/Options.h"
@@ -17,7 +18,12 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/PN_limit_surface_3/Limit_surface.h>
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
+#include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
@@ -353,7 +359,7 @@ TEST(LimitSurface, AnySchemeIsAsTheOneThatItHolds)
   Surface_mesh mesh = to_surface_mesh(shape);
   const auto np = params::vertex_normal_map(normal_map(mesh));
   const PN::Limit_surface one(mesh, PN::CatmullClark_scheme(), np),
-    other(mesh, PN::any_scheme("catmull-clark"), np);
+    other(mesh, scheme_named("catmull-clark"), np);
   EXPECT_EQ(one.point(Face(2), 0.3, 0.6), other.point(Face(2), 0.3, 0.6));
 }
 

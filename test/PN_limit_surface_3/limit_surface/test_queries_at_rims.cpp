@@ -11,13 +11,13 @@
 #include "Crease_shapes.h"
 #include "Extent.h"
 #include "Named_shapes.h"
+#include "Scheme_named.h"
 #include "Scheme_runs.h"
 #include "Surface_checks.h"
 #include "Tagged_meshes.h"
 
 #include <CGAL/PN_limit_surface_3/Limit_surface_queries.h>
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <gtest/gtest.h>
@@ -166,7 +166,7 @@ void expect_surface(const Combination& c, int number)
                                   << int(c.creases) << ", roundness " << c.roundness
                                   << ", tolerance " << c.tolerance);
   Tagged_control control(c);
-  const PN::Any_scheme<double> scheme = PN::any_scheme(c.scheme);
+  const PN::Any_scheme<double> scheme = scheme_named(c.scheme);
   if (c.creases == Creases::finite) {
     EXPECT_THROW(Surface(control.mesh, scheme, control.parameters(c)), std::invalid_argument);
     if (CGAL::is_triangle_mesh(control.mesh))

@@ -10,13 +10,15 @@
 
 #include "Messages.h"
 #include "Named_shapes.h"
+#include "Scheme_named.h"
 #include "Scheme_runs.h"
 #include "Tessellation_cases.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_limit_surface_3/tessellate.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
+#include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -152,9 +154,9 @@ TEST(Tessellate, AllSchemesThatSplitEdges)
 {
   for (const char* name :
        {"catmull-clark", "modified-catmull-clark", "ct-catmull-clark", "kobbelt"})
-    expect_sphere(named_shapes::cube(), PN::any_scheme(name));
+    expect_sphere(named_shapes::cube(), scheme_named(name));
   for (const char* name : {"loop", "modified-loop", "ct-loop", "butterfly"})
-    expect_sphere(test_meshes::bipyramid(5), PN::any_scheme(name));
+    expect_sphere(test_meshes::bipyramid(5), scheme_named(name));
 }
 
 // \name Creases and borders
@@ -592,8 +594,8 @@ TEST(Tessellate, RefusesToleranceAndScheme)
     expect_refused(control, PN::CatmullClark_scheme(), eps, "chord error");
   expect_refused(control, PN::Sqrt3_scheme(), 0.1, "sqrt3");
   expect_refused(control, PN::DooSabin_scheme(), 0.1, "doo-sabin");
-  expect_refused(control, PN::any_scheme("sqrt3"), 0.1, "sqrt3");
-  expect_refused(control, PN::any_scheme("doo-sabin"), 0.1, "doo-sabin");
+  expect_refused(control, scheme_named("sqrt3"), 0.1, "sqrt3");
+  expect_refused(control, scheme_named("doo-sabin"), 0.1, "doo-sabin");
 }
 TEST(Tessellate, RefusesMeshes)
 {

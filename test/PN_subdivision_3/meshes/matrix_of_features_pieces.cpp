@@ -15,6 +15,7 @@
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 
 #include <algorithm>
 #include <cmath>
@@ -239,7 +240,7 @@ mesh_cases::Soup patch_for(const std::string& scheme_name)
   for (std::size_t j = 0; j < n; ++j)
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t a = j * (n + 1) + i, b = a + 1, c = b + n + 1, d = a + n + 1;
-      if (!PN::any_scheme(scheme_name).needs_triangles())
+      if (!scheme_named(scheme_name).needs_triangles())
         soup.faces.push_back({a, b, c, d});
       else if ((i + j) % 3 == 0)
         soup.faces.insert(soup.faces.end(), {{a, b, d}, {b, c, d}});
@@ -252,7 +253,7 @@ mesh_cases::Soup patch_for(const std::string& scheme_name)
 TEST(Matrix_of_features, PiecesAreWhatSubdivideMakes)
 {
   for_each_cell([](const std::string& scheme, Crease_kind creases, const auto& normals) {
-    if (!PN::any_scheme(scheme).splits_edges()) return;
+    if (!scheme_named(scheme).splits_edges()) return;
     for (const std::size_t pieces : {2, 5})
       compare_pieces(scheme, creases, normals, {false, false}, soup_for(scheme), pieces);
     compare_pieces(scheme, creases, normals, {false, false}, patch_for(scheme), 2);
@@ -262,7 +263,7 @@ TEST(Matrix_of_features, PiecesAreWhatSubdivideMakes)
 TEST(Matrix_of_features, PiecesAtTheLimitAreWhatSubdivideToLimitMakes)
 {
   for_each_cell([](const std::string& scheme, Crease_kind creases, const auto& normals) {
-    if (!PN::any_scheme(scheme).splits_edges()) return;
+    if (!scheme_named(scheme).splits_edges()) return;
     for (const Limits& limits : {Limits{true, true}, Limits{true, false}, Limits{false, true}}) {
       compare_pieces(scheme, creases, normals, limits, soup_for(scheme), 2);
       if (!tests_are_full && !std::is_same_v<decltype(normals), const Of_vertices&>) return;
@@ -292,7 +293,7 @@ TEST(Matrix_of_features, LimitsInPiecesReachAsFarAsTheyAreSought)
 {
   for (const std::string name : {"catmull-clark", "modified-loop", "kobbelt", "butterfly"}) {
     SCOPED_TRACE(name);
-    const auto scheme = PN::any_scheme(name);
+    const auto scheme = scheme_named(name);
     const bool is_of_triangles = scheme.needs_triangles();
     const auto torus = pieces_cases::torus_with_turned_edges(
       is_of_triangles ? random_meshes::Kind::triangles : random_meshes::Kind::polygons, 5);

@@ -85,7 +85,7 @@ void compare_limits(const std::string& scheme, Crease_kind creases, const Normal
 TEST(Matrix_of_features, TheLimitCarriesWhatSubdivideCarries)
 {
   for_each_cell([](const std::string& scheme, Crease_kind creases, const auto& normals) {
-    if (PN::any_scheme(scheme).keeps_vertices()) compare_limits(scheme, creases, normals);
+    if (scheme_named(scheme).keeps_vertices()) compare_limits(scheme, creases, normals);
   });
 }
 
@@ -113,7 +113,7 @@ void compare_refiners(const std::string& scheme, Crease_kind creases, const Norm
 TEST(Matrix_of_features, ARefinerCarriesWhatSubdivideCarries)
 {
   for_each_cell([](const std::string& scheme, Crease_kind creases, const auto& normals) {
-    if (!PN::any_scheme(scheme).transfers_curvature()) compare_refiners(scheme, creases, normals);
+    if (!scheme_named(scheme).transfers_curvature()) compare_refiners(scheme, creases, normals);
   });
 }
 

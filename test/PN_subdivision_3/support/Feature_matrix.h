@@ -10,13 +10,13 @@
 #define PN_SUBDIVISION_3_TEST_FEATURE_MATRIX_H
 
 #include "Mesh_cases.h"
+#include "Scheme_named.h"
 
 #include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/parameters/Default_visitor.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -87,9 +87,9 @@ inline mesh_cases::Soup two_quads()
 // a small one that the scheme takes
 inline mesh_cases::Soup soup_for(const std::string& scheme_name)
 {
-  return PN::any_scheme(scheme_name).needs_triangles() ? mesh_cases::triangles_with_border()
-         : scheme_name == "kobbelt"                    ? two_quads() // it takes quadrilaterals only
-                                                       : mesh_cases::mixed_with_border();
+  return scheme_named(scheme_name).needs_triangles() ? mesh_cases::triangles_with_border()
+         : scheme_name == "kobbelt"                  ? two_quads() // it takes quadrilaterals only
+                                                     : mesh_cases::mixed_with_border();
 }
 
 struct Case
@@ -99,9 +99,9 @@ struct Case
   {}
   Case(const std::string& scheme_name, Crease_kind creases, Attribute_kind attributes,
        const mesh_cases::Soup& soup)
-    : scheme(PN::internal::with_border(PN::any_scheme(scheme_name), creases == Crease_kind::border
-                                                                      ? PN::Border::curve
-                                                                      : PN::Border::surface))
+    : scheme(PN::internal::with_border(scheme_named(scheme_name), creases == Crease_kind::border
+                                                                    ? PN::Border::curve
+                                                                    : PN::Border::surface))
   {
     mesh_cases::build(soup, mesh);
     normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("n", CGAL::NULL_VECTOR).first;
@@ -286,7 +286,7 @@ template <class Normals>
 bool is_known(const std::string& scheme_name, Crease_kind creases, const Normals&,
               Attribute_kind attributes)
 {
-  const auto scheme = PN::any_scheme(scheme_name);
+  const auto scheme = scheme_named(scheme_name);
   const bool is_creased = creases != Crease_kind::none || std::is_same_v<Normals, Of_corners>;
   const bool is_split = attributes != Attribute_kind::none &&
                         attributes != Attribute_kind::vertices &&
@@ -298,18 +298,17 @@ bool is_known(const std::string& scheme_name, Crease_kind creases, const Normals
 template <class Function>
 void for_each_cell(const Function& f)
 {
-  PN::for_each_shipped_scheme([&](const auto& scheme) {
+  for (const std::string& scheme : names_of_schemes())
     for (const Crease_kind creases : crease_kinds) {
       const auto call = [&](const auto& normals) {
-        SCOPED_TRACE(std::string(scheme.name()) + ", " + name(creases) + ", " + normals.name);
-        f(scheme.name(), creases, normals);
+        SCOPED_TRACE(scheme + ", " + name(creases) + ", " + normals.name);
+        f(scheme, creases, normals);
       };
       call(Estimated());
       call(Linear());
       call(Of_vertices());
       call(Of_corners());
     }
-  });
 }
 
 template <class T>

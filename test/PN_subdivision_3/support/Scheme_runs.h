@@ -20,6 +20,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <gtest/gtest.h>
+
 #include <limits>
 #include <set>
 #include <sstream>
