@@ -150,10 +150,11 @@ private:
   {
     std::vector<Index> all(ended_.begin(),
                            std::lower_bound(ended_.begin(), ended_.end(), number_of_vertices()));
-    if (gone_) {
-      const std::vector<Index> blended = gone_->vertices();
-      all.insert(all.end(), blended.begin(), blended.end());
-    }
+    if constexpr (may_end)
+      if (gone_) {
+        const std::vector<Index> blended = gone_->vertices();
+        all.insert(all.end(), blended.begin(), blended.end());
+      }
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     std::set_difference(all.begin(), all.end(), on_creases.begin(), on_creases.end(),
