@@ -63,9 +63,9 @@ def run_seconds(build: Path) -> dict[str, float]:
 
 
 def joined(build: Path, name: str) -> str:
-    """The tests that a program is joined of."""
+    """The tests that a program is joined of; those of the command without its name."""
     source = build / "test" / "PN_subdivision_3" / "joined" / f"{name}.cpp"
-    names = re.findall(r"/test_(\w+)\.cpp\"", source.read_text()) if source.exists() else []
+    names = re.findall(r"/test_(?:pn_subdivide_)?(\w+)\.cpp\"", source.read_text()) if source.exists() else []
     return f": {', '.join(names)}" if names else ""
 
 
