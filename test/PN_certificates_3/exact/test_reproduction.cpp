@@ -281,8 +281,9 @@ TEST(Reversed_normal, MovesASphereByLessThanAnEdge)
       normals[v] = {double(r[0]), double(r[1]), double(r[2])};
     }
     const auto refine = [&](unsigned rounds) {
-      CGAL::PN_subdivision_3::Loop_subdivision(
-        mesh, CGAL::parameters::vertex_normal_map(normals).number_of_iterations(rounds));
+      CGAL::PN_subdivision_3::subdivide(
+        mesh, CGAL::PN_subdivision_3::Loop_scheme(),
+        CGAL::parameters::vertex_normal_map(normals).number_of_iterations(rounds));
     };
     refine(2);
     ASSERT_EQ(mesh.number_of_vertices(), 162u);
