@@ -11,6 +11,8 @@
 #include "Mesh_files.h"
 #include "Schemes.h"
 
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
+
 #include <type_traits>
 
 namespace {
