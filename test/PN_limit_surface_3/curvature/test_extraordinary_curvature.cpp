@@ -340,9 +340,11 @@ TEST_P(Transfer, IsNoLessFairThanTheModifiedScheme)
               return data::with_estimated_normals(net, data::cubic);
             }),
             1.02);
-  if (c.quads && c.valence >= 5) {
+  if (c.quads && c.valence >= 5) { // odd valences have no opposite spokes, and gain less
     EXPECT_LE(ratio([](const data::Extraordinary_net& net) { return data::cylinder_cap(net); }),
-              c.valence == 5 ? .65 : .4);
+              c.valence == 5   ? .65
+              : c.valence == 7 ? .5
+                               : .4);
   }
 }
 
