@@ -35,7 +35,7 @@ foreach(header ${headers})
 endforeach()
 
 list(REMOVE_DUPLICATES external)
-list(FILTER external EXCLUDE REGEX "^test_support/|parameters_interface.h$") # calls of macros that whoever includes it defines
+list(FILTER external EXCLUDE REGEX "^(test_support|schemes)/|parameters_interface.h$") # ours; calls of macros that whoever includes it defines
 list(TRANSFORM external REPLACE "(.+)" "<\\1>")
 
 # the headers of others are not ours to mend: they come before the macros
