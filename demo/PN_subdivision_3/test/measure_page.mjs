@@ -8,8 +8,9 @@
 
 // How fast the page is here: node measure_page.mjs PAGE.html
 import { readFile } from "node:fs/promises";
-import { gzipSync } from "node:zlib";
-import { withPage } from "./browser.mjs";
+import { createServer } from "node:http";
+import { brotliCompressSync, gzipSync } from "node:zlib";
+import { withBrowser, withPage } from "./browser.mjs";
 
 const [, , file] = process.argv;
 const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
@@ -21,6 +22,26 @@ const ready = [];
 for (let i = 0; i < 5; ++i)
   ready.push(await withPage(file, {}, (page) => page.evaluate(() => Number(document.documentElement.dataset.ready))));
 console.log(`first picture after ${median(ready)} ms (${ready.join(", ")})`);
+
+// as it comes by brotli at 1.6 Mbit/s
+const sent = brotliCompressSync(html);
+const headers = { "content-type": "text/html; charset=utf-8", "content-encoding": "br" };
+const server = createServer((_, answer) => answer.writeHead(200, headers).end(sent)).listen(0);
+const painted = [];
+for (let i = 0; i < 5; ++i)
+  painted.push(await withBrowser(async (browser) => {
+    const page = await browser.newPage();
+    const session = await page.context().newCDPSession(page);
+    await session.send("Network.emulateNetworkConditions", { offline: false, latency: 0, downloadThroughput: 200_000, uploadThroughput: 200_000 });
+    await page.goto(`http://localhost:${server.address().port}/`, { waitUntil: "commit" });
+    const seen = await page.waitForFunction(() =>
+      performance.getEntriesByName("first-contentful-paint").length && [...document.querySelectorAll("#loading img")].every((i) => i.complete) && performance.now());
+    const paint = await seen.jsonValue();
+    await page.close();
+    return Math.round(paint);
+  }));
+server.close();
+console.log(`at 1.6 Mbit/s the first surfaces are seen after ${median(painted)} ms (${painted.join(", ")})`);
 
 for (const [rounds, layout, isRound] of [[4, "pn", true], [4, "pn", false], [4, "both", false], [5, "pn", false]])
   await withPage(file, { hash: "#head" }, async (page) => {
