@@ -213,9 +213,7 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
     if (is_interpolated(v)) data.vertices.push_back(v);
   }
   divide_by_size(data);
-  data.tolerance = options.tolerance * box_size<3>(data.points);
-  data.max_depth = (std::max)(1u, options.max_depth);
-  data.max_steps = options.max_steps;
+  set_demand(options, data);
   std::vector<Level_connectivity::Index> vertex_of_slot(n);
   std::iota(vertex_of_slot.begin(), vertex_of_slot.end(), Level_connectivity::Index(0));
   const auto extra = vertices_of_extra_slots(creases, n);
@@ -227,9 +225,7 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
   auto result =
     interpolate_creased<3>(data, Creased_limit_points<Rules_of<Scheme_of_call>>(
                                    rules, valued, fixed, vertex_of_slot, data, for_chunks));
-  multiply_by_size(data.exponent, result.report);
-  multiply_by_size<FT, 3>(data.exponent, data.points);
-  multiply_by_size<FT, 3>(data.exponent, result.points);
+  multiply_by_size<FT>(data, result);
 
   Undoable_vertices<Access, std::decay_t<decltype(points)>> new_points(access, points);
   for (Level_connectivity::Index v = 0; v < n; ++v)

@@ -151,6 +151,21 @@ inline void multiply_by_size(int exponent, Limit_interpolation& report)
     *length = std::ldexp(*length, exponent);
   report.curvature_residual = std::ldexp(report.curvature_residual, -exponent);
 }
+template <class FT, int dimension>
+void multiply_by_size(Interpolation_data<dimension>& data, Interpolation_result<dimension>& result)
+{
+  multiply_by_size(data.exponent, result.report);
+  multiply_by_size<FT, dimension>(data.exponent, data.points);
+  multiply_by_size<FT, dimension>(data.exponent, result.points);
+}
+
+template <int dimension>
+void set_demand(const Interpolation_options& options, Interpolation_data<dimension>& data)
+{
+  data.tolerance = options.tolerance * box_size(data.points);
+  data.max_depth = (std::max)(1u, options.max_depth); // the estimate of the error needs one
+  data.max_steps = options.max_steps;
+}
 
 // takes vertices without a normal off those to be interpolated; how many
 template <int dimension>
