@@ -127,7 +127,7 @@ Limit_report limits_of_call(const PolygonMesh& mesh, const Scheme& scheme, Limit
     return on_primal_host<Limit_report, Call>(scheme, of_scheme);
 }
 
-// the elements that have limits: those of the map of points, normals or errors that is given
+// the keys of elements that have limits, by the map of points, normals or errors that is given
 template <class PolygonMesh, class NamedParameters>
 struct Key_of_limits
 {

@@ -54,7 +54,7 @@ public:
     , for_chunks_(for_chunks)
   {}
 
-  // those of the data's vertices take the places of the points
+  // Puts the limit points of the data's vertices in place of their control points.
   void operator()(Vectors<3>& points, double tolerance, Limit_interpolation* report) const
   {
     for (std::size_t slot = 0; slot < level_.values.size(); ++slot)

@@ -40,13 +40,13 @@ struct Interpolation_data
   using Index = std::uint32_t;
 
   Vectors<dimension> points;       // of all vertices
-  Vectors<dimension> normals;      // likewise; unit vectors or zero
-  Vectors<dimension> binormals;    // likewise, of curves in space only
-  std::vector<Index> vertices;     // those to be interpolated
-  std::vector<double> roundness;   // likewise; none: 1
+  Vectors<dimension> normals;      // of all vertices; unit vectors or zero
+  Vectors<dimension> binormals;    // of all vertices, of curves in space only
+  std::vector<Index> vertices;     // to be interpolated
+  std::vector<double> roundness;   // of all vertices; empty: 1
   std::vector<char> is_at_border;  // of all vertices
-  std::vector<double> edge_length; // likewise, the mean
-  std::vector<Index> components;   // likewise, to which they belong; none: all to one
+  std::vector<double> edge_length; // the mean of the edges at each vertex
+  std::vector<Index> components;   // to which each vertex belongs; empty: all to one
   bool takes_normals = true;       // if not, the scheme is linear
   int exponent = 0;                // of the power of two by which lengths have been divided
   double tolerance = 0;            // absolute
@@ -116,7 +116,7 @@ double box_size(const std::vector<Eigen::Matrix<double, dimension, 1>>& points)
   return (greatest - least).maxCoeff();
 }
 
-// Divides points of which squares would be out of range by a power of two, which changes no bit of theirs.
+// Divides points of which squares would be out of range by a power of two, which changes no bit of the coordinates.
 template <int dimension>
 void divide_by_size(Interpolation_data<dimension>& data)
 {
@@ -129,7 +129,7 @@ void divide_by_size(Interpolation_data<dimension>& data)
     for (double& x : p) x = std::ldexp(x, -data.exponent);
 }
 
-// Undoes it.
+// Undoes divide_by_size().
 template <class FT, int dimension>
 void multiply_by_size(int exponent, Vectors<dimension>& points)
 {

@@ -94,7 +94,7 @@ private:
   using Reals = std::vector<Real>;
   using Vector = std::vector<FT>;
 
-  // those that the first one comes to depend on, ascending: all others have the weight 0
+  // the points of the ring that the first one comes to depend on, ascending: all others have the weight 0
   static std::vector<std::uint32_t> places(const Ring_matrix<FT>& matrix)
   {
     std::vector<char> is_reached(matrix.size(), 0);

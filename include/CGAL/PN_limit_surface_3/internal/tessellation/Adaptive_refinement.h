@@ -105,10 +105,10 @@ private:
   static constexpr std::ptrdiff_t limits_at_once = 1 << 13;
 
   // \name Limits
-  // those at the slots, where only some vertices are asked for, at theirs
+  // limits at all slots, or at those of some vertices
   Results limits(Level& level, const std::vector<Index>* some)
   {
-    // these get the tangents of the limit, with which no round goes on
+    // a copy, since its tangents become those of the limit, with which no round goes on
     Level_creases creases = level.creases;
     return limits_(level.level, creases, rounds_ + 1, some);
   }
@@ -284,7 +284,7 @@ private:
     return next;
   }
 
-  // those on the faces that are split
+  // the new vertices on the faces that are split
   std::vector<Index> new_vertices(const Level& level) const
   {
     const Level_connectivity& old = level.level.level;

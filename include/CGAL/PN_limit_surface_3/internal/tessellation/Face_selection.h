@@ -39,7 +39,7 @@ struct Tessellation_demand
   bool is_proven = false;
 };
 
-// Which faces of the levels are split: those that are not flat enough for a tolerance that the number of triangles allows.
+// Selects the faces of the levels that are split: they are not flat enough for a tolerance that the number of triangles allows.
 // Every face that is seen becomes a node of a tree, the others its leaves.
 template <class Host, class FT, class Value, class Level_creases>
 class Face_selection

@@ -132,7 +132,7 @@ class Carried_through : public Carried_rounds<FT, Host>
 public:
   using Index = Level_connectivity::Index;
 
-  // `extra_slots` are the vertices of the slots behind those of the vertices, see Creases
+  // `extra_slots` has the vertices of the further slots, see Creases
   template <class Access>
   Carried_through(const Carry& carry, const Access& access, const Level_connectivity& level,
                   const std::vector<Index>& extra_slots, const Control_sharpness& sharpness,

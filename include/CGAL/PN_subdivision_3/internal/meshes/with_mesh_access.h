@@ -52,11 +52,11 @@ public:
   }
 
   bool are_slots() const { return removed_ == 0; }
-  Index number() const { return number_; } // of those that are there
+  Index number() const { return number_; } // of elements that are not removed
   Index slot(Index i) const { return i < slots_.size() ? slots_[i] : i + removed_; }
   std::uint64_t slots_for(std::uint64_t n) const { return n + removed_; }
 
-  // from slots to numbers; null for those that are removed, or none
+  // from slots to numbers; null for slots of removed elements, or beyond the last
   class Inverse
   {
   public:

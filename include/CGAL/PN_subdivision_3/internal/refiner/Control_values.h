@@ -142,7 +142,7 @@ public:
     if constexpr (has_normals)
       for (const Index v : several_normals_) given_to_several_.push_back(values_[v].normal);
   }
-  // that of a vertex with several normals, too, which holds where it has one; null if none was given
+  // the given normal of a vertex, even if its corners have several, for levels where it has one; null if there is none
   const Vector* given_normal(Index v) const
   {
     if (is_estimated_ && !is_given_[v]) return nullptr;
