@@ -35,7 +35,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// The towers of vertices of several kinds: rings are gathered until the tower of their kind is full.
+// The limits of vertices of several kinds: rings are gathered until there are as many of a kind as are refined at once.
 template <class Scheme, class FT, bool points_alone = false>
 class Limit_towers
 {
@@ -78,7 +78,7 @@ public:
   }
 
 private:
-  // number types that may not decide a comparison have one vertex in a tower
+  // of number types that may not decide a comparison one ring is refined at once
   static void evaluate(Tower& tower, [[maybe_unused]] Index v)
   {
     if constexpr (std::is_floating_point_v<FT>)

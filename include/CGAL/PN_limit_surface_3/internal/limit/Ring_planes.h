@@ -207,7 +207,7 @@ inline void find_valences(const Level_connectivity& level, const Level_connectiv
   }
 }
 
-// Rings of a level on their way to the towers. Values are far from each other in a level: they are asked for when a ring
+// Rings of a level before they are refined. Values are far from each other in a level: they are asked for when a ring
 // is found, and used some rings later, when they have come from memory.
 template <class Value, class Vertex>
 class Gathered_rings

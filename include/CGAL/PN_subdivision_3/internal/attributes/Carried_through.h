@@ -77,7 +77,7 @@ public:
     refine(scheme, refiner, round);
   }
 
-  // Those of a part of the level, of which its slots in the level are given.
+  // The attributes of a part of the level, given its slots in the level.
   Carried_rounds part(const Level_part& part, const std::vector<Level_part::Index>& slot_ids,
                       const typename Rounds::Chart_slots& chart_slots) const
   {
@@ -122,7 +122,7 @@ public:
   }
 };
 
-// What a Carrier carries through the rounds of a call.
+// The attributes of a call in its rounds.
 template <class FT, class Host, class Carry, bool = Carry::is_empty>
 class Carried_through : public Carried_rounds<FT, Host>
 {

@@ -129,7 +129,7 @@ struct Call_round_done
   Visitor& visitor;
 };
 
-// What a call carries beside points and normals: its attributes, and what its
+// What a call refines beside points and normals: its attributes, and what its
 // visitor asks for.
 template <class Mesh, class Visitor, class Attributes>
 struct Carrier
