@@ -97,7 +97,7 @@ private:
   std::optional<Level_connectivity> whole_; // the level of a round with creases, before it is cut
 };
 
-// With nothing to carry there is nothing to do.
+// Without attributes there is nothing to do.
 template <class FT, class Host>
 class Carried_rounds<FT, Host, false>
 {
