@@ -19,24 +19,12 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 
 namespace CGAL::PN_subdivision_3 {
 namespace internal {
-
-template <class Access, class VertexMap>
-bool is_interpolated([[maybe_unused]] const Access& access, [[maybe_unused]] const VertexMap& map,
-                     [[maybe_unused]] Level_connectivity::Index v)
-{
-  if constexpr (std::is_same_v<VertexMap, All_vertices>)
-    return true;
-  else
-    return static_cast<bool>(get(map, access.vertex(v)));
-}
 
 // The control net of data that have been read. A way that the call does not name is not compiled.
 template <bool has_normal_map, class NamedParameters, class Scheme, class Source>
@@ -220,12 +208,11 @@ interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
     const auto vertices =
       internal::parameter_or<internal::vertex_is_interpolated_map_t>(np, internal::All_vertices());
     const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
-    Limit_interpolation report;
-    internal::with_mesh_access(mesh, [&](auto& access) {
+    return internal::with_mesh_access(mesh, [&](auto& access) {
       const Level_connectivity level = internal::checked_level(access);
       using Access = std::decay_t<decltype(access)>;
       const auto is_interpolated = [&](Level_connectivity::Index v) {
-        return internal::is_interpolated(access, vertices, v);
+        return static_cast<bool>(get(vertices, access.vertex(v)));
       };
       if constexpr (internal::may_have_creases_v<Scheme, Access, typename Parameters::Normal_map,
                                                  typename Parameters::Edge_constraint_map,
@@ -233,16 +220,15 @@ interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
         if (const std::string what = internal::what_is_sharp(
               scheme, access, level, Parameters::normal_map(np),
               Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np));
-            !what.empty()) {
-          report = internal::interpolate_with_creases<FT>(access, scheme, level, mesh, np, options,
-                                                          what, for_chunks, is_interpolated);
-          return;
-        }
-      if constexpr (!internal::is_of_halfedges_v<Access, typename Parameters::Normal_map>)
-        report = internal::interpolate_without_creases<FT>(access, scheme, level, mesh, np, options,
-                                                           for_chunks, is_interpolated);
+            !what.empty())
+          return internal::interpolate_with_creases<FT>(access, scheme, level, mesh, np, options,
+                                                        what, for_chunks, is_interpolated);
+      if constexpr (internal::is_of_halfedges_v<Access, typename Parameters::Normal_map>)
+        return Limit_interpolation(); // what_is_sharp() has told of the normals of corners
+      else
+        return internal::interpolate_without_creases<FT>(access, scheme, level, mesh, np, options,
+                                                         for_chunks, is_interpolated);
     });
-    return report;
   }
 }
 

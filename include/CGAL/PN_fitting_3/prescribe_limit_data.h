@@ -241,12 +241,10 @@ Limit_interpolation prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme
     internal::check_tolerance(options.tolerance);
     internal::check_tolerance(options.curvature_tolerance);
     internal::check_prescribed_curvatures<PolygonMesh, Scheme, NamedParameters>();
-    Limit_interpolation report;
-    internal::with_mesh_access(mesh, [&](const auto& access) {
-      report = internal::prescribe_on(access, mesh, scheme, np, options,
-                                      internal::For_chunks::with(Concurrency_tag()));
+    return internal::with_mesh_access(mesh, [&](const auto& access) {
+      return internal::prescribe_on(access, mesh, scheme, np, options,
+                                    internal::For_chunks::with(Concurrency_tag()));
     });
-    return report;
   }
 }
 

@@ -24,6 +24,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <stdexcept>
@@ -91,14 +92,11 @@ Creases<double> in_double(const Creases<FT>& creases)
     return creases;
   else {
     Creases<double> result;
-    for (const Crease_edge<FT>& e : creases.edges)
-      result.edges.push_back({e.edge,
-                              e.control_edge,
-                              e.sharpness,
-                              e.border_side,
-                              e.after,
-                              e.before,
-                              {to_double_3(e.tangent_from[0]), to_double_3(e.tangent_from[1])}});
+    for (const Crease_edge<FT>& e : creases.edges) {
+      const auto& [t, u] = e.tangent_from;
+      result.edges.push_back({e.edge, e.control_edge, e.sharpness, e.border_side, e.after, e.before,
+                              std::array{to_double_3(t), to_double_3(u)}});
+    }
     result.ends = creases.ends;
     result.stars = creases.stars;
     result.number_of_slots = creases.number_of_slots;

@@ -9,8 +9,8 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_INTERPOLATION_DATA_H
 #define CGAL_PN_FITTING_3_INTERNAL_INTERPOLATION_DATA_H
 
-#include <CGAL/PN_fitting_3/internal/Interpolation_options.h>
 #include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
+#include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>

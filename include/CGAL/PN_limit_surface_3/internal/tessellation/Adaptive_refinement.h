@@ -16,7 +16,6 @@
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Face_selection.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Split_edges.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation_attributes.h>
-#include <CGAL/PN_limit_surface_3/tessellation/Tessellation_result.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
@@ -26,15 +25,12 @@
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <deque>
-#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -81,7 +77,6 @@ public:
   }
 
   Selection& selection() { return selection_; }
-  const Selection& selection() const { return selection_; }
   Split_edges<FT>& all() { return all_; }
   const Split_edges<FT>& all() const { return all_; }
   // vertices that are not used go

@@ -26,7 +26,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// how many there are where the tolerance is out of reach
+// how many triangles there are where the tolerance is out of reach
 constexpr double triangles_out_of_reach = 0x1p18;
 
 struct Tessellation_demand
@@ -40,7 +40,7 @@ struct Tessellation_demand
 };
 
 // Selects the faces of the levels that are split: they are not flat enough for a tolerance that the number of triangles allows.
-// Every face that is seen becomes a node of a tree, the others its leaves.
+// Every face becomes a node of a tree once it is decided; faces that are not split are its leaves.
 template <class Host, class FT, class Value, class Level_creases>
 class Face_selection
 {
@@ -70,7 +70,6 @@ public:
   double tolerance() const { return tolerance_; }
   Obstacle obstacle() const { return obstacle_; }
   std::deque<Tessellation_node>& nodes() { return nodes_; }
-  const std::deque<Tessellation_node>& nodes() const { return nodes_; }
   // of each node, if there are any
   const std::vector<std::vector<double>>& corners_of_nodes() const { return corners_of_nodes_; }
 

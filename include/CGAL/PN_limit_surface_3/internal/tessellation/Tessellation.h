@@ -90,7 +90,7 @@ public:
 
   // What has been reached, in the unit of the coordinates.
   template <class Refinement>
-  void report(const Refinement& refinement, const Leaf_triangles<FT>& triangles,
+  void report(Refinement& refinement, const Leaf_triangles<FT>& triangles,
               Tessellation_result& report) const
   {
     const Tessellation_demand& demand = refinement.selection().demand();

@@ -24,7 +24,6 @@
 #include <boost/type_traits/detected_or.hpp>
 
 #include <algorithm>
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>

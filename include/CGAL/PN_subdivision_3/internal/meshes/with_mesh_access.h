@@ -272,16 +272,16 @@ template <class Property_map>
 constexpr bool has_concurrent_put_v =
   decltype(is_surface_mesh_map(static_cast<const Property_map*>(nullptr)))::value;
 
-// calls f(access) with the access that fits the mesh
+// returns f(access) with the access that fits the mesh
 template <class Mesh, class Function>
-void with_mesh_access(Mesh& mesh, const Function& f)
+auto with_mesh_access(Mesh& mesh, const Function& f)
 {
   if constexpr (Refinable_mesh_traits<std::remove_const_t<Mesh>>::has_slots) {
     Surface_mesh_access<Mesh> access(mesh);
-    f(access);
+    return f(access);
   } else {
     Bgl_mesh_access<Mesh> access(mesh);
-    f(access);
+    return f(access);
   }
 }
 
