@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_fitting_3/internal/Interpolation_options.h>
 #include <CGAL/PN_fitting_3/internal/find_control_net.h>
+#include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_fitting_3/smooth_control_normals.h>
 
 namespace CGAL::PN_subdivision_3::internal {

@@ -289,13 +289,10 @@ compare_with_linear(const ControlMesh& control, const PolygonMesh& result,
     });
     return level;
   };
-  Comparison_with_linear comparison;
-  internal::with_mesh_access(control, [&](const auto& access) {
-    comparison =
-      internal::compare_levels(access, read(control, np), Parameters::edge_constraint_map(np),
-                               read(result, np_result), read(linear_result, np_linear));
+  return internal::with_mesh_access(control, [&](const auto& access) {
+    return internal::compare_levels(access, read(control, np), Parameters::edge_constraint_map(np),
+                                    read(result, np_result), read(linear_result, np_linear));
   });
-  return comparison;
 }
 
 } // namespace CGAL::PN_subdivision_3

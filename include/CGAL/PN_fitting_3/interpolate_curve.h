@@ -200,14 +200,10 @@ auto interpolate_curve(const Range& polygon, const Mask& mask, Curve_end end,
     data.takes_normals = !is_linear;
     if constexpr (internal::Curve_parameters<Range, NamedParameters>::has_roundness)
       data.roundness.assign(result.size(), internal::close_double(roundness));
-    data.tolerance = options.tolerance * internal::box_size(data.points);
-    data.max_depth = (std::max)(1u, options.max_depth);
-    data.max_steps = options.max_steps;
+    internal::set_demand(options, data);
     auto solution = internal::interpolate_polygon(end == Curve_end::closed, options, data);
+    internal::multiply_by_size<typename Points::FT>(data, solution);
     report = solution.report;
-    internal::multiply_by_size(data.exponent, report);
-    internal::multiply_by_size<typename Points::FT, dimension>(data.exponent, data.points);
-    internal::multiply_by_size<typename Points::FT, dimension>(data.exponent, solution.points);
     for (std::size_t i = 0; i < result.size(); ++i) {
       if (solution.points[i] != data.points[i])
         result[i].first = internal::from_coordinates<typename Points::Point>(

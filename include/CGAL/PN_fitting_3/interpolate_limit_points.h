@@ -19,23 +19,82 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
-#include <boost/property_map/property_map.hpp>
-
-#include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 
 namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
-template <class Access, class VertexMap>
-bool is_interpolated([[maybe_unused]] const Access& access, [[maybe_unused]] const VertexMap& map,
-                     [[maybe_unused]] Level_connectivity::Index v)
+// The control net of data that have been read. A way that the call does not name is not compiled.
+template <bool has_normal_map, class NamedParameters, class Scheme, class Source>
+Interpolation_result<3> control_net(const Scheme& scheme, const Level_connectivity& level,
+                                    const Interpolation_options& options,
+                                    Interpolation_data<3>& data, Source& source)
 {
-  if constexpr (std::is_same_v<VertexMap, All_vertices>)
-    return true;
+  const Control_normal_estimate estimate = normal_estimate(scheme);
+  if constexpr (is_pn_v<Scheme> && !has_normal_map) {
+    if (options.free == Limit_interpolation::Free::smooth)
+      throw std::invalid_argument(
+        "PN_subdivision_3: without normals control points move where they "
+        "are interpolated only: give a vertex_normal_map, or take "
+        "Limit_interpolation::Free::fixed");
+    return interpolate_estimated(level, estimate, data, source);
+  } else {
+    if constexpr (is_given_v<interpolation_mode_t, NamedParameters>)
+      if (options.mode == Limit_interpolation::Mode::strict)
+        return interpolate_strictly(level, options, data, source);
+    return slide_along_normals(level, estimate, data, source, [&](const auto&... arguments) {
+      return source.farthest(arguments...);
+    });
+  }
+}
+
+// Reads a mesh on which nothing is sharp, interpolates, and writes the control points and normals.
+template <class FT, class Access, class Scheme, class Mesh, class NamedParameters,
+          class Is_interpolated>
+Limit_interpolation
+interpolate_without_creases(const Access& access, const Scheme& scheme,
+                            const Level_connectivity& level, Mesh& mesh, const NamedParameters& np,
+                            const Interpolation_options& options, const For_chunks& for_chunks,
+                            const Is_interpolated& is_interpolated)
+{
+  using Parameters = Surface_parameters<Mesh, NamedParameters>;
+  using Normal_map = typename Parameters::Normal_map;
+  constexpr bool has_normal_map = !std::is_same_v<Normal_map, No_normal_map>;
+  constexpr bool finds_normals = is_pn_v<Scheme> && has_normal_map;
+  const auto normal_map = Parameters::normal_map(np);
+  const auto read = [&](const auto& normals) {
+    return read_interpolation_data<FT>(access, scheme, level, mesh, np, normals);
+  };
+  Undoable_vertices<Access, Normal_map> natural(access, normal_map);
+  if (options.normals == Limit_interpolation::Normals::natural) {
+    if constexpr (finds_normals)
+      put_natural_normals<FT>(scheme, level, for_chunks, read(No_normal_map()), natural);
+    else
+      throw std::invalid_argument("PN_subdivision_3: natural normals need a "
+                                  "vertex_normal_map, and a scheme that is not linear");
+  }
+  Interpolation_data<3> data = read(normal_map);
+  for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
+    if (is_interpolated(v)) data.vertices.push_back(v);
+  set_demand(options, data);
+  const Vectors<3> old_normals = data.normals;
+  const Rules_of<Scheme>& rules = rules_of(scheme);
+  Mesh_limit_functionals<Rules_of<Scheme>> source(rules, level, for_chunks);
+  auto result = control_net<has_normal_map, NamedParameters>(scheme, level, options, data, source);
+  multiply_by_size<FT>(data, result);
+  result.report.normal_angle = largest_normal_angle(level, data.normals);
+  const auto write = [&](auto normals) {
+    write_control_net<FT>(access, Parameters::point_map(mesh, np), normals, data.points,
+                          result.points, old_normals, result.normals);
+  };
+  if constexpr (finds_normals)
+    write(normal_map);
   else
-    return static_cast<bool>(get(map, access.vertex(v)));
+    write(No_normal_map());
+  natural.keep();
+  return result.report;
 }
 
 } // namespace internal
@@ -144,97 +203,32 @@ interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
     internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
     using FT = typename Parameters::FT;
-    constexpr bool estimates =
-      internal::is_pn_v<Scheme> &&
-      std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>;
-    constexpr bool finds_normals =
-      internal::is_pn_v<Scheme> &&
-      !std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>;
     const internal::Interpolation_options options = internal::interpolation_options(np);
     internal::check_interpolation_options(options);
     const auto vertices =
       internal::parameter_or<internal::vertex_is_interpolated_map_t>(np, internal::All_vertices());
-    const auto points = Parameters::point_map(mesh, np);
-    Limit_interpolation report;
-    internal::with_mesh_access(mesh, [&](auto& access) {
+    const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
+    return internal::with_mesh_access(mesh, [&](auto& access) {
       const Level_connectivity level = internal::checked_level(access);
       using Access = std::decay_t<decltype(access)>;
+      const auto is_interpolated = [&](Level_connectivity::Index v) {
+        return static_cast<bool>(get(vertices, access.vertex(v)));
+      };
       if constexpr (internal::may_have_creases_v<Scheme, Access, typename Parameters::Normal_map,
                                                  typename Parameters::Edge_constraint_map,
                                                  typename Parameters::Vertex_constraint_map>)
         if (const std::string what = internal::what_is_sharp(
               scheme, access, level, Parameters::normal_map(np),
               Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np));
-            !what.empty()) {
-          report = internal::interpolate_with_creases<FT>(
-            access, scheme, level, mesh, np, options, what,
-            internal::For_chunks::with(Concurrency_tag()), [&](Level_connectivity::Index v) {
-              return internal::is_interpolated(access, vertices, v);
-            });
-          return;
-        }
-      if constexpr (!internal::is_of_halfedges_v<Access, typename Parameters::Normal_map>) {
-        const auto normal_map = Parameters::normal_map(np);
-        const auto read = [&](const auto& normals) {
-          return internal::read_interpolation_data<FT>(access, scheme, level, mesh, np, normals);
-        };
-        const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
-        const bool is_natural = options.normals == Limit_interpolation::Normals::natural;
-        internal::Undoable_vertices<Access, typename Parameters::Normal_map> natural(access,
-                                                                                     normal_map);
-        if (is_natural) {
-          if constexpr (finds_normals)
-            internal::put_natural_normals<FT>(scheme, level, for_chunks,
-                                              read(internal::No_normal_map()), natural);
-          else
-            throw std::invalid_argument("PN_subdivision_3: natural normals need a "
-                                        "vertex_normal_map, and a scheme that is not linear");
-        }
-        internal::Interpolation_data<3> data = read(normal_map);
-        for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
-          if (internal::is_interpolated(access, vertices, v)) data.vertices.push_back(v);
-        data.tolerance = options.tolerance * internal::box_size(data.points);
-        data.max_depth = (std::max)(1u, options.max_depth); // the estimate of the error needs one
-        data.max_steps = options.max_steps;
-        const internal::Vectors<3> old_normals = data.normals;
-        const internal::Rules_of<Scheme>& rules = internal::rules_of(scheme);
-        internal::Mesh_limit_functionals<internal::Rules_of<Scheme>> source(rules, level,
-                                                                            for_chunks);
-        if (estimates && options.free == Limit_interpolation::Free::smooth)
-          throw std::invalid_argument(
-            "PN_subdivision_3: without normals control points move where they "
-            "are interpolated only: give a vertex_normal_map, or take "
-            "Limit_interpolation::Free::fixed");
-        const Control_normal_estimate estimate = internal::normal_estimate(scheme);
-        // a way that the call does not name is not compiled
-        const auto find = [&] {
-          if constexpr (estimates)
-            return internal::interpolate_estimated(level, estimate, data, source);
-          else {
-            if constexpr (internal::is_given_v<internal::interpolation_mode_t, NamedParameters>)
-              if (options.mode == Limit_interpolation::Mode::strict)
-                return internal::interpolate_strictly(level, options, data, source);
-            return internal::slide_along_normals(
-              level, estimate, data, source,
-              [&](const auto&... arguments) { return source.farthest(arguments...); });
-          }
-        };
-        auto result = find();
-        report = result.report;
-        internal::multiply_by_size(data.exponent, report);
-        internal::multiply_by_size<FT, 3>(data.exponent, data.points);
-        internal::multiply_by_size<FT, 3>(data.exponent, result.points);
-        report.normal_angle = internal::largest_normal_angle(level, data.normals);
-        if constexpr (finds_normals) {
-          internal::write_control_net<FT>(access, points, normal_map, data.points, result.points,
-                                          old_normals, result.normals);
-          natural.keep();
-        } else
-          internal::write_control_net<FT>(access, points, internal::No_normal_map(), data.points,
-                                          result.points, old_normals, result.normals);
-      }
+            !what.empty())
+          return internal::interpolate_with_creases<FT>(access, scheme, level, mesh, np, options,
+                                                        what, for_chunks, is_interpolated);
+      if constexpr (internal::is_of_halfedges_v<Access, typename Parameters::Normal_map>)
+        return Limit_interpolation(); // what_is_sharp() has told of the normals of corners
+      else
+        return internal::interpolate_without_creases<FT>(access, scheme, level, mesh, np, options,
+                                                         for_chunks, is_interpolated);
     });
-    return report;
   }
 }
 

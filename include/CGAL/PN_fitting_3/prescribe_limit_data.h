@@ -19,7 +19,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -111,6 +110,57 @@ std::vector<Prescribed_form> read_prescribed_forms(const Access& access,
   return all;
 }
 
+template <class PolygonMesh, class Scheme, class NamedParameters>
+constexpr void check_prescribed_curvatures()
+{
+  using Normal_map = typename Surface_parameters<PolygonMesh, NamedParameters>::Normal_map;
+  constexpr bool has_curvatures = is_given_v<prescribed_curvature_map_t, NamedParameters>;
+  static_assert(!has_curvatures || !Is_linear<Scheme>::value,
+                "PN_subdivision_3: curvature is prescribed by the control normals too, and linear "
+                "schemes have none");
+  static_assert(!has_curvatures || !std::is_same_v<Normal_map, No_normal_map>,
+                "PN_subdivision_3: prescribed curvatures change the control normals: give a "
+                "vertex_normal_map that takes them");
+}
+
+// Reads a mesh and what is prescribed, and writes the control points, and normals if there are curvatures.
+template <class Access, class Mesh, class Scheme, class NamedParameters>
+Limit_interpolation prescribe_on(const Access& access, Mesh& mesh, const Scheme& scheme,
+                                 const NamedParameters& np, const Interpolation_options& options,
+                                 const For_chunks& for_chunks)
+{
+  using Parameters = Surface_parameters<Mesh, NamedParameters>;
+  using FT = typename Parameters::FT;
+  constexpr Not_given nothing;
+  constexpr bool has_curvatures = is_given_v<prescribed_curvature_map_t, NamedParameters>;
+  const Level_connectivity level = checked_level(access);
+  Interpolation_data<3> data =
+    read_interpolation_data<FT>(access, scheme, level, mesh, np, Parameters::normal_map(np));
+  set_demand(options, data);
+  data.max_steps = (std::numeric_limits<unsigned>::max)();
+  const Rules_of<Scheme>& rules = rules_of(scheme);
+  Mesh_limit_functionals<Rules_of<Scheme>> source(rules, level, for_chunks);
+  auto prescribed =
+    read_prescribed(access, level, parameter_or<prescribed_point_map_t>(np, nothing),
+                    parameter_or<prescribed_normal_map_t>(np, nothing), data.exponent);
+  std::vector<Prescribed_form> forms;
+  if constexpr (has_curvatures)
+    forms = read_prescribed_forms(
+      access, level, parameter_or<prescribed_curvature_map_t>(np, nothing), data.exponent);
+  auto result = prescribe(level, options, data, source, std::move(prescribed), forms,
+                          [&](Level_connectivity::Index v) { return access.vertex_name(v); });
+  multiply_by_size<FT>(data, result);
+  const auto write = [&](auto normal_map) {
+    write_control_net<FT>(access, Parameters::point_map(mesh, np), normal_map, data.points,
+                          result.points, data.normals, result.normals);
+  };
+  if constexpr (has_curvatures)
+    write(Parameters::normal_map(np));
+  else
+    write(No_normal_map());
+  return result.report;
+}
+
 } // namespace internal
 
 /*!
@@ -190,56 +240,11 @@ Limit_interpolation prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme
     const internal::Interpolation_options options = internal::interpolation_options(np);
     internal::check_tolerance(options.tolerance);
     internal::check_tolerance(options.curvature_tolerance);
-    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-    using FT = typename Parameters::FT;
-    constexpr internal::Not_given nothing;
-    const auto points = internal::parameter_or<internal::prescribed_point_map_t>(np, nothing);
-    const auto normals = internal::parameter_or<internal::prescribed_normal_map_t>(np, nothing);
-    [[maybe_unused]] const auto curvatures =
-      internal::parameter_or<internal::prescribed_curvature_map_t>(np, nothing);
-    constexpr bool has_curvatures =
-      internal::is_given_v<internal::prescribed_curvature_map_t, NamedParameters>;
-    static_assert(
-      !has_curvatures || !internal::Is_linear<Scheme>::value,
-      "PN_subdivision_3: curvature is prescribed by the control normals too, and linear "
-      "schemes have none");
-    static_assert(!has_curvatures ||
-                    !std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>,
-                  "PN_subdivision_3: prescribed curvatures change the control normals: give a "
-                  "vertex_normal_map that takes them");
-    const auto point_map = Parameters::point_map(mesh, np);
-    Limit_interpolation report;
-    internal::with_mesh_access(mesh, [&](auto& access) {
-      const Level_connectivity level = internal::checked_level(access);
-      internal::Interpolation_data<3> data = internal::read_interpolation_data<FT>(
-        access, scheme, level, mesh, np, Parameters::normal_map(np));
-      data.tolerance = options.tolerance * internal::box_size(data.points);
-      data.max_depth = (std::max)(1u, options.max_depth);
-      data.max_steps = (std::numeric_limits<unsigned>::max)();
-      const internal::Rules_of<Scheme>& rules = internal::rules_of(scheme);
-      internal::Mesh_limit_functionals<internal::Rules_of<Scheme>> source(
-        rules, level, internal::For_chunks::with(Concurrency_tag()));
-      auto prescribed = internal::read_prescribed(access, level, points, normals, data.exponent);
-      std::vector<internal::Prescribed_form> forms;
-      if constexpr (has_curvatures)
-        forms = internal::read_prescribed_forms(access, level, curvatures, data.exponent);
-      auto result =
-        internal::prescribe(level, options, data, source, std::move(prescribed), forms,
-                            [&](Level_connectivity::Index v) { return access.vertex_name(v); });
-      report = result.report;
-      internal::multiply_by_size(data.exponent, report);
-      internal::multiply_by_size<FT, 3>(data.exponent, data.points);
-      internal::multiply_by_size<FT, 3>(data.exponent, result.points);
-      const auto write = [&](auto normal_map) {
-        internal::write_control_net<FT>(access, point_map, normal_map, data.points, result.points,
-                                        data.normals, result.normals);
-      };
-      if constexpr (has_curvatures)
-        write(Parameters::normal_map(np));
-      else
-        write(internal::No_normal_map());
+    internal::check_prescribed_curvatures<PolygonMesh, Scheme, NamedParameters>();
+    return internal::with_mesh_access(mesh, [&](const auto& access) {
+      return internal::prescribe_on(access, mesh, scheme, np, options,
+                                    internal::For_chunks::with(Concurrency_tag()));
     });
-    return report;
   }
 }
 

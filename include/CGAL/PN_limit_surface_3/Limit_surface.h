@@ -338,7 +338,7 @@ private:
     return n == 4 ? 1 : n;
   }
 
-  // makes the parameters those in the piece, which is returned
+  // turns the parameters in a face into parameters in a piece of it, which is returned
   Index put_parameters(Index f, internal::Surface_query& q) const
   {
     const Index n = pieces(f);

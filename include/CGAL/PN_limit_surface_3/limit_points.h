@@ -35,12 +35,11 @@ Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, Li
   using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
   using FT = typename Parameters::FT;
   using Face = typename boost::graph_traits<PolygonMesh>::face_descriptor;
-  Limit_report report;
   if constexpr (Check_map<Map_of_limits>::check<LimitMap, Face, Parameters, Writable>() &&
                 check_is_point_map<PolygonMesh, NamedParameters>()) {
     using Limit = typename boost::property_traits<LimitMap>::value_type;
-    with_mesh_access(mesh, [&](const auto& access) {
-      report = with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+    return with_mesh_access(mesh, [&](const auto& access) {
+      return with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
         using Scheme_of_call = std::decay_t<decltype(s)>;
         const auto level = read_limit_level<Scheme_of_call, FT>(
           access, s, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
@@ -57,8 +56,8 @@ Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, Li
         return limit_report(results, demand);
       });
     });
-  }
-  return report;
+  } else
+    return {};
 }
 
 // at the vertices of all others
@@ -70,27 +69,26 @@ Limit_report vertex_limit_points(const PolygonMesh& mesh, const Scheme& scheme, 
   using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
   using FT = typename Parameters::FT;
   using Vertex = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
-  Limit_report report;
   if constexpr (Check_map<Map_of_limits>::check<LimitMap, Vertex, Parameters, Writable>() &&
                 check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
     using Limit = typename boost::property_traits<LimitMap>::value_type;
     const auto points = Parameters::const_point_map(mesh, np);
     const auto normals = Parameters::normal_map(np);
-    with_mesh_access(mesh, [&](const auto& access) {
+    return with_mesh_access(mesh, [&](const auto& access) {
       const auto put_all = [&](const auto& of_mesh, const auto&) {
         put_mean_normals<Scheme>(of_mesh.creases, of_mesh.results);
         for (Level_connectivity::Index v = 0; v < of_mesh.level.number_of_vertices(); ++v)
           put(limits, access.vertex(v), to_limit_point<Limit>(of_mesh.results[v]));
       };
-      report = with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+      return with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
         return vertex_limits<FT, asks_for_points_alone<NamedParameters>()>(
           access, s, points, normals, Parameters::edge_constraint_map(np),
           Parameters::vertex_constraint_map(np), limit_options(np),
           For_chunks::with(Concurrency_tag()), put_all);
       });
     });
-  }
-  return report;
+  } else
+    return {};
 }
 
 // whether a map of limits has faces as keys
@@ -127,7 +125,7 @@ Limit_report limits_of_call(const PolygonMesh& mesh, const Scheme& scheme, Limit
     return on_primal_host<Limit_report, Call>(scheme, of_scheme);
 }
 
-// the elements that have limits: those of the map of points, normals or errors that is given
+// the keys of elements that have limits, by the map of points, normals or errors that is given
 template <class PolygonMesh, class NamedParameters>
 struct Key_of_limits
 {

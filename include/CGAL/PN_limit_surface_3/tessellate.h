@@ -152,21 +152,20 @@ Tessellation_result tessellate(const FaceGraph& control, const Scheme& scheme, d
   else if constexpr (!internal::halves_edges_v<Scheme>)
     throw std::invalid_argument(internal::no_halves(scheme, "by which a tessellation is refined"));
   else {
-    Tessellation_result result;
     if (!(chord_error > 0) || !std::isfinite(chord_error))
       throw std::invalid_argument("PN_subdivision_3: the chord error is " +
                                   std::to_string(chord_error) + ": it must be positive and finite");
     if constexpr (internal::check_pieces_arguments<FaceGraph, Scheme, NamedParameters>() &&
                   internal::check_build_arguments<OutputMesh, NamedParametersOut, true>()) {
-      internal::with_mesh_access(control, [&](const auto& access) {
-        internal::with_mesh_access(out, [&](auto& out_access) {
+      return internal::with_mesh_access(control, [&](const auto& access) {
+        return internal::with_mesh_access(out, [&](auto& out_access) {
           const internal::Tessellation<Concurrency_tag, FaceGraph, NamedParameters> tessellation(
             chord_error, np, internal::attribute_table(np));
-          result = tessellation(control, access, scheme, out, out_access, np_out);
+          return tessellation(control, access, scheme, out, out_access, np_out);
         });
       });
-    }
-    return result;
+    } else
+      return {};
   }
 }
 

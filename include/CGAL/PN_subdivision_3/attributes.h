@@ -120,11 +120,9 @@ need a scheme that splits edges, see `splits_edges_v`.
 template <class PolygonMesh, class Values>
 bool has_seam(const PolygonMesh& mesh, const Values& values)
 {
-  bool result = false;
-  internal::with_mesh_access(mesh, [&](const auto& access) {
-    result = internal::has_seam(access, internal::checked_level(access), values);
+  return internal::with_mesh_access(mesh, [&](const auto& access) {
+    return internal::has_seam(access, internal::checked_level(access), values);
   });
-  return result;
 }
 
 } // namespace CGAL::PN_subdivision_3

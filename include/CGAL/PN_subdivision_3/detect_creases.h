@@ -140,21 +140,21 @@ std::size_t detect_creases(const PolygonMesh& mesh, double degrees, EdgeMap edge
     if (!(degrees >= 0 && degrees <= 180))
       throw std::invalid_argument(
         "PN_subdivision_3: the angle of creases must be between 0 and 180 degrees");
-    const auto points = Parameters::const_point_map(mesh, np);
-    std::size_t number = 0;
-    internal::with_mesh_access(mesh, [&](const auto& access) {
+    return internal::with_mesh_access(mesh, [&](const auto& access) {
       const Level_connectivity level = internal::checked_level(access);
       const auto values = internal::read_values<Linear_average<FT, 3>>(
-        access, level, points, internal::No_normal_map(), Control_normal_estimate::angle);
+        access, level, Parameters::const_point_map(mesh, np), internal::No_normal_map(),
+        Control_normal_estimate::angle);
       const std::vector<bool> is_sharp =
         internal::edges_of_greater_angle<FT>(level, values, degrees);
+      std::size_t number = 0;
       for (Index e = 0; e < level.number_of_edges(); ++e) {
         put(edge_map, access.edge_at(e),
             is_sharp[e] ? internal::sharp_for_ever<Value>() : Value(0));
         number += is_sharp[e];
       }
+      return number;
     });
-    return number;
   }
 }
 

@@ -11,7 +11,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_OPTIONS_H
 #define CGAL_PN_SUBDIVISION_3_TEST_OPTIONS_H
 
-#include <CGAL/PN_fitting_3/internal/Interpolation_options.h>
+#include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>

@@ -132,7 +132,7 @@ private:
   // parts of data that shrink by more than this compared with others are hardly smaller than these
   static constexpr double converging = 0.95;
 
-  // A side that ends with the polygon has twice as many points in the next round. The rows are those of a
+  // A side that ends with the polygon has twice as many points in the next round. The rows are made on a
   // polygon that is no longer than the window: none leaves it where it does not end there.
   void make(const Window_size& size, Window& window) const
   {

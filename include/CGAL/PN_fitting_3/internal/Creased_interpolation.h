@@ -24,6 +24,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <stdexcept>
@@ -54,7 +55,7 @@ public:
     , for_chunks_(for_chunks)
   {}
 
-  // those of the data's vertices take the places of the points
+  // Puts the limit points of the data's vertices in place of their control points.
   void operator()(Vectors<3>& points, double tolerance, Limit_interpolation* report) const
   {
     for (std::size_t slot = 0; slot < level_.values.size(); ++slot)
@@ -91,14 +92,11 @@ Creases<double> in_double(const Creases<FT>& creases)
     return creases;
   else {
     Creases<double> result;
-    for (const Crease_edge<FT>& e : creases.edges)
-      result.edges.push_back({e.edge,
-                              e.control_edge,
-                              e.sharpness,
-                              e.border_side,
-                              e.after,
-                              e.before,
-                              {to_double_3(e.tangent_from[0]), to_double_3(e.tangent_from[1])}});
+    for (const Crease_edge<FT>& e : creases.edges) {
+      const auto& [t, u] = e.tangent_from;
+      result.edges.push_back({e.edge, e.control_edge, e.sharpness, e.border_side, e.after, e.before,
+                              std::array{to_double_3(t), to_double_3(u)}});
+    }
     result.ends = creases.ends;
     result.stars = creases.stars;
     result.number_of_slots = creases.number_of_slots;
@@ -213,9 +211,7 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
     if (is_interpolated(v)) data.vertices.push_back(v);
   }
   divide_by_size(data);
-  data.tolerance = options.tolerance * box_size<3>(data.points);
-  data.max_depth = (std::max)(1u, options.max_depth);
-  data.max_steps = options.max_steps;
+  set_demand(options, data);
   std::vector<Level_connectivity::Index> vertex_of_slot(n);
   std::iota(vertex_of_slot.begin(), vertex_of_slot.end(), Level_connectivity::Index(0));
   const auto extra = vertices_of_extra_slots(creases, n);
@@ -227,9 +223,7 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
   auto result =
     interpolate_creased<3>(data, Creased_limit_points<Rules_of<Scheme_of_call>>(
                                    rules, valued, fixed, vertex_of_slot, data, for_chunks));
-  multiply_by_size(data.exponent, result.report);
-  multiply_by_size<FT, 3>(data.exponent, data.points);
-  multiply_by_size<FT, 3>(data.exponent, result.points);
+  multiply_by_size<FT>(data, result);
 
   Undoable_vertices<Access, std::decay_t<decltype(points)>> new_points(access, points);
   for (Level_connectivity::Index v = 0; v < n; ++v)

@@ -84,12 +84,12 @@ private:
     return length;
   }
 
-  // of the control points, those that are not sought as they are
+  // of the control points with the unknowns in place of those that are sought
   Vector limits_at(const Vector& unknowns, Limit_interpolation* report)
   {
     return limits(unknowns, data_.points, data_.precision().tolerance, report);
   }
-  // of those that are not sought as zero
+  // of changes of the control points that are sought, where the other points are zero
   Vector limits_of_direction(const Vector& direction)
   {
     const double scale = size_ / direction.lpNorm<Eigen::Infinity>();

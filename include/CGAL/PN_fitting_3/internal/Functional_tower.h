@@ -129,7 +129,7 @@ struct Limit_precision
 };
 
 // The limit of a ring and the tangents there, for fixed normals as linear functions of the points of
-// the ring: found at some depth of the tower of rings, and pulled back to its base by the transposed
+// the ring: found after some rounds of the ring alone, and pulled back to its points by the transposed
 // blocks of the PN averages.
 //
 // Each place has a block of `rows` rows: the rows of the limit point, then, if there are tangents,
@@ -174,10 +174,10 @@ public:
 
   const Value& limit() const { return limit_; }
   double error() const { return error_; }
-  // the ring at the top
+  // the ring after the last round
   const std::vector<Value>& top() const { return levels_[depth_]; }
   unsigned depth() const { return depth_; }
-  // of place p at the base of the tower
+  // of place p of the given ring
   const Block& block(std::size_t p) const { return blocks_[p]; }
 
 private:
@@ -209,7 +209,7 @@ private:
     return (to_eigen<dimension>(a) - to_eigen<dimension>(b)).norm();
   }
 
-  // the functionals of the ring at the top of the tower
+  // the functionals of the ring after the last round
   void set_functionals()
   {
     const std::vector<Value>& ring = levels_[depth_];

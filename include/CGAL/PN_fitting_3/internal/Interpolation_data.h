@@ -9,8 +9,8 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_INTERPOLATION_DATA_H
 #define CGAL_PN_FITTING_3_INTERNAL_INTERPOLATION_DATA_H
 
-#include <CGAL/PN_fitting_3/internal/Interpolation_options.h>
 #include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
+#include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
@@ -40,13 +40,13 @@ struct Interpolation_data
   using Index = std::uint32_t;
 
   Vectors<dimension> points;       // of all vertices
-  Vectors<dimension> normals;      // likewise; unit vectors or zero
-  Vectors<dimension> binormals;    // likewise, of curves in space only
-  std::vector<Index> vertices;     // those to be interpolated
-  std::vector<double> roundness;   // likewise; none: 1
+  Vectors<dimension> normals;      // of all vertices; unit vectors or zero
+  Vectors<dimension> binormals;    // of all vertices, of curves in space only
+  std::vector<Index> vertices;     // to be interpolated
+  std::vector<double> roundness;   // of all vertices; empty: 1
   std::vector<char> is_at_border;  // of all vertices
-  std::vector<double> edge_length; // likewise, the mean
-  std::vector<Index> components;   // likewise, to which they belong; none: all to one
+  std::vector<double> edge_length; // the mean of the edges at each vertex
+  std::vector<Index> components;   // to which each vertex belongs; empty: all to one
   bool takes_normals = true;       // if not, the scheme is linear
   int exponent = 0;                // of the power of two by which lengths have been divided
   double tolerance = 0;            // absolute
@@ -116,7 +116,7 @@ double box_size(const std::vector<Eigen::Matrix<double, dimension, 1>>& points)
   return (greatest - least).maxCoeff();
 }
 
-// Divides points of which squares would be out of range by a power of two, which changes no bit of theirs.
+// Divides points of which squares would be out of range by a power of two, which changes no bit of the coordinates.
 template <int dimension>
 void divide_by_size(Interpolation_data<dimension>& data)
 {
@@ -129,7 +129,7 @@ void divide_by_size(Interpolation_data<dimension>& data)
     for (double& x : p) x = std::ldexp(x, -data.exponent);
 }
 
-// Undoes it.
+// Undoes divide_by_size().
 template <class FT, int dimension>
 void multiply_by_size(int exponent, Vectors<dimension>& points)
 {
@@ -150,6 +150,21 @@ inline void multiply_by_size(int exponent, Limit_interpolation& report)
   for (double* length : {&report.residual, &report.error, &report.tolerance, &report.slip})
     *length = std::ldexp(*length, exponent);
   report.curvature_residual = std::ldexp(report.curvature_residual, -exponent);
+}
+template <class FT, int dimension>
+void multiply_by_size(Interpolation_data<dimension>& data, Interpolation_result<dimension>& result)
+{
+  multiply_by_size(data.exponent, result.report);
+  multiply_by_size<FT, dimension>(data.exponent, data.points);
+  multiply_by_size<FT, dimension>(data.exponent, result.points);
+}
+
+template <int dimension>
+void set_demand(const Interpolation_options& options, Interpolation_data<dimension>& data)
+{
+  data.tolerance = options.tolerance * box_size(data.points);
+  data.max_depth = (std::max)(1u, options.max_depth); // the estimate of the error needs one
+  data.max_steps = options.max_steps;
 }
 
 // takes vertices without a normal off those to be interpolated; how many

@@ -58,7 +58,7 @@ struct Limit_functionals
   unsigned rounds = 0; // of the mesh, before its rules settled about the vertex
   bool has_tangents = false;
 
-  // Fills in what a tower tells of a ring, given by its vertices; entries if there are blocks.
+  // Fills in the limit of a ring, given by its vertices; entries if there are blocks.
   template <class Values>
   void run(Functional_tower<dimension, tangents>& tower, const Ring_rule& rule,
            const Values& values, const std::vector<Index>& ring, const Limit_precision& precision)

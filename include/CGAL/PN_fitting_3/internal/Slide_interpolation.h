@@ -55,7 +55,7 @@ public:
 
   Result operator()()
   {
-    // the functionals are those of the depths that are right for the data, then for the result
+    // functionals to the depths that are right for the data, then for the result
     for (int k = 0; k < 3; ++k) {
       functionals_ = source_(to_values<dimension>(points_, data_.normals, data_), data_.vertices,
                              data_.precision());

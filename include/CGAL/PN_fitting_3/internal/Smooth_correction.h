@@ -103,7 +103,7 @@ private:
   using Umbrella = std::vector<std::pair<int, double>>; // a row of U
   static constexpr std::size_t longest_multiplied = 64;
 
-  // but for those of the conditions
+  // without the multipliers of the conditions
   int number_of_unknowns() const { return 3 * (static_cast<int>(free_.size()) + sums_); }
 
   template <class Factor>

@@ -9,6 +9,8 @@
 #ifndef CGAL_PN_FITTING_3_INTERPOLATION_LIMIT_INTERPOLATION_H
 #define CGAL_PN_FITTING_3_INTERPOLATION_LIMIT_INTERPOLATION_H
 
+#include <CGAL/PN_subdivision_3/internal/own_parameters.h>
+
 #include <cstddef>
 
 namespace CGAL::PN_subdivision_3 {
@@ -93,6 +95,50 @@ struct Prescribed_curvature
   /// a vector of any length; its part in the tangent plane counts. Not used if both curvatures are equal.
   typename GeomTraits::Vector_3 direction{0, 0, 0};
 };
+
+namespace internal {
+
+// a map
+struct All_vertices
+{
+  template <class Vertex>
+  friend bool get(const All_vertices&, const Vertex&)
+  {
+    return true;
+  }
+};
+
+// how interpolation and what prescribes data proceed; parameters.h says more
+struct Interpolation_options
+{
+  Limit_interpolation::Mode mode = Limit_interpolation::Mode::slide;
+  Limit_interpolation::Normals normals = Limit_interpolation::Normals::given;
+  Limit_interpolation::Free free = Limit_interpolation::Free::fixed;
+  double tolerance = 1e-12;
+  unsigned max_depth = 12;
+  unsigned max_steps = 60;
+  unsigned rings = 2;
+  double curvature_tolerance = 1e-6;
+  unsigned max_curvature_steps = 12;
+};
+
+template <class NamedParameters>
+Interpolation_options interpolation_options(const NamedParameters& np)
+{
+  Interpolation_options o;
+  o.mode = parameter_or<interpolation_mode_t>(np, o.mode);
+  o.normals = parameter_or<interpolation_normals_t>(np, o.normals);
+  o.free = parameter_or<free_vertices_t>(np, o.free);
+  o.tolerance = parameter_or<tolerance_t>(np, o.tolerance);
+  o.max_depth = parameter_or<max_depth_t>(np, o.max_depth);
+  o.max_steps = parameter_or<max_steps_t>(np, o.max_steps);
+  o.rings = parameter_or<rings_t>(np, o.rings);
+  o.curvature_tolerance = parameter_or<curvature_tolerance_t>(np, o.curvature_tolerance);
+  o.max_curvature_steps = parameter_or<max_curvature_steps_t>(np, o.max_curvature_steps);
+  return o;
+}
+
+} // namespace internal
 
 } // namespace CGAL::PN_subdivision_3
 

@@ -29,7 +29,7 @@ struct Curvature_data
     Eigen::Vector3d point, normal;
   };
 
-  // that of the plane of the fit
+  // the normal of the plane of the fit
   const Eigen::Vector3d& frame_normal(Index v) const
   {
     return fits_normals && vertices[v].normal.isZero(0) ? face_normals[v] : vertices[v].normal;
@@ -38,7 +38,7 @@ struct Curvature_data
   Level_connectivity level;
   std::vector<Vertex> vertices;
   bool fits_normals =
-    false; // otherwise they are those of the faces, and only tell the sides of the surface apart
+    false; // otherwise normals come from the faces, and only tell the sides of the surface apart
   std::vector<Eigen::Vector3d> face_normals; // where normals are fitted
 };
 
@@ -173,7 +173,7 @@ private:
   const Curvature_data& data_;
   Curvature_fit fit_;
   Index vertex_ = 0;
-  bool takes_normals_ = false; // it has one itself
+  bool takes_normals_ = false; // the vertex has a normal, which is fitted, too
   int number_of_rings_ = 0;
   std::vector<Index> neighbors_, ring_, next_ring_; // without the vertex; `neighbors_` is sorted
   std::vector<Curvature_sample> samples_;

@@ -181,7 +181,7 @@ private:
   }
 
   // Triangles about vertex 0, which is on the border. Edge i leads to it from neighbor i, which is
-  // vertex 1 + i, and then come those opposite to it.
+  // vertex 1 + i, and then come the edges opposite to vertex 0.
   static Level_connectivity fan(Index triangles)
   {
     const Index spokes = triangles + 1;

@@ -145,7 +145,7 @@ private:
     evaluate(refined, centers, next_round + 1, depth + 1, results, places_of_rest.data());
   }
 
-  // calls f(towers, begin, end) for parts of [0, n), each with towers of its own
+  // calls f() for ranges [begin, end) of [0, n), each with gathered rings of its own
   template <class Function>
   void with_towers(std::size_t n, const Function& f) const
   {

@@ -162,7 +162,7 @@ inline double limit_error(double factor, double ratio, double step, double& last
 }
 
 // Decides when the averages of a limit mask over values that are refined by themselves have come close
-// enough to the limit, as a Limit_tower does.
+// enough to the limit.
 template <class FT, int dimension = 3>
 class Limit_steps
 {

@@ -103,12 +103,7 @@ private:
     Level_refiner<Rules_of<Scheme>, Average, decltype(creases)> refiner(
       rules, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
     std::vector<Value>().swap(values);
-
-    for (unsigned k = 1; k < rounds; ++k) {
-      carried.refine(rules, refiner);
-      round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
-    }
-    carried.before_cut(refiner);
+    refine(rounds, rules, refiner, carried);
     auto last = refiner.next_round();
     carried.begin_round(rules, refiner, last, Kind_of_round::last_put_later);
     Level refined = refined_level(refiner, last, carried.rows());
@@ -116,16 +111,10 @@ private:
     report_last_round(round_done_, rounds, rounds_, size);
     auto limit_creases = last.refined_creases();
     const Limit_demand demand = limit_demand<FT>(options_, box_size(refined));
-    auto limits =
-      limits_at_slots<FT>(rules, demand, for_chunks_, refined, limit_creases, rounds + 1);
-    if (asks_for_points(options_))
-      std::vector<Value>().swap(refined.values); // else they are written
-    check_limits<FT>(limits, [](std::size_t v) { return "vertex number " + std::to_string(v); });
+    auto limits = limits_of(refined, limit_creases, demand, rounds + 1);
 
-    // with a linear scheme normals are written as surface normals only
-    const bool puts_normals = is_pn_v<Scheme> || options_.surface_normals;
-    constexpr bool takes_corners = Writers::Corner_writer::takes_corners;
-    if constexpr (!takes_corners) put_mean_normals<Scheme>(limit_creases, limits);
+    if constexpr (!Writers::Corner_writer::takes_corners)
+      put_mean_normals<Scheme>(limit_creases, limits);
     const auto put = [&](auto vertex_normals) {
       Mesh_writer<Limit_value, Access, Point_map, decltype(vertex_normals)> writer(
         access, points, vertex_normals, false);
@@ -133,12 +122,7 @@ private:
       Maps_writer of_limits(access, maps.np);
       access.grow(size);
       put_limits(limits, refined.values, static_cast<Index>(size.vertices), writer);
-      if constexpr (takes_corners)
-        if (puts_normals)
-          corners.put_all(refined.level, limit_creases,
-                          limit_normals<Scheme, FT>(limits, options_.surface_normals));
-      if constexpr (takes_corners && Maps_writer::is_any_given)
-        put_mean_normals<Scheme>(limit_creases, limits);
+      put_corner_normals<Maps_writer::is_any_given>(corners, refined.level, limit_creases, limits);
       of_limits.write(limits, static_cast<Index>(size.vertices));
       carried.put(refiner, last.round());
       of_mesh.put_sharpness(limit_creases, size, rounds);
@@ -151,7 +135,7 @@ private:
         carried.keep();
       });
     };
-    if (puts_normals)
+    if (puts_normals())
       put(Writers::vertex_map(normals));
     else
       put(No_normal_map());
@@ -160,7 +144,50 @@ private:
     return limit_report(limits, demand);
   }
 
-  // with the values of its slots; the level before it is whole again afterwards
+  // with a linear scheme normals are written as surface normals only
+  bool puts_normals() const { return is_pn_v<Scheme> || options_.surface_normals; }
+
+  // all rounds but the last one
+  template <class Refiner, class Carried>
+  void refine(unsigned rounds, const Rules_of<Scheme>& rules, Refiner& refiner,
+              Carried& carried) const
+  {
+    for (unsigned k = 1; k < rounds; ++k) {
+      carried.refine(rules, refiner);
+      round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
+    }
+    carried.before_cut(refiner);
+  }
+
+  // at the slots of the refined level; the creases get the tangents of the limit
+  template <class Level_creases>
+  auto limits_of(Level& refined, Level_creases& creases, const Limit_demand& demand,
+                 unsigned next_round) const
+  {
+    auto limits =
+      limits_at_slots<FT>(rules_of(scheme_), demand, for_chunks_, refined, creases, next_round);
+    if (asks_for_points(options_))
+      std::vector<Value>().swap(refined.values); // else they are written
+    check_limits<FT>(limits, [](std::size_t v) { return "vertex number " + std::to_string(v); });
+    return limits;
+  }
+
+  // the normals of the wedges at the corners; then vertices have the means, where another map takes these
+  template <bool needs_means, class Corner_writer, class Level_creases, class Limits>
+  void put_corner_normals([[maybe_unused]] Corner_writer& corners,
+                          [[maybe_unused]] const Level_connectivity& level,
+                          [[maybe_unused]] const Level_creases& creases,
+                          [[maybe_unused]] Limits& limits) const
+  {
+    if constexpr (Corner_writer::takes_corners) {
+      if (puts_normals())
+        corners.put_all(level, creases,
+                        limit_normals<Scheme, FT>(limits, options_.surface_normals));
+      if constexpr (needs_means) put_mean_normals<Scheme>(creases, limits);
+    }
+  }
+
+  // The refined level with the values of its slots; the level before it is whole again afterwards.
   template <class Refiner, class Last>
   Level refined_level(const Refiner& refiner, Last& last,
                       const typename Refiner::Rows_sink* rows) const

@@ -35,7 +35,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// The towers of vertices of several kinds: rings are gathered until the tower of their kind is full.
+// The limits of vertices of several kinds: rings are gathered until there are as many of a kind as are refined at once.
 template <class Scheme, class FT, bool points_alone = false>
 class Limit_towers
 {
@@ -78,7 +78,7 @@ public:
   }
 
 private:
-  // number types that may not decide a comparison have one vertex in a tower
+  // of number types that may not decide a comparison one ring is refined at once
   static void evaluate(Tower& tower, [[maybe_unused]] Index v)
   {
     if constexpr (std::is_floating_point_v<FT>)
@@ -138,9 +138,9 @@ public:
 
   Three points;
   Three tangents;         // in the direction of travel
-  Vector arrival_tangent; // that of the vertex, for the edge that the crease comes on
+  Vector arrival_tangent; // the tangent of the vertex, for the edge that the crease comes on
   boost::container::small_vector<Three, 2> normals;               // of each wedge
-  boost::container::small_vector<std::array<FT, 3>, 2> roundness; // the same, if there are normals
+  boost::container::small_vector<std::array<FT, 3>, 2> roundness; // of each wedge with a normal
 
   // becomes the limit at the vertex, which is the first one of each three
   void evaluate(const Crease_curve_weights<FT>& weights, Limit_steps<FT>& steps)
@@ -163,7 +163,7 @@ private:
   using Rule = Crease_average<FT, 3>;
   using Entry = typename Rule::Entry;
 
-  // the next values, those of the vertex by its weight; of the neighbors they are asked for or remain
+  // the values after a round: of the vertex by its weight, of the neighbors if they are asked for
   Crease_vertex_limit averages(const FT& vertex_weight, bool with_neighbors) const
   {
     Crease_vertex_limit next = *this;

@@ -237,7 +237,7 @@ public:
   }
   double error_factor() const { return limit_error_factor(error_ratio()); }
 
-  // the rings after a step; those before it may be overwritten
+  // the rings after a step; the rings before it may be overwritten
   void refine(Value* rings, Value* next) const
   {
     for (unsigned r = 0; r < rounds(); ++r) {

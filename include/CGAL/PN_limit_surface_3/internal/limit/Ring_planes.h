@@ -45,7 +45,7 @@ public:
     double rounding = 0; // of the normal: small rings have that of large coordinates
     // what the ring alone tells of the error of the normal
     double error = std::numeric_limits<double>::infinity();
-    bool is_against_faces = false; // those around the vertex at place 0
+    bool is_against_faces = false; // the faces around the vertex at place 0
   };
 
   explicit Ring_planes(const Class& ring_class)
@@ -86,7 +86,7 @@ public:
     return v;
   }
 
-  // of the first rings, but for those that are done
+  // planes of the first rings, but for rings that are done
   template <class Is_done>
   void find(const Value* rings, const Value* limits, std::size_t number, const Is_done& is_done)
   {
@@ -188,7 +188,7 @@ inline void find_valences(const Level_connectivity& level, const Level_connectiv
   using Index = Level_connectivity::Index;
   Index at[most_at_once] = {};
   std::size_t left = 0;
-  std::size_t unfinished[most_at_once]; // those that are not yet gone round
+  std::size_t unfinished[most_at_once]; // rings that are not yet gone round
   for (std::size_t i = 0; i < number; ++i) {
     valences[i] = 0;
     if (level.is_isolated(begin[i])) continue;
@@ -207,7 +207,7 @@ inline void find_valences(const Level_connectivity& level, const Level_connectiv
   }
 }
 
-// Rings of a level on their way to the towers. Values are far from each other in a level: they are asked for when a ring
+// Rings of a level before they are refined. Values are far from each other in a level: they are asked for when a ring
 // is found, and used some rings later, when they have come from memory.
 template <class Value, class Vertex>
 class Gathered_rings

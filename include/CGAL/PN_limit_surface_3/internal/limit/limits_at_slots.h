@@ -64,7 +64,7 @@ inline double size_of(const Bbox_3& box)
     {0., box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
 }
 
-// that of the box of the points
+// the size of the box of the points
 template <class Value>
 double box_size(const Valued_level<Value>& level)
 {

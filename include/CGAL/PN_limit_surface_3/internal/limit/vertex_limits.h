@@ -191,14 +191,13 @@ Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const NamedParamete
 {
   static_assert(Scheme::Host::keeps_vertices,
                 "the limit points of a dual scheme belong to the faces: see limit_points()");
-  Limit_report report;
   if constexpr (check_creased_limit_arguments<Mesh, Scheme, NamedParameters>()) {
     using FT = typename Parameters::FT;
     const Limit_options options = limit_options(np);
     const auto points = Parameters::point_map(mesh, np);
     const auto normals = Parameters::normal_map(np);
-    with_mesh_access(mesh, [&](const auto& access) {
-      report = with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+    return with_mesh_access(mesh, [&](const auto& access) {
+      return with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
         return vertex_limits<FT, asks_for_points_alone<NamedParameters>()>(
           access, s, points, normals, Parameters::edge_constraint_map(np),
           Parameters::vertex_constraint_map(np), options, For_chunks::with(Concurrency_tag()),
@@ -209,8 +208,8 @@ Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const NamedParamete
           });
       });
     });
-  }
-  return report;
+  } else
+    return {};
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

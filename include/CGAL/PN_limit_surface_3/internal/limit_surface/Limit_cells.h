@@ -82,8 +82,8 @@ struct Limit_cell
   }
 };
 
-// Cells of the control level, and of a cell those that a round makes of its face, each cut out with its surroundings: what it costs
-// does not depend on the size of the level.
+// Cells of the control level, and the cells that a round makes of the face of a cell, each cut out with its surroundings: the
+// cost does not depend on the size of the level.
 template <class Scheme, class Level_creases>
 class Limit_cells
 {

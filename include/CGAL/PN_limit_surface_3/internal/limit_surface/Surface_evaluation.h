@@ -182,7 +182,7 @@ private:
       return d;
     }
 
-    // returns those that the cell is too coarse for
+    // returns the queries that the cell is too coarse for
     Queries evaluate(Cell& cell, Queries queries)
     {
       Queries open;

@@ -153,7 +153,7 @@ public:
     return faces_by_piece_.data() + first_of_piece_[piece];
   }
   const Index* end(std::size_t piece) const { return begin(piece + 1); }
-  // all of them belong to the first piece
+  // all isolated vertices belong to the first piece
   const std::vector<Index>& isolated_vertices() const { return isolated_vertices_; }
 
   bool owns_face(std::size_t piece, Index f) const { return piece_of_face_[f] == piece; }

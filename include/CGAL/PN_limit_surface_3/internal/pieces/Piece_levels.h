@@ -35,7 +35,7 @@ class Child_elements
 public:
   using Index = Level_connectivity::Index;
 
-  // all of it must stay
+  // the arguments must stay
   Child_elements(const Piece_elements& elements, const Host& host, const Whole_level& whole,
                  const For_chunks& for_chunks)
     : elements_(elements)
@@ -210,7 +210,7 @@ public:
     for (const Corner& c : corners_) f(c.halfedge, c.wedge, c.slot);
   }
 
-  // those of the level, in increasing order
+  // the vertices of the level that the piece owns, in increasing order
   const std::vector<Index>& vertices() const { return vertices_; }
 
   // instead of what the rows have given there; the slots of a vertex follow one another

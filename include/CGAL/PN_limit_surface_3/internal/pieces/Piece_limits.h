@@ -127,7 +127,7 @@ private:
     return limit_report(owned, demand);
   }
 
-  // for all pieces: those of large valences take long to make
+  // for all pieces: rules of large valences take long to make
   const std::shared_ptr<Limit_classes<Scheme, FT>> classes_ =
     std::make_shared<Limit_classes<Scheme, FT>>(this->scheme());
 };

@@ -47,7 +47,7 @@ unsigned dividing_round(Level_size size, unsigned rounds, std::size_t number_of_
 }
 
 // Refines a control level piece by piece. A piece owns faces of the level where it is divided; it is refined
-// together with the rings of faces around these. The last of them go wrong in each round, since faces are
+// together with the rings of faces around these. The last rings go wrong in each round, since faces are
 // missing there, and are cut off. The rules of creases, too, know only what is near: a part of a level has its part of
 // the creases.
 template <class Scheme, class Average, class Level_creases = No_creases, bool carries = false>
@@ -208,7 +208,7 @@ private:
     return part_of(base_, attributes_, extraction, std::move(elements), base_slots_, chart_slots_);
   }
 
-  // `slots` and `chart_slots` are those of the level
+  // `slots` and `chart_slots` belong to the level
   template <class Candidates>
   static Part part_of(const Refiner& level, [[maybe_unused]] const Carried& attributes,
                       Piece_extraction<Candidates>& extraction, Piece_elements&& elements,

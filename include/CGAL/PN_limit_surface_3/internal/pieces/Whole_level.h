@@ -52,13 +52,13 @@ private:
   boost::container::vector<char> is_owned_;
 };
 
-// Those of a level of a piece, beside its connectivity. In all three kinds the numbers increase.
+// The elements of a level of a piece, beside its connectivity. In all three kinds the numbers increase.
 struct Piece_elements
 {
   Numbered_elements vertices, edges, faces;
 };
 
-// Those of a part of a level, of which `origins` are the elements in the level; of a vertex that is there several times the
+// The elements of a part of a level, whose elements in the level are `origins`; of a vertex that is there several times the
 // first one may be owned.
 template <class Elements>
 Numbered_elements elements_of_part(const std::vector<Level_connectivity::Index>& origins,

@@ -78,7 +78,7 @@ struct Face_bounds
                             double tolerance) const = 0;
 };
 
-// Leaves those faces that are marked, and some rings around them.
+// Leaves the faces that are marked, and some rings around them.
 template <class Level>
 void cut_adaptive_level(Level& level, Face_marks kept, unsigned rings)
 {

@@ -13,9 +13,9 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Adaptive_level.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Face_selection.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Split_edges.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation_attributes.h>
-#include <CGAL/PN_limit_surface_3/tessellation/Tessellation_result.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
@@ -25,34 +25,18 @@
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <deque>
-#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
-
-// how many there are where the tolerance is out of reach
-constexpr double triangles_out_of_reach = 0x1p18;
-
-struct Tessellation_demand
-{
-  double tolerance; // of the triangles, divided by 2^exponent, as is what flatness is told from
-  int exponent;
-  unsigned most_rounds; // at least one is done where faces are not triangles or quadrilaterals
-  std::uint64_t most_triangles;
-  Limit_demand limits;
-  bool is_proven = false;
-};
 
 // Refines, level by level, the faces that are not flat enough, with the rings of faces that they need. Every vertex gets
 // its limit when it is new, so that the vertices of the result are the whole cost. Faces of the control mesh and children
@@ -67,20 +51,16 @@ public:
   using Value = typename Average::Value;
   using Level = Adaptive_level<Value, Level_creases>;
   using Attributes = Tessellation_attributes<Scheme, FT, Level_creases>;
-  using Obstacle = Tessellation_result::Obstacle;
+  using Selection = Face_selection<typename Scheme::Host, FT, Value, Level_creases>;
 
-  // `bounds` are there if they are demanded
   Adaptive_refinement(const Scheme& scheme, const Tessellation_demand& demand,
                       const For_chunks& for_chunks,
                       Face_bounds<Value, Level_creases>* bounds = nullptr)
     : scheme_(scheme)
-    , bounds_(bounds)
-    , demand_(demand)
-    , tolerance_((std::max)(demand.tolerance, least_tolerance))
-    , obstacle_(demand.tolerance < least_tolerance ? Obstacle::digits : Obstacle::none)
     , for_chunks_(for_chunks)
-    , limits_(scheme, demand_.limits, for_chunks)
-    , attributes_(scheme, demand_.limits, for_chunks)
+    , selection_(demand, for_chunks, bounds, all_)
+    , limits_(scheme, selection_.demand().limits, for_chunks)
+    , attributes_(scheme, selection_.demand().limits, for_chunks)
   {
     all_.set_exponent(demand.exponent);
   }
@@ -90,21 +70,15 @@ public:
                   const Tessellation_data& attributes = {},
                   std::deque<Tessellation_node>&& before = {})
   {
-    before_ = std::move(before);
+    selection_.begin(std::move(before));
     Level level = first_level(std::move(control), std::move(creases), attributes);
     for (bool is_done = false; !is_done;) is_done = !refine(level);
-    before_.clear();
+    selection_.end();
   }
 
-  const Tessellation_demand& demand() const { return demand_; }
-  // the tolerance of the demand, or a larger one that is in reach
-  double tolerance() const { return tolerance_; }
+  Selection& selection() { return selection_; }
   Split_edges<FT>& all() { return all_; }
   const Split_edges<FT>& all() const { return all_; }
-  std::deque<Tessellation_node>& nodes() { return nodes_; }
-  const std::deque<Tessellation_node>& nodes() const { return nodes_; }
-  // of each node, if there are any
-  const std::vector<std::vector<double>>& corners_of_nodes() const { return corners_of_nodes_; }
   // vertices that are not used go
   void remove_unused(const std::vector<bool>& used)
   {
@@ -112,7 +86,6 @@ public:
     all_.keep_vertices(used);
   }
   const Attributes& attributes() const { return attributes_; }
-  Obstacle obstacle() const { return obstacle_; }
   unsigned depth() const { return rounds_; }
 
 private:
@@ -121,29 +94,16 @@ private:
   static constexpr bool is_creased = are_creases_v<Level_creases>;
   using Result = typename Limit_evaluation<Scheme, FT>::Result;
   using Results = std::vector<Result>;
-  using Flatness = Face_flatness<FT, Level>;
+  using Flatness = typename Selection::Flatness;
   using Slots = Slots_of_corners<Level_creases>;
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr Index null = Level_connectivity::null;
   static constexpr std::ptrdiff_t limits_at_once = 1 << 13;
 
-  struct Face_error
-  {
-    double error = 0;
-    bool has_flatter_second = false; // see Tessellation_leaf
-  };
-
-  static constexpr double least_tolerance = 0x1p-48; // what coordinates in double can tell
-  // The sagitta of halves is a fourth; errors that are known badly may fall more slowly.
-  static constexpr double rest_of_discrepancy = 0.5, rest_of_distance = 0.45, least_rest = 0.27;
-  // where a normal is not to be trusted, and the surface not smooth about the vertex
-  static constexpr double distrust = 2;
-
   // \name Limits
-  // those at the slots, where only some vertices are asked for, at theirs
+  // limits at all slots, or at those of some vertices
   Results limits(Level& level, const std::vector<Index>* some)
   {
-    // these get the tangents of the limit, with which no round goes on
+    // a copy, since its tangents become those of the limit, with which no round goes on
     Level_creases creases = level.creases;
     return limits_(level.level, creases, rounds_ + 1, some);
   }
@@ -236,8 +196,8 @@ private:
   bool refine(Level& level)
   {
     const bool is_control = rounds_ == 0;
-    const bool has_unseen = mark_unseen(level);
-    if (!select(level, false) && !has_unseen) return false;
+    const bool has_unseen = Selection::mark_unseen(level);
+    if (!selection_.select(level, false, rounds_) && !has_unseen) return false;
     if (!is_control && rounds_ + 1 >= first_tuned_round(scheme_) &&
         !is_anything_ending(level.creases))
       cut(level);
@@ -248,7 +208,7 @@ private:
       const std::vector<Index> vertices = new_vertices(level);
       results = limits(next, is_control ? nullptr : &vertices);
       measure(level, [&](Index, Index v) { return all_.place(point_of(results[v].value)); });
-      select(level, true);
+      selection_.select(level, true, rounds_ - 1);
       if (std::none_of(level.faces.begin(), level.faces.end(),
                        [](const Adaptive_face& f) { return f.is_split; })) {
         --rounds_;
@@ -275,144 +235,6 @@ private:
     hand_down(level, next);
     level = std::move(next);
     return true;
-  }
-
-  // marks the faces that get a round to be seen; whether there are any
-  static bool mark_unseen(Level& level)
-  {
-    bool has_unseen = false;
-    for (Index f = 0; f < level.faces.size(); ++f) {
-      Adaptive_face& face = level.faces[f];
-      face.is_split = face.is_wanted && face.seen == Adaptive_face::Seen::none && is_leaf(level, f);
-      has_unseen = has_unseen || face.is_split;
-    }
-    return has_unseen;
-  }
-
-  // Decides which faces are split, and stores the others; whether there are any to be split. Faces that go by their parents
-  // come first, then faces whose limits after the round are known.
-  bool select(Level& level, bool is_second)
-  {
-    using Seen = Adaptive_face::Seen;
-    const auto is_candidate = [&](Index f) {
-      const Adaptive_face& face = level.faces[f];
-      return face.is_wanted && (is_second ? face.seen == Seen::of_itself
-                                          : face.seen == Seen::of_parent || !is_leaf(level, f));
-    };
-    std::vector<Index> faces;
-    for (Index f = 0; f < level.faces.size(); ++f)
-      if (is_candidate(f)) faces.push_back(f);
-    if (faces.empty()) return false;
-    const Flatness flatness(level, all_);
-    std::vector<Face_error> errors(faces.size());
-    if (bounds_ != nullptr) bounds_->begin(level);
-    for_chunks_(static_cast<Index>(faces.size()), [&](Index begin, Index end) {
-      for (Index i = begin; i < end; ++i) errors[i] = error(level, flatness, faces[i]);
-    });
-    constexpr std::uint64_t triangles = Host::refined_degree == 4 ? 8 : 4;
-    relax(errors, triangles / 4);
-    const unsigned rounds = rounds_ - (is_second ? 1 : 0); // that have been made of these faces
-    std::uint64_t number = 0;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      Adaptive_face& face = level.faces[faces[i]];
-      add_node(face, rounds);
-      face.is_split = nodes_[face.node].has_to_be_split || !(errors[i].error <= tolerance_);
-      number += face.is_split ? 1 : 0;
-    }
-    const bool are_too_many = number_of_leaves_ * 2 + number * triangles > demand_.most_triangles;
-    const bool is_last = rounds >= demand_.most_rounds || are_too_many;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      const Index f = faces[i];
-      Adaptive_face& face = level.faces[f];
-      if (is_last && face.is_split && is_leaf(level, f)) {
-        face.is_split = false;
-        --number;
-        if (!(errors[i].error <= tolerance_))
-          meet(are_too_many ? Obstacle::triangles : Obstacle::rounds);
-        if (bounds_ != nullptr) errors[i].error = (*bounds_)(f, flatness.places(f), infinity);
-      }
-      fill_node(level, flatness, f, errors[i]);
-    }
-    return number != 0;
-  }
-
-  // The number of triangles is inverse to the tolerance. If more would be needed than are allowed, the tolerance becomes one
-  // that is in reach.
-  void relax(const std::vector<Face_error>& errors, unsigned triangles)
-  {
-    double expected = 0;
-    for (const Face_error& e : errors)
-      if (e.error > tolerance_ && e.error < infinity)
-        expected += triangles * (e.error / tolerance_);
-    if (!(expected > double(demand_.most_triangles))) return;
-    tolerance_ *= expected / triangles_out_of_reach;
-    meet(Obstacle::triangles);
-  }
-
-  // the first one counts
-  void meet(Obstacle obstacle)
-  {
-    if (obstacle_ == Obstacle::none) obstacle_ = obstacle;
-  }
-
-  // Children have the order that they had before.
-  void add_node(Adaptive_face& face, unsigned rounds)
-  {
-    const Index parent = face.node;
-    face.node = static_cast<Index>(nodes_.size());
-    nodes_.emplace_back();
-    nodes_.back().may_be_split = rounds < demand_.most_rounds;
-    if (parent != null) {
-      if (face.before != null)
-        face.before = before_[face.before].child(nodes_[parent].number_of_children);
-      nodes_[parent].add_child(face.node);
-    } else
-      face.before = before_.empty() ? null : face.node;
-    if (face.before != null) nodes_.back().has_to_be_split = before_[face.before].has_to_be_split;
-  }
-  void fill_node(Level& level, const Flatness& flatness, Index f, const Face_error& error)
-  {
-    const Adaptive_face& face = level.faces[f];
-    Tessellation_node& node = nodes_[face.node];
-    node.is_leaf = !face.is_split;
-    number_of_leaves_ += node.is_leaf ? 1 : 0;
-    if (!is_leaf(level, f))
-      for_each_halfedge_of_face(
-        level.level.level, f, [&](Index h) { all_.pin(level.edges[Level_connectivity::edge(h)]); });
-    else {
-      node.leaf.error = error.error;
-      node.leaf.has_flatter_second = error.has_flatter_second;
-      flatness.read(f, node.leaf);
-    }
-    if (!level.corners.empty()) corners_of_nodes_.push_back(level.corners[f]);
-  }
-
-  static bool is_leaf(const Level& level, Index f)
-  {
-    const Index h = level.level.level.halfedge_of_face(f);
-    return level.level.level.has_degree(h, 3) || level.level.level.has_degree(h, 4);
-  }
-
-  Face_error error(const Level& level, const Flatness& flatness, Index f) const
-  {
-    if (!is_leaf(level, f)) return {infinity, false};
-    const auto estimate = flatness.estimate(f);
-    const Adaptive_face& face = level.faces[f];
-    const bool is_seen = face.seen == Adaptive_face::Seen::of_itself;
-    double e = (is_seen ? 1 : rest_of_distance) * face.measured;
-    if (estimate.knows_normals) {
-      const double by_normals =
-        estimate.error + (is_seen ? 1 : rest_of_discrepancy) * face.discrepancy;
-      e = is_seen ? (std::max)(e, by_normals) : by_normals;
-    } else if (!estimate.trusts_normals)
-      e *= distrust;
-    else if (!is_seen) // control normals may be off, but tell which way the surface goes
-      e = (std::max)(least_rest * face.measured,
-                     (std::min)(e, estimate.error + rest_of_discrepancy * face.discrepancy));
-    e = (estimate.is_at_curve ? safety_at_curves : tessellation_safety) *
-        (std::max)(e, estimate.along_curves);
-    if (bounds_ != nullptr && e <= tolerance_) e = (*bounds_)(f, flatness.places(f), tolerance_);
-    return {e, estimate.has_flatter_second};
   }
 
   void cut(Level& level) const
@@ -457,7 +279,7 @@ private:
     return next;
   }
 
-  // those on the faces that are split
+  // the new vertices on the faces that are split
   std::vector<Index> new_vertices(const Level& level) const
   {
     const Level_connectivity& old = level.level.level;
@@ -487,7 +309,7 @@ private:
     for_chunks_(old.number_of_faces(), [&](Index begin, Index end) {
       for (Index f = begin; f < end; ++f) {
         Adaptive_face& face = level.faces[f];
-        if (!face.is_split || !is_leaf(level, f)) continue;
+        if (!face.is_split || !Selection::is_leaf(level, f)) continue;
         typename Flatness::Middles middles;
         flatness.for_each_edge(f, [&](std::size_t i, Index h) {
           middles.of_edges[i] = place(h, host.vertex_of_edge(Level_connectivity::edge(h)));
@@ -531,7 +353,7 @@ private:
   {
     const Host host(level.level.level, rounds_);
     for (const Adaptive_face& face : level.faces)
-      if (face.is_split) nodes_[face.node].leaf.error = face.discrepancy;
+      if (face.is_split) selection_.nodes()[face.node].leaf.error = face.discrepancy;
     next.faces.resize(next.level.level.number_of_faces());
     for (Index f = 0; f < next.faces.size(); ++f) {
       const Adaptive_face& parent = level.faces[host.parent_of_face(f).index];
@@ -586,18 +408,11 @@ private:
   static constexpr bool has_face_vertices = std::is_same_v<Host, PQQ_host>;
 
   const Scheme& scheme_;
-  Face_bounds<Value, Level_creases>* const bounds_;
-  const Tessellation_demand demand_;
-  double tolerance_;
-  Obstacle obstacle_;
   For_chunks for_chunks_;
+  Split_edges<FT> all_;
+  Selection selection_;
   Limits_of_level<Scheme, FT, Level_creases> limits_;
   Attributes attributes_;
-  std::vector<std::vector<double>> corners_of_nodes_;
-  Split_edges<FT> all_;
-  std::deque<Tessellation_node> nodes_; // a deque does not copy nodes when it grows
-  std::deque<Tessellation_node> before_;
-  std::uint64_t number_of_leaves_ = 0;
   unsigned rounds_ = 0;
 };
 

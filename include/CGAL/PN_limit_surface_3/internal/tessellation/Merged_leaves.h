@@ -27,8 +27,8 @@
 namespace CGAL::PN_subdivision_3::internal {
 
 // Takes splits back that did not have to be, since faces are split both ways although the surface is bent one way
-// only: a face becomes a leaf again, with the vertices on its sides, where its triangles are flat enough without those
-// inside. Sides that are straight lose theirs, if no face beyond needs them.
+// only: a face becomes a leaf again, with the vertices on its sides, where its triangles are flat enough without the
+// vertices inside. Straight sides lose their vertices, if no face beyond needs them.
 template <class FT>
 class Merged_leaves
 {

@@ -75,7 +75,7 @@ private:
             std::ldexp(p[2], -exponent_)};
   }
 
-  // sides: those of the face on which the cell's are
+  // sides: the sides of the face on which sides of the cell lie
   void add(Cell&& cell, unsigned sides, Search& search) const
   {
     Search here = search;

@@ -186,7 +186,7 @@ struct Tessellation_leaf
   bool has_flatter_second = false;  // of a quadrilateral: the diagonal from its second corner
 };
 
-// A face of some level, with those that it was split into.
+// A face of some level, with the faces that it was split into.
 struct Tessellation_node
 {
   using Index = Level_connectivity::Index;

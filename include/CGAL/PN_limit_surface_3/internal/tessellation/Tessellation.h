@@ -60,18 +60,19 @@ public:
   template <class Refinement>
   Leaf_triangles<FT> triangles(Refinement& refinement, std::size_t dimension_of_corners)
   {
-    const bool is_proven = refinement.demand().is_proven;
-    const double tolerance = refinement.tolerance() / tessellation_safety;
-    if (!is_proven) Merged_leaves<FT>(refinement.all(), refinement.nodes(), tolerance)();
+    const bool is_proven = refinement.selection().demand().is_proven;
+    const double tolerance = refinement.selection().tolerance() / tessellation_safety;
+    if (!is_proven)
+      Merged_leaves<FT>(refinement.all(), refinement.selection().nodes(), tolerance)();
     Leaf_triangles<FT> triangles(refinement.all(), tolerance, dimension_of_corners, is_proven);
     triangles.reserve(2 * std::size_t(refinement.all().number_of_vertices()));
-    const auto& corners = refinement.corners_of_nodes();
+    const auto& corners = refinement.selection().corners_of_nodes();
     are_missed_ = false;
-    for (std::size_t i = 0; i < refinement.nodes().size(); ++i) {
-      Tessellation_node& node = refinement.nodes()[i];
+    for (std::size_t i = 0; i < refinement.selection().nodes().size(); ++i) {
+      Tessellation_node& node = refinement.selection().nodes()[i];
       if (!node.is_leaf) continue;
       const double error = triangles.add(node.leaf, corners.empty() ? nullptr : corners[i].data());
-      if (error > with_rounding * refinement.tolerance()) miss(node);
+      if (error > with_rounding * refinement.selection().tolerance()) miss(node);
     }
     return triangles;
   }
@@ -83,16 +84,16 @@ public:
     ++number_;
     if (!are_missed_ || number_ >= most_) return false;
     if (number_ > 1 && triangles.triangles().size() > triangles_out_of_reach) return false;
-    nodes_ = std::move(refinement.nodes());
+    nodes_ = std::move(refinement.selection().nodes());
     return true;
   }
 
   // What has been reached, in the unit of the coordinates.
   template <class Refinement>
-  void report(const Refinement& refinement, const Leaf_triangles<FT>& triangles,
+  void report(Refinement& refinement, const Leaf_triangles<FT>& triangles,
               Tessellation_result& report) const
   {
-    const Tessellation_demand& demand = refinement.demand();
+    const Tessellation_demand& demand = refinement.selection().demand();
     report.bound = std::ldexp(triangles.bound(), demand.exponent);
     report.worst_face = triangles.worst_face();
     report.worst_place = triangles.worst_place();
@@ -100,7 +101,7 @@ public:
     report.reached = triangles.bound() <= with_rounding * demand.tolerance;
     report.depth = refinement.depth();
     if (report.reached) return;
-    report.obstacle = refinement.obstacle();
+    report.obstacle = refinement.selection().obstacle();
     if (report.obstacle == Obstacle::none)
       report.obstacle = are_missed_ ? Obstacle::triangles : Obstacle::rounds;
   }

@@ -175,8 +175,8 @@ public:
     return result;
   }
 
-  // The arrays of the result; half-edges have the numbers that the level of the triangles gives them. `data` are those of
-  // read(), and `vertices` the control vertices that the first ones of the result are.
+  // The arrays of the result; half-edges have the numbers that the level of the triangles gives them. `data` comes from
+  // read(), and `vertices` has the control vertices that the first vertices of the result are.
   template <class Refinement, class FT>
   Attribute_table of_result(const Refinement& refinement, const Leaf_triangles<FT>& triangles,
                             const Tessellation_data& data, std::vector<Index> vertices) const
@@ -221,7 +221,7 @@ public:
   }
 
 private:
-  // Behind the attributes of corners, if there are labels: those of a regular polygon, in which the place of a vertex tells the
+  // Behind the attributes of corners, if there are labels: coordinates in a regular polygon, in which the place of a vertex tells the
   // nearest corner.
   static constexpr std::size_t dimension_of_places = 2;
 
@@ -301,7 +301,7 @@ private:
     return result;
   }
 
-  // those of an element next to each other
+  // numbers of an element are next to each other
   static std::vector<double> joined(const std::vector<Attribute_array>& arrays,
                                     std::size_t elements, const char* kind, std::size_t& dimension)
   {

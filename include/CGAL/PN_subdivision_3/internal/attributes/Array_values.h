@@ -68,7 +68,7 @@ struct Corner_attribute_values
   Corner_rule rule;
 };
 
-// What a call carries without rows, of which all parts have the whole.
+// The attributes of a call that are copied without rows; all parts of a level share them.
 struct Carried_copies
 {
   template <class T>
@@ -107,7 +107,7 @@ struct Carried_copies
   }
 };
 
-// What a call carries, read from the mesh and its maps before the first round.
+// The attributes of a call, read from the mesh and its maps before the first round.
 template <class FT>
 struct Carried_attributes : Carried_copies
 {

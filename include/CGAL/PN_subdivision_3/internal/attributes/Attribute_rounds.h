@@ -55,7 +55,7 @@ public:
   using Indices = Level_part::Origins;
   using Chart_slots = std::vector<Corner_slots<FT>>;
 
-  // `extra_slots` are the vertices of the slots behind those of the vertices, see Creases; `visited` the origins
+  // `extra_slots` has the vertices of the further slots, see Creases; `visited` the origins
   // that a visitor asks for
   Attribute_rounds(Carried_attributes<FT>&& carried, Kinds visited, const Level_connectivity& level,
                    const std::vector<Index>& extra_slots, const Control_sharpness& sharpness,
@@ -110,7 +110,7 @@ public:
     keep();
     return carried_;
   }
-  // whether charts are cut, so that their rules look at more faces than those of the scheme
+  // whether charts are cut, so that their rules look at more faces than the rules of the scheme
   bool has_charts() const { return !smooth_.empty(); }
   // the slots of corners in each chart of the level, for its parts
   Chart_slots slots_of_charts(const Level_connectivity& level) const

@@ -77,7 +77,7 @@ public:
     refine(scheme, refiner, round);
   }
 
-  // Those of a part of the level, of which its slots in the level are given.
+  // The attributes of a part of the level, given its slots in the level.
   Carried_rounds part(const Level_part& part, const std::vector<Level_part::Index>& slot_ids,
                       const typename Rounds::Chart_slots& chart_slots) const
   {
@@ -97,7 +97,7 @@ private:
   std::optional<Level_connectivity> whole_; // the level of a round with creases, before it is cut
 };
 
-// With nothing to carry there is nothing to do.
+// Without attributes there is nothing to do.
 template <class FT, class Host>
 class Carried_rounds<FT, Host, false>
 {
@@ -122,7 +122,7 @@ public:
   }
 };
 
-// What a Carrier carries through the rounds of a call.
+// The attributes of a call in its rounds.
 template <class FT, class Host, class Carry, bool = Carry::is_empty>
 class Carried_through : public Carried_rounds<FT, Host>
 {
@@ -132,7 +132,7 @@ class Carried_through : public Carried_rounds<FT, Host>
 public:
   using Index = Level_connectivity::Index;
 
-  // `extra_slots` are the vertices of the slots behind those of the vertices, see Creases
+  // `extra_slots` has the vertices of the further slots, see Creases
   template <class Access>
   Carried_through(const Carry& carry, const Access& access, const Level_connectivity& level,
                   const std::vector<Index>& extra_slots, const Control_sharpness& sharpness,

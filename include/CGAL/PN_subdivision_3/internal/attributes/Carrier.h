@@ -129,7 +129,7 @@ struct Call_round_done
   Visitor& visitor;
 };
 
-// What a call carries beside points and normals: its attributes, and what its
+// What a call refines beside points and normals: its attributes, and what its
 // visitor asks for.
 template <class Mesh, class Visitor, class Attributes>
 struct Carrier
@@ -140,7 +140,7 @@ struct Carrier
   static constexpr Level_origins::Kinds visited{Visits<Visitor, Vertex_created<Mesh>>::value,
                                                 Visits<Visitor, Edge_created<Mesh>>::value,
                                                 Visits<Visitor, Face_created<Mesh>>::value};
-  // there is nothing to carry, whatever the attributes
+  // there is nothing to refine, whatever the attributes
   static constexpr bool is_empty = std::is_same_v<std::decay_t<Attributes>, No_attributes> &&
                                    !visited.vertices && !visited.edges && !visited.faces;
 

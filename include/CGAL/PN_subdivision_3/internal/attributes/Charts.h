@@ -264,7 +264,7 @@ public:
   // \pre is_cut()
   Creases<FT>& creases() { return creases_; }
   Chart_rules& rules() { return rules_; }
-  // border vertices with a single face, if those stay; charts that are cut have this in their rules
+  // border vertices with a single face, if corners stay; charts that are cut have this in their rules
   const std::vector<Index>& kept_vertices() const { return kept_vertices_; }
 
   // for each slot, or for each vertex if nothing is cut, one of its corners or null

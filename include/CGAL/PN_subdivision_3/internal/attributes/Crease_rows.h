@@ -53,7 +53,7 @@ public:
     shares_.emplace(level, *slots_, *smooth_mask);
   }
 
-  // calls f(new slot, row) for all slots of new vertices on creases; those of a vertex one after the other
+  // calls f(new slot, row) for all slots of new vertices on creases; the slots of a vertex follow one another
   template <class Function>
   void for_each(const Function& f)
   {

@@ -71,8 +71,8 @@ public:
     }
   }
 
-  // Begins to carry those of a control mesh for parts of it. The function that is returned takes the attributes of a part
-  // whose values have been put, and keeps the values of the mesh.
+  // Begins to refine the attributes of a control mesh for parts of it. The function that is returned takes the attributes of a
+  // part whose values have been put, and keeps the values of the mesh.
   template <class FT, class Host, class Access, class Level_creases, class Attributes>
   static auto carry(const Access& access, const Level_connectivity& level,
                     const Level_creases& creases, const Control_sharpness& sharpness,

@@ -139,8 +139,8 @@ public:
 
   const Creases<FT>& creases() const { return creases_; }
 
-  // Takes the rows of the level, as long as they are those of its vertices, and finds out where the charts need
-  // others: where a row reads a vertex on a seam or crease.
+  // Takes the rows of the vertices of the level, and finds out where the charts need other rows: where a row reads a
+  // vertex on a seam or crease.
   void begin_round(const Level_connectivity& level, Index number_of_new_vertices, bool takes_rows)
   {
     is_special_.assign(level.number_of_vertices(), takes_rows ? 0 : 1);

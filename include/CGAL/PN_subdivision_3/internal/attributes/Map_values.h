@@ -28,7 +28,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// elements that are their numbers, and a map of them
+// an access whose elements are numbers, and a map of numbers
 struct Numbers_as_elements
 {
   using Index = Level_connectivity::Index;
@@ -65,7 +65,7 @@ void begin_map(Undoable_map<Access, Map_of_numbers<T, Keys>, Keys>& map, std::si
 
 struct Of_part
 {};
-// Values for a part: those of maps of numbers can be cut, a user's map is that of the whole mesh.
+// Values for a part: a map of numbers can be cut, a user's map belongs to the whole mesh.
 template <class Access, class Values, class Any_map, class... Arguments>
 std::unique_ptr<Values> part_of_map([[maybe_unused]] const Any_map& whole,
                                     [[maybe_unused]] const Arguments&... arguments)
@@ -251,7 +251,7 @@ private:
   }
 
   Undoable map_;
-  std::vector<Index> position_; // of a control element among those that are read
+  std::vector<Index> position_; // of a control element among the elements that are read
   Values old_, new_;
   bool puts_at_once_ = false;
 };

@@ -26,7 +26,7 @@
 namespace CGAL::PN_subdivision_3::internal {
 
 // The shares that control vertices have in a place of the control mesh, by linear interpolation: one at a control vertex,
-// two on an edge, those of its corners in a face.
+// two on an edge, as many as it has corners in a face.
 class Control_shares
 {
 public:
@@ -67,8 +67,8 @@ private:
   std::vector<Share> shares_;
 };
 
-// Values of vertices that are those of the nearest control vertices. A new vertex is in the middle of those that have the
-// main weights in its row: an old vertex, the ends of an edge, or the corners of a face.
+// Values that vertices have from the nearest control vertices. A new vertex is in the middle of the vertices with the main
+// weights in its row: an old vertex, the ends of an edge, or the corners of a face.
 template <class FT>
 class Nearest_values : public Row_values<FT>
 {

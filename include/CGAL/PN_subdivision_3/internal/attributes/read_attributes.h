@@ -120,7 +120,7 @@ constexpr bool check_direction()
   return is_right;
 }
 
-// What attributes() takes. Each adds itself to what a call carries.
+// What attributes() takes. Each adds itself to the attributes of the call.
 
 template <class Map, class Rule>
 struct Vertex_attribute_by

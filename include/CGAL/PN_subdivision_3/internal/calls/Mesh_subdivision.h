@@ -81,7 +81,7 @@ public:
 
 private:
   // Whether a mesh gets edges and faces in one thread while others put the values of the last round: the
-  // maps of a Surface_mesh stand where they are when other elements than theirs come.
+  // maps of a Surface_mesh stay where they are when the mesh gets elements of other kinds.
   template <class Writer>
   static constexpr bool has_late_growth_v = is_parallel_v<Concurrency_tag>&& Writer::has_own_maps;
 

@@ -147,7 +147,7 @@ private:
     }
   }
 
-  // a joined wedge gets the roundness 0 later, so that any of its numbers will do here
+  // a joined wedge gets the roundness 0 later, so that the roundness of any of its old wedges will do here
   static void join_roundness(const Wedge_join& join, std::vector<FT>& roundness)
   {
     if (roundness.size() == join.number_of_wedges) return;

@@ -145,7 +145,7 @@ private:
     return vertices;
   }
 
-  // vertices beside creases whose values are not those of their rows
+  // vertices beside creases whose values do not come from their rows
   void find_others(const std::vector<Index>& on_creases)
   {
     std::vector<Index> all(ended_.begin(),

@@ -175,7 +175,7 @@ private:
     return internal::averaged_roundness(entries,
                                         [&](std::size_t j) { return roundness(slot_ids[j]); });
   }
-  // that of the crease: a circle between a plane and what is not round is one
+  // the roundness of the crease: a circle between a plane and what is not round is round
   FT largest(const std::vector<FT>& of_wedges) const
   {
     if (of_wedges.empty()) return FT(1);

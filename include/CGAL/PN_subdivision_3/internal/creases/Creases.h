@@ -281,7 +281,7 @@ struct Refined_creases
   static constexpr Index null = Level_connectivity::null;
 
   Creases<FT> creases;
-  std::vector<Index> rank;   // of an old crease edge among those that remain, or null
+  std::vector<Index> rank;   // of an old crease edge among the edges that remain, or null
   std::vector<Index> star;   // of an old star, or null where it is smooth now
   Index number_of_edges = 0; // that remain
   Index first_edge_star = 0; // the stars of new vertices on edges, by their rank

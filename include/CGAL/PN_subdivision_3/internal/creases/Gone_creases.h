@@ -132,7 +132,7 @@ struct Gone_creases
 
   Creases<FT> creases;
   std::vector<double>
-    reach; // of its slots: of the edges that touch a face at the slot and are gone the least, or 1
+    reach; // of each slot: the least sharpness of fractional edges that touch a face at the slot, or 1
 
   // `level` is whole
   Gone_creases(const Level_connectivity& level, const Creases<FT>& old)

@@ -70,7 +70,7 @@ public:
     return result;
   }
 
-  // `values` and the tangents of `refined` are those of the round in which the edges are sharp
+  // `values` and the tangents of `refined` come from the round in which the edges are sharp
   void blend(const Creases<FT>& creases, const Value* old, Refined_creases<FT>& refined,
              std::vector<Slot_value>& values, const For_chunks& for_chunks)
   {
@@ -222,7 +222,7 @@ private:
   Level_connectivity level_; // cut open
   std::optional<One_round> round_;
   std::map<Index, double> part_;
-  std::vector<Index> rows_; // of its vertices those whose values are those of rows
+  std::vector<Index> rows_; // blended vertices whose values in round_ come from their rows
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -79,7 +79,7 @@ public:
   using Index = Level_connectivity::Index;
   using Row = Entry_row<FT>;
 
-  // `level` is that of the mask, `slots` has those of its corners
+  // `level` is the level of the mask, `slot_of` tells the slots of its corners
   Slot_shares(const Level_connectivity& level, const Corner_slots<FT_of_creases>& slot_of,
               const Mask& mask)
     : level_(level)

@@ -69,7 +69,7 @@ struct Wedge_join
   bool has_inner_end = false;
 };
 
-// numbers the wedges as Creases::add_star() numbers those of the ends that remain(end)
+// numbers the wedges as Creases::add_star() does for the ends that remain(end)
 template <class FT, class Remains>
 Wedge_join keep(const Creases<FT>& creases, const Crease_star& star, const Remains& remains)
 {

@@ -19,7 +19,7 @@
 namespace CGAL::PN_subdivision_3::internal {
 
 // Any function object by reference, for the time of a call. What takes it is instantiated once for
-// all of them. Used where a call does the work of many elements, so that the jump costs nothing.
+// all function objects. Used where a call does the work of many elements, so that the jump costs nothing.
 template <class Signature>
 class Function_ref;
 

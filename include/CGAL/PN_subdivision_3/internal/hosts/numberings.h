@@ -163,7 +163,7 @@ class DQQ_numbering
 public:
   using Parent = Basic_element_parent<Index>;
 
-  // the ranks are those of the interior edges and vertices, and must stay
+  // the ranks count interior edges and vertices, and must stay
   DQQ_numbering(const Level_size& size, const Ranks<Index>& edges, const Ranks<Index>& vertices)
     : corners_(static_cast<Index>(size.corners))
     , faces_(static_cast<Index>(size.faces))
@@ -201,12 +201,12 @@ private:
 };
 
 // The numbers of the children in the sqrt(3) refinement, and back. In a round that refines the border some
-// faces have a border edge that is cut into three parts; `border_faces_before` counts those before a face,
+// faces have a border edge that is cut into three parts; `border_faces_before` counts such faces before a face,
 // `face_of_center` has the faces of the new vertices. Both are empty in other rounds.
 //
 // vertices: old ones, then one a face and two in a face at a refined border. Edges: old ones (flipped, or
 // the first parts of refined border edges), three a face, the last parts of refined border edges. Faces: the
-// triangles of the first half-edges of all faces, then those of the second and third ones.
+// triangles of the first half-edges of all faces, then of the second and third half-edges.
 template <class Index>
 class Sqrt3_numbering
 {

@@ -208,9 +208,8 @@ Level_connectivity level_of_file(const Control_file& file)
              "CGAL::Polygon_mesh_processing::orient_polygon_soup() and pn_subdivide --repair "
              "mend it");
   }
-  Level_connectivity level;
-  with_mesh_access(std::as_const(mesh), [&](const auto& access) { level = checked_level(access); });
-  return level;
+  return with_mesh_access(std::as_const(mesh),
+                          [](const auto& access) { return checked_level(access); });
 }
 
 inline std::vector<double> sharpness_of_edges(const Control_file& file,

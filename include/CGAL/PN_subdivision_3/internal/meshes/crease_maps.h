@@ -179,7 +179,7 @@ public:
           e.tangent_from[side] = checked_tangent(e.halfedge(side));
   }
 
-  // of all half-edges, those without a crease get zero
+  // of all half-edges; half-edges without a crease get zero
   void put_refined([[maybe_unused]] const Creases<FT>& creases,
                    [[maybe_unused]] Index number_of_edges)
   {

@@ -24,7 +24,6 @@
 #include <boost/type_traits/detected_or.hpp>
 
 #include <algorithm>
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -70,8 +69,8 @@ T& unwrapped(std::reference_wrapper<T>& t)
   return t.get();
 }
 
-// The roundness of the normals that a call gives: if it counts, that of an estimate is a map beside those of vertices, and goes with
-// those of corners.
+// The roundness of the normals that a call gives: if it counts, the roundness of an estimate is a map beside the normals of
+// vertices, and goes with the normals of corners.
 template <bool is_beside, class Map>
 auto roundness_of([[maybe_unused]] const Map& normals)
 {

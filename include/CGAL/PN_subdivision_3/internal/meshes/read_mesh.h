@@ -48,7 +48,7 @@ inline unsigned number_of_rounds(const Level_connectivity& level, unsigned round
   return level.size().faces == 0 ? (std::min)(rounds, 1u) : rounds;
 }
 
-// of the last round, and of those of a call that change nothing
+// reports the last round, and the rounds of a call that change nothing
 template <class Round_done>
 void report_last_round(const Round_done& done, unsigned last, unsigned all, const Level_size& size)
 {
@@ -116,7 +116,7 @@ std::vector<typename Average::Value> read_given_values(const Access& access, Poi
   return values;
 }
 
-// the same, but that normals are estimated if there is no map of them
+// as read_values(), but normals are estimated if there is no map of normals
 template <class Average, class Access, class Point_map, class Normal_map>
 std::vector<typename Average::Value>
 read_values(const Access& access, const Level_connectivity& level, Point_map points,

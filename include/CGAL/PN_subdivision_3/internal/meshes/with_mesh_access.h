@@ -52,11 +52,11 @@ public:
   }
 
   bool are_slots() const { return removed_ == 0; }
-  Index number() const { return number_; } // of those that are there
+  Index number() const { return number_; } // of elements that are not removed
   Index slot(Index i) const { return i < slots_.size() ? slots_[i] : i + removed_; }
   std::uint64_t slots_for(std::uint64_t n) const { return n + removed_; }
 
-  // from slots to numbers; null for those that are removed, or none
+  // from slots to numbers; null for slots of removed elements, or beyond the last
   class Inverse
   {
   public:
@@ -272,16 +272,16 @@ template <class Property_map>
 constexpr bool has_concurrent_put_v =
   decltype(is_surface_mesh_map(static_cast<const Property_map*>(nullptr)))::value;
 
-// calls f(access) with the access that fits the mesh
+// returns f(access) with the access that fits the mesh
 template <class Mesh, class Function>
-void with_mesh_access(Mesh& mesh, const Function& f)
+auto with_mesh_access(Mesh& mesh, const Function& f)
 {
   if constexpr (Refinable_mesh_traits<std::remove_const_t<Mesh>>::has_slots) {
     Surface_mesh_access<Mesh> access(mesh);
-    f(access);
+    return f(access);
   } else {
     Bgl_mesh_access<Mesh> access(mesh);
-    f(access);
+    return f(access);
   }
 }
 

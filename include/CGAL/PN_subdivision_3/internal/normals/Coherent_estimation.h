@@ -205,7 +205,7 @@ private:
   }
 
   // of the arcs of a sector, relative to their lengths; points that coincide miss by their normals. Wedges of a plane meet
-  // all arcs of normals that are orthogonal to creases: those of their neighbors count, too.
+  // all arcs of normals that are orthogonal to creases: the misses of their neighbors count, too.
   std::vector<double> largest_misses() const
   {
     std::vector<double> own(estimates_.size(), 0);
@@ -387,7 +387,7 @@ private:
   const Point_of& point_;
   const Scaled_differences<FT, Point_of> difference_;
   Reciprocal_estimation reciprocal_;
-  std::vector<Estimate>& estimates_; // its own
+  std::vector<Estimate>& estimates_; // of this estimation
   Inverted_fan<FT> inverted_;        // of the sector at hand
   Lift_above_neighbors lift_;        // of the same
   Spread_of_arcs arcs_;              // of the face at hand

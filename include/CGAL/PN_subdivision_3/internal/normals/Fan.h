@@ -55,7 +55,7 @@ void for_each_halfedge(const Level_connectivity& level, const Fan& fan, const Fu
   if (!fan.closed) f(h);
 }
 
-// calls function(half-edge) for those with a target, clockwise. \pre v is not isolated
+// calls function(half-edge) for the half-edges to a vertex, clockwise. \pre v is not isolated
 template <class Function>
 void for_each_halfedge_to(const Level_connectivity& level, Level_connectivity::Index v,
                           const Function& function)

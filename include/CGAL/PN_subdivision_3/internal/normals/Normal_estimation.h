@@ -26,7 +26,7 @@
 namespace CGAL::PN_subdivision_3::internal {
 
 // Estimates the normals of sectors: closed fans by reciprocal weights, open ones by the arcs to the
-// closed ones, then those open ones whose neighbors are all open by the arcs to the former, and
+// closed ones, then open ones whose neighbors are all open by the arcs to the former, and
 // last mixes in the angle-weighted normals of wide fans. The coherent estimation, which goes on from there, keeps More at each
 // sector.
 template <class FT, class Sectors, class Point_of, class More>

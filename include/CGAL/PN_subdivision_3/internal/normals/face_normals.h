@@ -238,7 +238,7 @@ private:
   const Sectors& sectors_of_;
   std::vector<Coordinates<T, 3>> sums_;
   std::vector<double> angles_;
-  std::vector<Index> sectors_; // those of the corners
+  std::vector<Index> sectors_; // of each corner
   std::vector<Coordinates<T, 3>> corners_;
   double least_area_ = 0;
 };

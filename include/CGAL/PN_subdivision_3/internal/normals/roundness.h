@@ -65,7 +65,7 @@ inline double share_of_arcs(double miss)
   return 1 - smooth_window(miss, 0.1, 0.3);
 }
 
-// the same beside creases, of arcs with the area normal
+// as above, beside creases, of arcs with the area normal
 inline double share_of_wedge(double miss)
 {
   return 1 - smooth_window(miss, 0.05, 0.2);

@@ -24,7 +24,7 @@
 namespace CGAL::PN_subdivision_3::internal {
 
 // Some faces of a level as a level of their own. Elements have the order of the candidates, which also tell the orientation
-// of edges, the first half-edge of faces, and that of vertices if all their faces are taken: those of the whole in a piece.
+// of edges, the first half-edge of faces, and the half-edge of vertices if all their faces are taken: in a piece these are as in the whole.
 // Where faces are missing there is a border, the rim; a vertex between whose faces some are missing is there several times.
 template <class Candidates>
 class Piece_extraction
@@ -58,7 +58,7 @@ public:
   Level_connectivity& piece() { return piece_; }
   const Old_vertices& old_vertices() const { return old_vertex_; }
   Old_vertices take_old_vertices() { return std::move(old_vertex_); }
-  // the same of edges and faces
+  // of edges and faces, in the same way
   std::vector<Index> old_edges() const
   {
     return old_elements(size_.edges, new_edge_, [this](Index i) { return candidates_.edge(i); });
@@ -235,7 +235,7 @@ struct Level_part
     return creases_of_part(
       whole, level, [this](Index e) { return edges[e]; }, [this](Index v) { return vertices[v]; });
   }
-  // the slots in the whole of those of the part
+  // for each slot of the part, its slot in the whole
   template <class FT>
   Origins slot_origins(const Creases<FT>& creases, const Corner_slots<FT>& whole) const
   {

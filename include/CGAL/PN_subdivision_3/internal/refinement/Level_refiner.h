@@ -100,7 +100,7 @@ public:
   using Child_sink = Function_ref<void(const Level_connectivity&)>;
   using Values = boost::container::vector<Value>;
 
-  // Level, creases and values are those of the first round that is not done.
+  // Level, creases and values before the first round.
   Level_refiner(const Scheme& scheme, Level_connectivity&& level, Level_creases&& creases,
                 Values&& values, const For_chunks& for_chunks = For_chunks(),
                 unsigned rounds_done = 0)
@@ -136,7 +136,7 @@ public:
   void refine(One_round& round, const Rows_sink* rows_sink = nullptr,
               const Child_sink* child_sink = nullptr);
 
-  // those of the slots; makes the level of the round whole again
+  // the values of the refined slots; makes the level of the round whole again
   Values refined_values(One_round& round, const Rows_sink* rows_sink = nullptr) const;
 
   // to be found once for each round

@@ -126,7 +126,7 @@ public:
   Index edge(Index i) const { return i; }
   Index face(Index i) const { return i; }
   Index place_of_edge(Index e) const { return e; }
-  // the half-edges that those elements begin with, and which half of its edge a half-edge becomes
+  // the half-edges that vertices and faces begin with, and which half of its edge a half-edge becomes
   Index halfedge_of_vertex(Index i) const { return level_.halfedge_of_vertex(i); }
   Index halfedge_of_face(Index i) const { return level_.halfedge_of_face(i); }
   static Index side(Index /*place*/, Index h) { return h & 1u; }

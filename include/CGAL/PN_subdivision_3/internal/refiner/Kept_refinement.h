@@ -136,7 +136,7 @@ private:
 
   std::vector<std::size_t> begin_; // of the readers of each old vertex
   std::vector<Index> readers_;
-  std::vector<char> is_marked_; // none of the new vertices between two calls
+  std::vector<char> is_marked_; // of each new vertex; false between two calls
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

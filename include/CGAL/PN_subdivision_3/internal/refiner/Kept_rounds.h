@@ -54,8 +54,8 @@ bool is_same_value(const Point_normal<FT, 3>& a, const Point_normal<FT, 3>& b)
 }
 
 // The rounds of a scheme on a control level with its creases, kept with their levels. What is kept of the last
-// round is its old level: its new values go to a sink. Levels with creases are kept cut open, and the values are
-// those of slots. What lies on creases is evaluated as a whole in every call, and goes on from where it has changed.
+// round is its old level: its new values go to a sink. Levels with creases are kept cut open, with values
+// of slots. What lies on creases is evaluated as a whole in every call, and goes on from where it has changed.
 template <class Scheme, class Average, class Level_creases>
 class Kept_rounds final : public Kept_refinement<Average>
 {
@@ -301,7 +301,7 @@ private:
         if (star.number_of_wedges > 1) is_given[star.vertex] = false;
       for (std::size_t s = 0; s < values.size(); ++s)
         if (!is_given[s]) values[s].normal = zero_vector<FT, 3>();
-      // those of the wedges of vertices that have several, if they are given
+      // the normals of wedges, if they are given
       for (Index s = 0; s < given_slots.values.size(); ++s)
         if (control.has_several_normals(s < n ? s : extra[s - n])) {
           values[s].normal = given_slots.values[s].normal;
@@ -336,7 +336,7 @@ private:
 
   // \name Rounds
 
-  // the values of the vertices on creases that the sink gets do not hold; returns those that do
+  // what the sink gets for vertices on creases does not hold; returns the values of their slots
   Slot_values evaluate_round(Level& level, Sink sink) const
   {
     One_round& round = *level.round;
@@ -364,7 +364,7 @@ private:
     return on_creases;
   }
 
-  // both are in the order of the numbers
+  // both lists are in the order of the slots
   static void remove_all(const std::vector<Index>& others, std::vector<Index>& vertices)
   {
     if (others.empty()) return;
@@ -389,7 +389,7 @@ private:
   const Scheme scheme_;      // the masks may refer to it
   Level_creases creases_;    // of the control level
   std::deque<Level> levels_; // keeps its elements where they are
-  std::optional<Level_connectivity> whole_control_, whole_last_; // of rounds that cut theirs open
+  std::optional<Level_connectivity> whole_control_, whole_last_; // before they were cut open
   Slot_values last_on_creases_;
 };
 

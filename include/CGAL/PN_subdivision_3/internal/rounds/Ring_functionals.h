@@ -61,7 +61,7 @@ public:
   std::size_t size() const { return 1 + (degree_ - 2) * std::size_t(n_); }
   const std::vector<Entry>& limit() const { return limit_; }
   const Functional& tangent(std::size_t i) const { return tangents_[i]; }
-  // three of them, less at valences 3 and 4 of triangles; the largest modulus is 1
+  // three functionals, less at valences 3 and 4 of triangles; the largest modulus is 1
   const std::vector<Functional>& quadratic() const { return quadratic_; }
 
 private:

@@ -32,7 +32,7 @@
 namespace CGAL::PN_subdivision_3::internal {
 
 // One round of a scheme (what is defined behind the class may be compiled once): its host on a level, its mask, and the average of the rows. The mask may
-// see another level than the host; the old values are those of the mask's level.
+// see another level than the host; the old values belong to the mask's level.
 template <class Scheme, class Average>
 class Round
 {
@@ -43,7 +43,7 @@ public:
   using Block = typename Block_of<Average>::type;
   using Host = typename Scheme::Host;
   static constexpr bool has_transfers = Has_curvature_transfer<Scheme>::value;
-  // takes (first new vertex, its row and those of the vertices behind it)
+  // takes (first new vertex, the rows of it and of the vertices behind it)
   using Rows_sink = Function_ref<void(Index, const Stencil_block<FT>&)>;
   // takes (first new vertex, values, how many)
   using Sink = Function_ref<void(Index, const Value*, Index)>;

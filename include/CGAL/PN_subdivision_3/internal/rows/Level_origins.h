@@ -34,7 +34,7 @@ using Splitting_of = std::bool_constant<Host::splits_edges>;
 template <class Host>
 using Splits_edges = boost::detected_or_t<std::false_type, Splitting_of, Host>;
 
-// Where the elements of a level come from in the control level: of every kind that is asked for, and of those
+// Where the elements of a level come from in the control level: of every kind that is asked for, and of the kinds
 // that are needed to know it a round later.
 class Level_origins
 {
@@ -92,7 +92,7 @@ private:
   Origins vertices_, edges_, faces_;
 };
 
-// The origins of the children in a round: those of their parents; a corner counts as its face.
+// The origins of the children in a round: the origins of their parents; a corner counts as its face.
 template <class Host>
 class Origin_rules
 {

@@ -64,8 +64,8 @@ private:
 // The PN average in hardware floating point, in three passes over a block: sums, normalization,
 // heights. It is PN_average but for the order in which heights are added and for normals that are
 // multiplied by 1/|N|, not divided by |N|; a row that fades or whose normal may vanish is left to
-// PN_average itself. Rows of the same length are left to Wide, where the processor has the
-// registers for it; it changes no bit of the result.
+// PN_average itself. Rows of the same length are averaged several at once, where the processor has the
+// registers for it, which changes no bit of the result.
 template <class Average_, int dimension,
           class Wide = Wide_PN_average<typename Average_::FT, dimension>>
 class Staged_PN_average_block
