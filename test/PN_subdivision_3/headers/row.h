@@ -11,8 +11,6 @@
 
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
-namespace header_in_use {
-
 CGAL::PN_subdivision_3::Level_connectivity connect();
 
 struct Row
@@ -21,7 +19,5 @@ struct Row
   void add(Index, double) {}
   void add_rest(Index) {}
 };
-
-} // namespace header_in_use
 
 #endif // PN_SUBDIVISION_3_TEST_HEADERS_ROW_H
