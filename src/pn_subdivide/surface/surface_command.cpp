@@ -71,10 +71,7 @@ void require_consistent(const Surface_options& options)
 Texture_rule texture_rule(const Surface_options& options)
 {
   if (!options.texture_rule) return options.chord ? Texture_rule::all : Texture_rule::corners_plus1;
-  const Texture_rule rule = parse_texture_rule(*options.texture_rule);
-  if (!options.scheme.scheme.empty())
-    require_texture_rule(rule, *options.texture_rule, options.scheme.scheme);
-  return rule;
+  return parse_texture_rule(*options.texture_rule);
 }
 
 unsigned number_of_threads(const Surface_options& options)
