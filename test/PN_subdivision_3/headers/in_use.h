@@ -235,33 +235,19 @@ bool use_any_scheme()
 #  include "headers/row.h"
 void use_bilinear()
 {
-  const Level_connectivity level = connect();
-  const auto mask = Bilinear_scheme().mask<double>(level, 1);
-  Row row;
-  mask.vertex(0, row);
-  mask.edge(0, row);
-  mask.face(0, row);
+  use_quad_rules(Bilinear_scheme());
 }
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_Butterfly_scheme_h)
 #  include "headers/row.h"
 void use_butterfly()
 {
-  const Level_connectivity level = connect();
-  const auto mask = Butterfly_scheme().mask<double>(level, 1);
-  Row row;
-  mask.vertex(0, row);
-  mask.edge(0, row);
+  use_triangle_rules(Butterfly_scheme());
 }
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_CatmullClark_scheme_h)
 #  include "headers/row.h"
 void use_catmullclark()
 {
-  const Level_connectivity level = connect();
-  const auto mask = CatmullClark_scheme().mask<double>(level, 1);
-  Row row;
-  mask.vertex(0, row);
-  mask.edge(0, row);
-  mask.face(0, row);
+  use_quad_rules(CatmullClark_scheme());
 }
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_DooSabin_scheme_h)
 #  include "headers/row.h"
@@ -276,32 +262,19 @@ void use_doosabin()
 #  include "headers/row.h"
 void use_kobbelt()
 {
-  const Level_connectivity level = connect();
-  const auto mask = Kobbelt_scheme().mask<double>(level, 1);
-  Row row;
-  mask.vertex(0, row);
-  mask.edge(0, row);
-  mask.face(0, row);
+  use_quad_rules(Kobbelt_scheme());
 }
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_Loop_scheme_h)
 #  include "headers/row.h"
 void use_loop()
 {
-  const Level_connectivity level = connect();
-  const auto mask = Loop_scheme().mask<double>(level, 1);
-  Row row;
-  mask.vertex(0, row);
-  mask.edge(0, row);
+  use_triangle_rules(Loop_scheme());
 }
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_Midpoint_scheme_h)
 #  include "headers/row.h"
 void use_midpoint()
 {
-  const Level_connectivity level = connect();
-  const auto mask = Midpoint_scheme().mask<double>(level, 1);
-  Row row;
-  mask.vertex(0, row);
-  mask.edge(0, row);
+  use_triangle_rules(Midpoint_scheme());
 }
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_Sqrt3_scheme_h)
 #  include "headers/row.h"
@@ -317,36 +290,20 @@ void use_sqrt3()
 #  include "headers/row.h"
 void use_transfer()
 {
-  const Level_connectivity level = connect();
-  const auto quads = CatmullClark_scheme::Transfer().mask<double>(level, 1);
-  const auto triangles = Loop_scheme::Transfer().mask<double>(level, 1);
-  Row row;
-  quads.vertex(0, row);
-  quads.edge(0, row);
-  quads.face(0, row);
-  triangles.vertex(0, row);
-  triangles.edge(0, row);
+  use_quad_rules(CatmullClark_scheme::Transfer());
+  use_triangle_rules(Loop_scheme::Transfer());
 }
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_Tuned_CatmullClark_scheme_h)
 #  include "headers/row.h"
 void use_modified_catmullclark()
 {
-  const Level_connectivity level = connect();
-  const auto mask = CatmullClark_scheme::Tuned().mask<double>(level, 1);
-  Row row;
-  mask.vertex(0, row);
-  mask.edge(0, row);
-  mask.face(0, row);
+  use_quad_rules(CatmullClark_scheme::Tuned());
 }
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_Tuned_Loop_scheme_h)
 #  include "headers/row.h"
 void use_modified_loop()
 {
-  const Level_connectivity level = connect();
-  const auto mask = Loop_scheme::Tuned().mask<double>(level, 1);
-  Row row;
-  mask.vertex(0, row);
-  mask.edge(0, row);
+  use_triangle_rules(Loop_scheme::Tuned());
 }
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_scheme_by_name_h)
 bool use_scheme_by_name()
