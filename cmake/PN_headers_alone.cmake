@@ -1,6 +1,6 @@
 # Target pn_headers_alone: all headers, and those of test_support/, compile in the company of what <windows.h>, Qt and <X11/Xlib.h>
 # define, with -Wconversion; with PN_TEST_FULL together without it and every one alone, too, those with a documented name where they
-# are used (test/PACKAGE/headers). The internal ones take the headers of others precompiled, which saves minutes: that
+# are used (test/PN_subdivision_3/headers/in_use.h). The internal ones take the headers of others precompiled, which saves minutes: that
 # they include those themselves is seen where precompiled headers are off (build preset clang-headers).
 # Only checked, not translated: no code is generated.
 set(include_dir ${PN_subdivision_3_SOURCE_DIR}/include)
@@ -8,6 +8,10 @@ set(support_dir ${PN_subdivision_3_SOURCE_DIR}/test_support)
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include_dir}/*.h ${support_dir}/*.h)
 pn_leave_out_without_eigen(headers "headers")
 set(generated ${PN_subdivision_3_BINARY_DIR}/generated/headers_alone)
+set(sections ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/headers/in_use.h)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${sections})
+file(STRINGS ${sections} in_use_of REGEX "defined")
+list(TRANSFORM in_use_of REPLACE ".*defined\\((.*)\\)" "\\1")
 set(public)
 set(internal)
 set(external)
@@ -17,10 +21,10 @@ foreach(header ${headers})
   string(REPLACE "${support_dir}/" "" relative ${relative})
   string(MAKE_C_IDENTIFIER ${relative} name)
   set(in_use "")
-  string(REGEX REPLACE "^CGAL/([^/]*)/(.*)\\.h$" "test/\\1/headers/\\2.cpp" use ${relative})
-  string(REGEX REPLACE "^analysis/(.*)\\.h$" "test/PN_subdivision_3/headers/analysis/\\1.cpp" use ${use})
-  if(EXISTS ${PN_subdivision_3_SOURCE_DIR}/${use})
-    set(in_use "#include \"${PN_subdivision_3_SOURCE_DIR}/${use}\"\n")
+  list(FIND in_use_of "IN_USE_${name}" place)
+  if(NOT place EQUAL -1)
+    set(in_use "#define IN_USE_${name}\n#include \"headers/in_use.h\"\n")
+    list(REMOVE_AT in_use_of ${place})
   endif()
   file(GENERATE OUTPUT ${generated}/${name}.cpp
        CONTENT "#include <${relative}>\n#include <${relative}>\n${in_use}")
@@ -33,6 +37,10 @@ foreach(header ${headers})
   pn_external_includes(further ${header})
   list(APPEND external ${further})
 endforeach()
+
+if(in_use_of AND TARGET CGAL::PN_subdivision_3_Eigen)
+  message(FATAL_ERROR "test/PN_subdivision_3/headers/in_use.h: there is no header of ${in_use_of}")
+endif()
 
 list(REMOVE_DUPLICATES external)
 list(FILTER external EXCLUDE REGEX "^(test_support|schemes)/|parameters_interface.h$") # ours; calls of macros that whoever includes it defines

@@ -78,7 +78,7 @@ if(Python3_FOUND)
     set_tests_properties(documented_commands PROPERTIES TIMEOUT 600)
   endif()
 
-  # some numbers of the page that shows the paper's figures; scripts/check_pictures.sh compares all
+  # some numbers of the page that shows the paper's figures; scripts/pictures.py --check compares all
   if(TARGET pn_subdivide)
     add_test(NAME numbers_of_paper_figures
              COMMAND Python3::Interpreter -B ${pn_scripts}/make_paper_figures.py

@@ -22,17 +22,16 @@ sought, where it is known, stands in the last columns.
 import argparse
 import re
 import sys
-import tomllib
 from pathlib import Path
 
 import check_layers
+import mutate
 
 ROOT = Path(__file__).resolve().parent.parent
 BUDGETS = ROOT / "scripts" / "budgets.tsv"
 HEADERS = ROOT / "include" / "CGAL"
 SOURCES = ROOT / "src"  # of the command, and of the library
 PYTHON = [ROOT / "python" / "src", ROOT / "python" / "pn_subdivision"]
-LONG = 100  # lines of a header that should be touched by a wrong change
 INTRODUCTION = """\
 # The most that a folder may have; checked by scripts/check_budgets.py, which also lowers and raises it.
 # A row is raised only by a commit that says why.
@@ -43,7 +42,7 @@ COLUMNS = ["folder", "files", "lines", "goal: files", "lines"]
 FORWARDING = "(headers that only include another one)"
 PAIRS = "(pairs of folders that include each other)"
 CIRCLES = "(folders in circles)"
-UNTOUCHED = f"(headers of {LONG} lines and more without a wrong change)"
+UNTOUCHED = f"(headers of {mutate.LONG} lines and more without a wrong change)"
 
 
 def lines_of(path: Path) -> int:
@@ -69,16 +68,13 @@ def public_names() -> int:
 
 def headers_behind(umbrella: str) -> set[Path]:
     """The public headers that an umbrella header includes, by others or itself."""
-    reached: set[Path] = set()
-    waiting = [HEADERS / umbrella]
+    included, reached, waiting = check_layers.headers(ROOT), set(), [Path(umbrella)]
     while waiting:
         header = waiting.pop()
-        if header in reached or not header.is_file():
-            continue
-        reached.add(header)
-        names = re.findall(r"^ *# *include <CGAL/(PN_[^>]+)>", header.read_text(), re.MULTILINE)
-        waiting += [HEADERS / name for name in names]
-    return {header for header in reached if "internal" not in header.parts}
+        if header not in reached and header in included:
+            reached.add(header)
+            waiting += included[header]
+    return {HEADERS / header for header in reached if "internal" not in header.parts}
 
 
 def umbrellas() -> dict[str, tuple[int, int]]:
@@ -108,10 +104,8 @@ def counted() -> dict[str, tuple[int, int]]:
         folder = str(path.parent.relative_to(ROOT))
         files, lines = counts.get(folder, (0, 0))
         counts[folder] = files + (path not in included), lines + lines_of(path)
-    touched = {m["file"] for m in tomllib.loads((ROOT / "scripts" / "mutations.toml").read_text())["mutation"]}
-    untouched = [h for h in headers + included if lines_of(h) >= LONG and str(h.relative_to(HEADERS)) not in touched]
     counts[FORWARDING] = sum(map(only_forwards, headers)), 0
-    counts[UNTOUCHED] = len(untouched), 0
+    counts[UNTOUCHED] = len(mutate.bare_headers()), 0
     counts[PUBLIC] = public_names(), 0
     pairs, inside = check_layers.circles(ROOT)
     counts[PAIRS] = len(pairs), 0

@@ -17,7 +17,7 @@
 #                                               N seconds allow; it says how many were not checked
 #
 # Debian packages: clang, g++-aarch64-linux-gnu, qemu-user (scripts/install_dependencies.sh does not install the
-# last two). The headers of CGAL 6 are fetched from Debian's mirror (scripts/fetch_cgal6_headers.sh), or CGAL6=FOLDER
+# last two). The headers of CGAL 6 are fetched from Debian's mirror, that of apt here or DEBIAN_MIRROR, or CGAL6=FOLDER
 # has what that package unpacks. Every header alone, with g++ and clang++: the targets pn_headers_alone of the presets.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -115,10 +115,27 @@ everything_with_cgal6()
   return $status
 }
 
+# Nothing is installed, and the system's package lists stay as they are: apt works in a folder of its own.
+fetch_cgal6()
+(
+  set -e
+  scratch=$(mktemp -d)
+  trap 'rm -rf "$scratch"' EXIT
+  mirror=${DEBIAN_MIRROR:-$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' | grep -E '/debian/?$' | head -n 1)}
+  mkdir -p "$1" "$scratch/state/lists/partial" "$scratch/cache/archives/partial"
+  : >"$scratch/status"
+  echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] ${mirror:-http://deb.debian.org/debian} trixie main" >"$scratch/sources.list"
+  own=(-o Dir::Etc::sourcelist="$scratch/sources.list" -o Dir::Etc::sourceparts=- -o Dir::State="$scratch/state"
+       -o Dir::State::status="$scratch/status" -o Dir::Cache="$scratch/cache" -o APT::Sandbox::User=)
+  apt-get -qq "${own[@]}" update
+  (cd "$scratch" && apt-get -qq "${own[@]}" download libcgal-dev)
+  dpkg-deb -x "$scratch"/libcgal-dev_*.deb "$1"
+)
+
 cgal6()
 {
   local newer=${CGAL6:-$PWD/$folder/cgal6} status=0
-  [[ -e $newer/usr/include/CGAL/version.h ]] || scripts/fetch_cgal6_headers.sh "$newer" || return 1
+  [[ -e $newer/usr/include/CGAL/version.h ]] || fetch_cgal6 "$newer" || return 1
   if [[ $with_headers == yes ]]; then
     for compiler in g++ clang++; do
       compile_headers "$compiler" -std=c++17 -isystem "$newer/usr/include" test/PN_subdivision_3/portability/bits.cpp || status=1

@@ -8,14 +8,13 @@
 # Author(s): PN_subdivision_3 developers
 """Thirty bad inputs through CGAL, OpenMesh, OpenSubdiv and this package, as a page of the manual.
 
-    scripts/compare_bad_input.py [--print]
+    scripts/compare_bad_input.py
 
 Compiles benchmark/PN_subdivision_3/bad_input/peers_on_bad_input.cpp (packages libopenmesh-dev, libosd-dev), runs it with
-the command in build/release, and writes doc/PN_subdivision_3/bad_input.txt, or prints the table.
+the command in build/release, and writes doc/PN_subdivision_3/bad_input.txt.
 """
 
 import re
-import sys
 from pathlib import Path
 
 from refinery import COMMAND, ROOT, run
@@ -77,15 +76,5 @@ precondition; an index beyond the vertices is an error of the program that build
 """
 
 
-def main():
-    rows = table()
-    if "--print" in sys.argv:
-        for row in rows:
-            print("\n    ".join([row[0] + " (" + row[1] + ")"] +
-                                [f"{rows[0][i]}: {row[i]} {row[i + 1]}" for i in range(2, len(row), 2)]))
-    else:
-        PAGE.write_text(page(rows))
-
-
 if __name__ == "__main__":
-    main()
+    PAGE.write_text(page(table()))

@@ -32,7 +32,6 @@ import subprocess
 import sys
 import tempfile
 
-import byte_data
 import byte_jobs
 
 MESHES = pathlib.Path(__file__).resolve().parent.parent / "data" / "meshes"
@@ -42,7 +41,7 @@ COLUMNS = ["status", "output", "messages"]
 
 def write_inputs(folder):
     shutil.copytree(MESHES, folder)
-    for name, text in byte_data.written().items():
+    for name, text in byte_jobs.written().items():
         (folder / name).write_text(text)
 
 

@@ -22,9 +22,8 @@ import tempfile
 from pathlib import Path
 
 from refinery import ROOT, run
-from speed_comparison import chart, measurements, page
-from speed_comparison.measurements import Medians
-from speed_comparison.servers import Servers
+from speed_comparison import measurements, page
+from speed_comparison.measurements import Medians, Servers
 
 BUILD = ROOT / "build" / "release"
 PEERS = BUILD / "benchmark" / "PN_subdivision_3" / "peers"
@@ -105,7 +104,7 @@ def main() -> None:
         with tempfile.TemporaryDirectory() as folder:
             medians = measure(options, servers, Path(folder))
     page.write(options.page, medians, of_machine)
-    chart.write(options.chart, medians)
+    page.write_chart(options.chart, medians)
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ from fractions import Fraction
 from pathlib import Path
 
 import check_layers
-from control_meshes.files import read_ply
+from control_meshes.files import INDICES, ply, properties, read_ply
 from control_meshes.mesh import grid_quads
 from refinery import COMMAND, ROOT, run
 
@@ -64,16 +64,11 @@ def polygon(n: int) -> Mesh:
 def rows_of(mesh: Mesh, scheme: str, levels: int) -> list[tuple[Point, dict[int, float]]]:
     """Point and weights of each refined vertex."""
     points, faces = mesh
-    header = ["ply", "format ascii 1.0", f"element vertex {len(points)}",
-              *(f"property double {x}" for x in "xyz"),
-              *(f"property double w{i}" for i in range(len(points))),
-              f"element face {len(faces)}", "property list uchar int vertex_indices", "end_header"]
-    lines = [f"{x!r} {y!r} 0 " + " ".join("1" if i == j else "0" for j in range(len(points)))
-             for i, (x, y) in enumerate(points)]
-    lines += [f"{len(face)} " + " ".join(map(str, face)) for face in faces]
+    vertices = [(x, y, 0, *(int(i == j) for j in range(len(points)))) for i, (x, y) in enumerate(points)]
+    of_vertices = properties([*"xyz", *(f"w{i}" for i in range(len(points)))])
     with tempfile.TemporaryDirectory() as folder:
         control, refined = Path(folder) / "control.ply", Path(folder) / "refined.ply"
-        control.write_text("\n".join(header + lines) + "\n")
+        control.write_text(ply(("vertex", of_vertices, vertices), ("face", [INDICES], [(len(f), *f) for f in faces])))
         run(COMMAND, "surface", control, refined, "--scheme", scheme, "--levels", levels, "--linear", "--ascii", "--quiet")
         result, values = read_ply(refined.read_text())
     columns = [values[f"w{i}"] for i in range(len(points))]

@@ -75,11 +75,15 @@ configure() { # FOLDER OPTION...
     -DPN_SUBDIVISION_3_EXAMPLES=OFF -DPN_SUBDIVISION_3_BENCHMARKS=OFF "$@"
 }
 
-build() { # FOLDER TARGET
-  cmake --build "$1" --target "$2" >"$work/log.txt" 2>&1 || {
+attempt() { # WHAT COMMAND...
+  "${@:2}" >"$work/log.txt" 2>&1 || {
     tail -n 40 "$work/log.txt" >&2
-    fail "target $2 could not be built"
+    fail "$1 could not be built"
   }
+}
+
+build() { # FOLDER TARGET
+  attempt "target $2" cmake --build "$1" --target "$2"
 }
 
 if [[ -n $tag ]]; then
@@ -131,11 +135,8 @@ pack "$files/$folder.tar.xz" "$folder"
 
 echo "Wheel"
 # without TBB, hence with one thread: it needs nothing but the libraries of C and C++
-/usr/bin/python3 -m pip wheel --quiet --no-index --no-deps --no-build-isolation --config-settings=setup-args=-Dtbb=disabled -w "$files" ./python \
-  >"$work/log.txt" 2>&1 || {
-  tail -n 40 "$work/log.txt" >&2
-  fail "the wheel could not be built"
-}
+attempt "the wheel" /usr/bin/python3 -m pip wheel --quiet --no-index --no-deps --no-build-isolation \
+  --config-settings=setup-args=-Dtbb=disabled -w "$files" ./python
 scripts/test_python.sh --offline --command "$program" --wheel "$(echo "$files"/*.whl)"
 
 echo "Manual"
@@ -145,10 +146,7 @@ pack "$files/$name-manual.tar.xz" "$name-manual"
 
 if [[ $with_page == yes ]]; then
   echo "Page and npm package"
-  scripts/build_page.sh "$files/pn_subdivision_3-$version.html" >"$work/log.txt" 2>&1 || {
-    tail -n 40 "$work/log.txt" >&2
-    fail "the page could not be built"
-  }
+  attempt "the page" scripts/build_page.sh "$files/pn_subdivision_3-$version.html"
   npm pkg set "version=$npm_version" --prefix build/page/library
   npm pack ./build/page/library --pack-destination "$files" --silent >/dev/null
 fi

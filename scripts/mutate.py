@@ -8,7 +8,7 @@
 # Author(s): PN_subdivision_3 developers
 """Puts small wrong changes into the headers, one at a time, and runs the tests that must notice.
 
-    scripts/mutate.py [--list] [--check] [--bare] [--tiers] [--unchanged] [--table FILE] [--again] [--jobs N] [NAME...]
+    scripts/mutate.py [--check] [--bare] [--tiers] [--unchanged] [--table FILE] [--again] [--jobs N] [NAME...]
 
 NAME is a part of a name in scripts/mutations.toml; without one all are tried, which takes an hour or two: only the
 named tests are compiled for each, at -O0, by $CXX or clang++, up to the first that fails. Verdicts are added to
@@ -84,7 +84,7 @@ def bare_headers():
     """Lines and names of long headers without a change, the longest first."""
     touched = {m["file"] for m in mutations()}
     folder = ROOT / "include" / HEADERS
-    lines = {str(f.relative_to(folder)): f.read_text().count("\n") for f in folder.rglob("*.h")}
+    lines = {str(f.relative_to(folder)): f.read_text().count("\n") for f in folder.rglob("*.*")}
     return sorted(((n, name) for name, n in lines.items() if n >= LONG and name not in touched), reverse=True)
 
 
@@ -295,7 +295,6 @@ def write_table(name):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="NAME")
-    parser.add_argument("--list", action="store_true")
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--bare", action="store_true")
     parser.add_argument("--tiers", action="store_true")
@@ -318,10 +317,6 @@ def main():
             print(f"{n:4} {name}")
         return 0
     selected = [m for m in mutations() if not options.names or any(name in m["name"] for name in options.names)]
-    if options.list:
-        for m in selected:
-            print(m["name"])
-        return 0
     if options.check:
         lost = [m["name"] for m in selected if changed_text(m) is None]
         for name in lost:

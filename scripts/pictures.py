@@ -9,6 +9,7 @@
 """Draws the pictures of the manual that scripts/pictures.toml describes.
 
   scripts/pictures.py [NAME...] [--command PN_SUBDIVIDE] [--output FOLDER]
+  scripts/pictures.py --check [--command PN_SUBDIVIDE]    draws all in build/pictures; exit code 1 if any is out of date
 
 NAME is a picture or a pattern of names, as 'creases_*'; without it all are drawn. A picture is left out, with the reason, if
 its meshes cannot be had. Needs what scripts/render.py needs.
@@ -32,7 +33,7 @@ from typing import Any
 
 from control_meshes import pictured
 from control_meshes.files import as_text
-from paper_figures.rings import write_rings
+from paper_figures.refined import write_rings
 from refinery import COMMAND, DATA, ROOT, Refinery, run
 
 FIGURES = ROOT / "doc/PN_subdivision_3/fig"
@@ -227,12 +228,26 @@ def draw(names: list[str], command: Path, folder: Path) -> None:
                 print(f"left out: {name}: {reason}", file=sys.stderr)
 
 
+def is_out_of_date(command: Path) -> bool:
+    """Whether any picture, or number of the paper's figures, is not that of the present code; drawings (SVG) have tests."""
+    drawn = ROOT / "build/pictures"
+    shutil.rmtree(drawn, ignore_errors=True)
+    draw([], command, drawn)
+    commands = [["scripts/make_paper_figures.py", "--build", command.resolve().parents[2], "--check"]]
+    commands += [["/usr/bin/python3", "-B", "scripts/compare_figures.py", path, FIGURES / path.relative_to(drawn)]
+                 for path in sorted(drawn.rglob("*.png"))]
+    return any([subprocess.run(words, cwd=ROOT).returncode != 0 for words in commands])
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--command", type=Path, default=COMMAND, help="pn_subdivide")
     parser.add_argument("--output", type=Path, default=FIGURES, metavar="FOLDER")
+    parser.add_argument("--check", action="store_true")
     arguments = parser.parse_args()
+    if arguments.check:
+        sys.exit(is_out_of_date(arguments.command))
     draw(arguments.names, arguments.command, arguments.output)
 
 

@@ -13,6 +13,8 @@ from pathlib import Path, PurePath
 from .mesh import Face, Mesh
 from .vector import Vec
 
+INDICES = "list uchar int vertex_indices"
+
 
 def as_text(mesh: Mesh, name: str) -> str:
     writers = {".ply": _to_ply, ".off": _to_off, ".obj": _to_obj}
@@ -27,13 +29,24 @@ def _faces(mesh: Mesh) -> list[str]:
     return [" ".join(map(str, (len(f), *f))) for f in mesh.faces]
 
 
+def ply(*elements: tuple[str, list[str], list], comments: Iterable[str] = ()) -> str:
+    """Of each element the name, its properties and, as rows, their values."""
+    header, rows = ["ply", "format ascii 1.0", *(f"comment {c}" for c in comments)], []
+    for name, properties, values in elements:
+        header += [f"element {name} {len(values)}", *(f"property {p}" for p in properties)]
+        rows += [" ".join(map(str, row)) for row in values]
+    return "\n".join([*header, "end_header", *rows]) + "\n"
+
+
+def properties(names: Iterable[str]) -> list[str]:
+    return [f"double {name}" for name in names]
+
+
 def _to_ply(mesh: Mesh) -> list[str]:
     normals = mesh.normals or [()] * len(mesh.points)
     names = ["x", "y", "z"] + (["nx", "ny", "nz"] if mesh.normals else [])
-    return (["ply", "format ascii 1.0", f"element vertex {len(mesh.points)}"]
-            + [f"property double {n}" for n in names]
-            + [f"element face {len(mesh.faces)}", "property list uchar int vertex_indices", "end_header"]
-            + [_numbers((*p, *n)) for p, n in zip(mesh.points, normals)] + _faces(mesh))
+    vertices = [_numbers((*p, *n)).split() for p, n in zip(mesh.points, normals)]
+    return ply(("vertex", properties(names), vertices), ("face", [INDICES], [(len(f), *f) for f in mesh.faces])).splitlines()
 
 
 def _to_off(mesh: Mesh) -> list[str]:

@@ -7,6 +7,8 @@
 # Author(s): PN_subdivision_3 developers
 """A sheet of tiles, one mesh each, as a PNG."""
 
+import struct
+import zlib
 from argparse import Namespace
 from pathlib import Path
 
@@ -15,7 +17,8 @@ import vtkmodules.vtkRenderingFreeType  # noqa: F401  (text)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the renderer)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLogger, vtkObject
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkImagingColor import vtkImageQuantizeRGBToIndex
 from vtkmodules.vtkFiltersModeling import vtkHausdorffDistancePointSetFilter
 from vtkmodules.vtkRenderingCore import (vtkLight, vtkRenderer, vtkRenderWindow, vtkTextActor,
                                          vtkWindowToImageFilter)
@@ -23,13 +26,12 @@ from vtkmodules.vtkRenderingCore import (vtkLight, vtkRenderer, vtkRenderWindow,
 from . import actors
 from .camera import View, fitted_view
 from .files import points_of, read_mesh
-from .png import write_png
-from .scale_bar import add_scale_bar
 
 GAP = 0.004
 BAR_HEIGHT = 0.17  # of a tile's
 SMALLEST_CAPTION = 9
 ELLIPSIS = "\u2026"
+COLORS = 240
 
 
 def draw(options: Namespace, angles: tuple[float, float] | None) -> None:
@@ -69,7 +71,7 @@ def draw(options: Namespace, angles: tuple[float, float] | None) -> None:
         strip = vtkRenderer()
         strip.SetViewport(0, 0, 1, bar / height)
         strip.SetBackground(1.0, 1.0, 1.0)
-        add_scale_bar(strip, (width, bar), options.scalars, limit, options.cubic)
+        actors.add_scale_bar(strip, (width, bar), options.scalars, limit, options.cubic)
         window.AddRenderer(strip)
     save(window, options.output)
 
@@ -168,3 +170,30 @@ def save(window: vtkRenderWindow, path: Path) -> None:
     if not vtk_to_numpy(image.GetPointData().GetScalars()).any():
         raise RuntimeError("VTK drew nothing; does the virtual screen know OpenGL?")
     write_png(path, image)
+
+
+def write_png(path: Path, image: vtkImageData) -> None:
+    """With 240 colors at most, which makes a third of the size."""
+    quantize = vtkImageQuantizeRGBToIndex()
+    quantize.SetInputData(image)
+    quantize.SetNumberOfColors(COLORS)
+    quantize.Update()
+    width, height = image.GetDimensions()[:2]
+    indices = vtk_to_numpy(quantize.GetOutput().GetPointData().GetScalars())
+    rows = indices.reshape(height, width)[::-1].astype(np.uint8)  # VTK counts from below
+    table = quantize.GetLookupTable()
+    colors = [[round(255 * c) for c in table.GetTableValue(i)[:3]]
+               for i in range(table.GetNumberOfTableValues())]
+    unfiltered = np.hstack([np.zeros((height, 1), np.uint8), rows])
+    header = struct.pack(">IIBBBBB", width, height, 8, 3, 0, 0, 0)
+    content = (b"\x89PNG\r\n\x1a\n" + _chunk(b"IHDR", header)
+               + _chunk(b"PLTE", bytes(c for color in colors for c in color))
+               + _chunk(b"IDAT", zlib.compress(unfiltered.tobytes(), 9)) + _chunk(b"IEND", b""))
+    try:
+        path.write_bytes(content)
+    except OSError as error:
+        raise ValueError(f"{path}: cannot be written") from error
+
+
+def _chunk(kind: bytes, body: bytes) -> bytes:
+    return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))

@@ -15,8 +15,7 @@ from math import acos, cos, degrees, hypot, pi, sin
 from control_meshes.vector import Vec, add, cross, dot, scaled, sub
 from refinery import Refinery
 
-from .refined import refined
-from .rings import RINGS, bent, flat
+from .refined import RINGS, bent, flat, refined
 
 Numbers = Iterator[tuple[str, float]]
 MODIFIED = "--first-round 2 --tuned-valences diverging"  # of the paper

@@ -10,7 +10,6 @@
 
 #include "command_line.h"
 
-#include "command_help.h"
 #include "io/Error.h"
 #include "io/mesh_io.h"
 
@@ -20,7 +19,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -459,7 +457,7 @@ Command parse_command_line(int argc, char** argv)
     "they are.\n\n  pn_subdivide INPUT OUTPUT [OPTIONS]   is   pn_subdivide surface INPUT "
     "OUTPUT [OPTIONS]\n",
     "pn_subdivide");
-  app.formatter(std::make_shared<Command_help>());
+  app.formatter(command_help());
   app.set_version_flag("--version", "pn_subdivide " CGAL_PN_SUBDIVISION_3_VERSION);
   app.require_subcommand(1);
   app.footer(top_level_footer());

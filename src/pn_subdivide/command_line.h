@@ -11,12 +11,14 @@
 
 #include "options.h"
 
+#include <memory>
 #include <string>
 #include <variant>
 
 namespace CLI {
 class App;
-}
+class FormatterBase;
+} // namespace CLI
 
 namespace pn_subdivide {
 
@@ -33,6 +35,13 @@ void run_curve_command(const Curve_options& options);
 
 // As in "bspline:DEGREE (DEGREE 2 to 9), ...".
 std::string curve_scheme_names();
+
+// The help of both commands, in 100 columns; CLI11 alone leaves lines as long as they are.
+std::shared_ptr<CLI::FormatterBase> command_help();
+// What stands below the options: remarks and, last, examples.
+std::string top_level_footer();
+std::string surface_footer();
+std::string curve_footer();
 
 // Throws Usage_error if options of a command that has been parsed exclude each other, and says why and what to do. What the
 // schemes and the data do not allow is found where they are known.

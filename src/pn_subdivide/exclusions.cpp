@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <string>
 
 namespace pn_subdivide {
@@ -25,7 +26,7 @@ namespace {
 // Values: "a|b" these, "!a" all but this one, "*" any, which is named, "" any, or the option has none.
 struct Exclusion
 {
-  const char *option, *values;
+  const char *options, *values; // "a|b": each of them
   const char *other, *other_values;
   const char *reason, *remedy;
   const char* unless = nullptr; // one of these options is given
@@ -43,12 +44,12 @@ constexpr const char *no_round = "without normals nothing is round",
                      *through_points =
                        "surfaces with sharp edges cannot be made to pass through points",
                      *no_rules = "that scheme has no rules for it",
-                     *other_scheme = "catmull-clark has", *leave_out = "leave one of the two out";
+                     *other_scheme = "catmull-clark has", *leave_out = "leave one of the two out",
+                     *without_edges = "sqrt3|doo-sabin"; // schemes that keep none
 
 const Exclusion exclusions[] = {
   // what there must be to average
-  {"--normals", "", "--linear", "", is_linear, ""},
-  {"--normal-scheme", "", "--linear", "", is_linear, ""},
+  {"--normals|--normal-scheme", "", "--linear", "", is_linear, ""},
   {"--normal-scheme", "", "--normals", "none", "there are no normals for it to average", ""},
   {"--roundness", "", "--linear", "", no_round, ""},
   {"--roundness", "", "--normals", "none", no_round, ""},
@@ -77,10 +78,10 @@ const Exclusion exclusions[] = {
   {"--sharpness", "", "--sharp", "none", "no edge is sharp", ""},
   {"--sharpness", "", "--sharp", "surfaces", "creases between surfaces are sharp forever", ""},
   {"--interpolate", "", "--sharp", "surfaces", through_points, ""},
-  {"--write-tags", "", "--scheme", "sqrt3|doo-sabin", "that scheme keeps no edges", ""},
+  {"--write-tags", "", "--scheme", without_edges, "that scheme keeps no edges", ""},
   // triangles within a distance
   {"--chord", "", "--levels", "*", leave_out, ""},
-  {"--chord", "", "--scheme", "sqrt3|doo-sabin", "a round of that scheme halves no edge", ""},
+  {"--chord", "", "--scheme", without_edges, "a round of that scheme halves no edge", ""},
   {"--chord", "", "--output-normals", "control|both", no_control_mesh, uniform},
   {"--chord", "", "--write-tags", "", no_control_mesh, uniform},
   {"--chord", "", "--limit-tolerance", "",
@@ -89,22 +90,17 @@ const Exclusion exclusions[] = {
   {"--chord", "", "--texture-rule", "!all", "take all, which is linear inside the control faces",
    ""},
   // attributes
-  {"--nearest", "", "--drop-attributes", "", "no numbers of vertices are read", ""},
-  {"--directions", "", "--drop-attributes", "", "no numbers of vertices are read", ""},
+  {"--nearest|--directions", "", "--drop-attributes", "", "no numbers of vertices are read", ""},
   {"--texture-rule", "", "--drop-attributes", "", "no texture coordinates are read", ""},
   {"--split-seams", "", "--output-normals", "control|both", doubled, ""},
   {"--split-seams", "", "--write-tags", "", doubled, ""},
   // grids
-  {"--limit", "", "--scheme", "grid-catmull-clark", no_rules, other_scheme},
-  {"--surface-normals", "", "--scheme", "grid-catmull-clark", no_rules, other_scheme},
+  {"--limit|--surface-normals", "", "--scheme", "grid-catmull-clark", no_rules, other_scheme},
   {"--output-normals", "surface", "--scheme", "grid-catmull-clark", no_rules, other_scheme},
-  {"--interpolate", "", "--scheme", "grid-catmull-clark", no_rules, other_scheme},
-  {"--chord", "", "--scheme", "grid-catmull-clark", no_rules, other_scheme},
-  {"--check", "", "--scheme", "grid-catmull-clark", no_rules, other_scheme},
+  {"--interpolate|--chord|--check", "", "--scheme", "grid-catmull-clark", no_rules, other_scheme},
   {"--scheme", "grid-catmull-clark", in_pieces, "", "it has no rules for it", other_scheme},
   // pieces
-  {"--scheme", "sqrt3|doo-sabin", in_pieces, "", "it halves no edges",
-   "take catmull-clark or loop"},
+  {"--scheme", without_edges, in_pieces, "", "it halves no edges", "take catmull-clark or loop"},
   {"--chord", "", in_pieces, "", leave_out,
    "--chord makes few triangles where it is flat, --levels N refines uniformly"},
   {"--sharp", "surfaces", in_pieces, "",
@@ -112,13 +108,11 @@ const Exclusion exclusions[] = {
    "--drop-attributes",
    ""},
   {"--memory", "", "--pieces", "", leave_out, ""},
-  {"--curvature", "", in_pieces, "", leave_out, ""},
-  {"--check", "", in_pieces, "", leave_out, ""},
-  {"--verify", "", in_pieces, "", leave_out, ""},
-  {"--interpolate", "", in_pieces, "", leave_out, ""},
-  {"--ascii", "", in_pieces, "", leave_out, ""},
-  {"--split-seams", "", in_pieces, "", leave_out, ""},
-  {"--write-tags", "", in_pieces, "", leave_out, ""},
+  {"--curvature|--check|--verify|--interpolate|--ascii|--split-seams|--write-tags", "", in_pieces,
+   "", leave_out, ""},
+  // what is behind all others: it is found last
+  {"--texture-rule", "boundaries|all", "--scheme", without_edges,
+   "this scheme keeps no edges that could stay straight", ""},
   // curves
   {"--end", "", "--closed", "", "a closed polygon has no ends", ""},
   {"--sharp", "", "--end", "none", "the parts between corners end where the corners are", ""},
@@ -187,10 +181,12 @@ void require_no_exclusions(const CLI::App& command)
 {
   const Given_options given(command);
   for (const Exclusion& e : exclusions) {
-    const std::string option = given.find(e.option, e.values),
-                      other = given.find(e.other, e.other_values);
-    if (option.empty() || other.empty() || (e.unless != nullptr && given.any(e.unless))) continue;
-    throw Usage_error(message(option, other, e));
+    const std::string other = given.find(e.other, e.other_values);
+    if (other.empty() || (e.unless != nullptr && given.any(e.unless))) continue;
+    std::istringstream options(e.options);
+    for (std::string name; std::getline(options, name, '|');)
+      if (const std::string option = given.find(name, e.values); !option.empty())
+        throw Usage_error(message(option, other, e));
   }
 }
 

@@ -21,8 +21,6 @@
 namespace pn_subdivide {
 
 // The options --limit, --limit-tolerance and --surface-normals or --curve-normals.
-constexpr double default_limit_tolerance = 1e-9;
-
 struct Limit_choice
 {
   const char* shape = "surface";
@@ -31,6 +29,7 @@ struct Limit_choice
   const char* normals_option = "--surface-normals"; // that asks for normals
 
   bool is_used() const { return points || normals; }
+  double tolerance_or_default() const { return tolerance.value_or(1e-9); }
 };
 
 // --verify and --tolerance.

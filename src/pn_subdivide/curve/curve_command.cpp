@@ -10,7 +10,6 @@
 
 #include "curve/Curve_data.h"
 #include "curve/curve_schemes.h"
-#include "curve/limit_curve.h"
 #include "io/Error.h"
 #include "io/Report.h"
 #include "io/Text_reader.h"
@@ -21,7 +20,6 @@
 #include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -244,9 +242,7 @@ private:
     whole.tolerance = HUGE_VAL;
     for (Curve_data& part : parts)
       whole = joined(whole, interpolate_curve(part, part_rule_, *interpolation_));
-    report_.note(description(whole));
-    const std::string text = warning(whole, *interpolation_);
-    if (!text.empty()) report_.warn(input_ + ": " + text);
+    tell(whole, *interpolation_, input_, report_);
   }
 
   // On the limit curve, if that is asked for.
@@ -255,10 +251,7 @@ private:
     Limit_summary whole;
     for (Curve_data& part : parts)
       whole.add(set_limits(part, part_rule_, options_.levels, options_.limit));
-    report_.note(whole.description(options_.limit));
-    report_.set_limit(whole.numbers(options_.limit));
-    const std::string text = whole.warning();
-    if (!text.empty()) report_.warn(input_ + ": " + text);
+    whole.tell(options_.limit, input_, report_);
   }
 
   std::vector<Curve_data> refined(const std::vector<Curve_data>& parts, unsigned levels) const

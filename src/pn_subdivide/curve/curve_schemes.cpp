@@ -13,20 +13,9 @@
 #include <boost/algorithm/string/predicate.hpp>
 
 #include <charconv>
-#include <cstdint>
 
 namespace pn_subdivide {
 namespace {
-
-// The number that a word is; none if it is anything else.
-std::optional<int> to_int(const std::string& word)
-{
-  int n = 0;
-  const char* const end = word.data() + word.size();
-  const auto result = std::from_chars(word.data(), end, n);
-  if (word.empty() || result.ec != std::errc() || result.ptr != end) return std::nullopt;
-  return n;
-}
 
 template <class Mask>
 Curve_mask by_coefficients(const Mask& mask)
@@ -72,6 +61,15 @@ void require_possible_size(std::size_t n, const Curve_rule& rule, unsigned level
 }
 
 } // namespace
+
+std::optional<int> to_int(const std::string& word)
+{
+  int n = 0;
+  const char* const end = word.data() + word.size();
+  const auto result = std::from_chars(word.data(), end, n);
+  if (word.empty() || result.ec != std::errc() || result.ptr != end) return std::nullopt;
+  return n;
+}
 
 std::string curve_scheme_names()
 {

@@ -10,6 +10,7 @@
 #define PN_SUBDIVIDE_CURVE_SCHEMES_H
 
 #include "curve/Curve_data.h"
+#include "io/Limit_choice.h"
 
 #include <CGAL/PN_subdivision_curve.h>
 
@@ -34,6 +35,9 @@ struct Curve_scheme
   // of the first rounds, if masks differ; the last one is `mask`, and that of all others
   std::vector<Curve_mask> levels = {};
 };
+
+// The number that a word is; none if it is anything else.
+std::optional<int> to_int(const std::string& word);
 
 // Throws Usage_error, which begins with the option, if there is no such scheme.
 Curve_scheme parse_curve_scheme(const std::string& option, const std::string& name);
@@ -67,6 +71,26 @@ auto with_mask(const Curve_rule& rule, std::size_t rounds, const Function& funct
 // The refined curve. Throws Error if it would have more points than can be numbered, and what the
 // library throws.
 Curve_data refine_curve(const Curve_data& curve, const Curve_rule& rule, unsigned levels);
+
+// Throws Usage_error if normals of the curve are asked for at points that have no limit.
+void require_limits_of_points(const std::string& scheme, const Curve_rule& rule,
+                              const Limit_choice& choice);
+
+// Puts the points of a refined curve on the limit curve, of a dual scheme one for each edge; gives them its
+// normals; or both. Throws Error if there are no such normals, and passes on the library's exceptions.
+// The curve is that of some rounds.
+Limit_summary set_limits(Curve_data& curve, const Curve_rule& rule, unsigned rounds,
+                         const Limit_choice& choice);
+
+// Throws Usage_error if curves of the rule cannot be made to pass through points.
+void require_interpolation(const std::string& scheme, const Curve_rule& rule);
+
+// Makes a polygon the control polygon of a curve through its points. Passes on the library's exceptions.
+Interpolation_report interpolate_curve(Curve_data& curve, const Curve_rule& rule,
+                                       Interpolation_mode mode);
+
+// The worst of both.
+Interpolation_report joined(const Interpolation_report& a, const Interpolation_report& b);
 
 // The scheme of --scheme levels:FILE: a line for each round, FIRST_INDEX c0 c1 ..., the last of which counts for all
 // further rounds. Throws Error, with the line, if the weights of a new point do not sum to 1.

@@ -11,10 +11,9 @@
 #include "io/Text_reader.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <optional>
 #include <sstream>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -37,11 +36,10 @@ Line parse_line(const std::string& text, const std::string& place)
   std::istringstream words(text);
   std::string index;
   words >> index;
-  const char* const end = index.data() + index.size();
-  const auto result = std::from_chars(index.data(), end, line.first_index);
+  const std::optional<int> first = to_int(index);
+  line.first_index = first.value_or(0);
   for (double c = 0; words >> c;) line.coefficients.push_back(c);
-  const bool has_index = result.ec == std::errc() && result.ptr == end;
-  if (!has_index || !words.eof() || line.coefficients.empty())
+  if (!first || !words.eof() || line.coefficients.empty())
     throw Error(place + ": a mask is an integer, the index of its first coefficient, and the "
                         "coefficients, as in -2 0.125 0.5 0.75 0.5 0.125");
   const int last = int((std::min)(line.coefficients.size(), std::size_t(3 * greatest_index)));

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "curve/limit_curve.h"
+#include "curve/curve_schemes.h"
 
 #include "io/Error.h"
 
@@ -52,22 +52,22 @@ Limit_summary set_limits(Curve_data& curve, const Curve_rule& rule, unsigned rou
   if (choice.normals && rule.linear && std::holds_alternative<Curve_3>(curve.points))
     throw Error("--curve-normals: a curve in space has no normals of its own, and in linear "
                 "schemes control normals take no part; leave out --linear");
-  const double tolerance = choice.tolerance.value_or(1e-9);
   PN::Limit_report report;
   std::visit(
     [&](auto& points) {
       with_mask(rule, rounds, [&](const auto& mask) {
-        auto limits = PN::curve_limit_points(points, mask, rule.end,
-                                             PN::parameters::tolerance(tolerance)
-                                               .curve_normals(choice.normals)
-                                               .roundness(rule.roundness));
+        auto limits =
+          PN::curve_limit_points(points, mask, rule.end,
+                                 PN::parameters::tolerance(choice.tolerance_or_default())
+                                   .curve_normals(choice.normals)
+                                   .roundness(rule.roundness));
         write(points, limits.first, choice);
         report = limits.second;
       });
     },
     curve.points);
   if (choice.normals) curve.has_normals = true;
-  return {report, report.tolerance / tolerance};
+  return {report, choice};
 }
 
 void require_interpolation(const std::string& scheme, const Curve_rule& rule)

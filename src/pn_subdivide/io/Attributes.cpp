@@ -92,6 +92,16 @@ const Column* find_column(const Columns& columns, const std::string& name)
   return found == columns.end() ? nullptr : &*found;
 }
 
+bool remove_columns(Columns& columns, const std::vector<std::string>& names)
+{
+  const auto end = std::remove_if(columns.begin(), columns.end(), [&names](const Column& column) {
+    return std::find(names.begin(), names.end(), column.name) != names.end();
+  });
+  const bool found = end != columns.end();
+  columns.erase(end, columns.end());
+  return found;
+}
+
 std::string word_of(const Column& column, double value)
 {
   if (value < static_cast<double>(column.words.size()))

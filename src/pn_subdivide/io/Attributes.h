@@ -126,6 +126,9 @@ inline bool contains(const Column_group& group, const Column& column)
 // nullptr if there is none
 const Column* find_column(const Columns& columns, const std::string& name);
 
+// Removes those of these names; returns whether there was any.
+bool remove_columns(Columns& columns, const std::vector<std::string>& names);
+
 // What a value that is not negative stands for, or its digits.
 std::string word_of(const Column& column, double value);
 

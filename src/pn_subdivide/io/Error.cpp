@@ -17,6 +17,7 @@
 #include <limits>
 #include <new>
 #include <numeric>
+#include <system_error>
 
 namespace pn_subdivide {
 
@@ -30,6 +31,11 @@ std::string message_of(const std::exception& e)
       (dynamic_cast<const std::length_error*>(&e) && !is_of_library))
     return "not enough memory";
   return boost::algorithm::replace_all_copy(what, library, "");
+}
+
+std::string reason(int error)
+{
+  return std::generic_category().message(error);
 }
 
 std::string formatted(const char* format, ...)

@@ -69,6 +69,9 @@ auto naming(const std::string& file, const Function& f)
   }
 }
 
+// what errno means
+std::string reason(int error);
+
 // What std::printf() prints.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 

@@ -14,10 +14,8 @@
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 
-#include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace pn_subdivide {
 
@@ -30,14 +28,17 @@ struct Limit_summary : PN::Limit_report
 {
   double box = 0; // the largest side of the bounding box
 
+  Limit_summary() = default;
+  Limit_summary(const PN::Limit_report& reached, const Limit_choice& choice)
+    : PN::Limit_report(reached)
+    , box(reached.tolerance / choice.tolerance_or_default())
+  {}
+
   // takes over what is worse in another one
   void add(const Limit_summary& other);
 
-  std::string description(const Limit_choice& choice) const;
-  // the same for --report
-  Report::Row numbers(const Limit_choice& choice) const;
-  // empty if all is well
-  std::string warning() const;
+  // Notes it, also for --report, and warns of what is missed.
+  void tell(const Limit_choice& choice, const std::string& name, Report& report) const;
 };
 
 using Interpolation_mode = PN::Limit_interpolation::Mode;
@@ -46,10 +47,9 @@ using Interpolation_report = PN::Limit_interpolation;
 // slide | points, if the option --interpolate is given. Throws Usage_error.
 std::optional<Interpolation_mode> parse_interpolation(const std::optional<std::string>& text);
 
-// What the interpolation has reached.
-std::string description(const Interpolation_report& report);
-// What has to be said of it; empty if all is well.
-std::string warning(const Interpolation_report& report, Interpolation_mode mode);
+// Notes what the interpolation has reached, and warns where that is not what one expects.
+void tell(const Interpolation_report& interpolation, Interpolation_mode mode,
+          const std::string& name, Report& report);
 
 } // namespace pn_subdivide
 

@@ -114,11 +114,6 @@ void install_handlers()
 
 constexpr std::size_t buffer_size = 1 << 20;
 
-std::string reason(int error)
-{
-  return std::generic_category().message(error);
-}
-
 // An old file that may not be changed is not replaced either.
 void require_changeable(const fs::path& file)
 {

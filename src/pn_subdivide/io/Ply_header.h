@@ -100,6 +100,11 @@ private:
 // Throws Error unless it is a number that is not negative.
 void require_sharpness(double sharpness);
 
+// The texture coordinates of a face's corners, as MeshLab writes them.
+constexpr const char* texture_list = "texcoord";
+// Their control normals, where vertices have several; of other faces it is empty.
+constexpr const char* normals_list = "corner_control_normals";
+constexpr const char* roundness_list = "corner_roundness";
 constexpr const char* edge_properties[] = {"vertex1", "vertex2", "sharpness", "t1x", "t1y",
                                            "t1z",     "t2x",     "t2y",       "t2z"};
 

@@ -239,12 +239,7 @@ void move_texture_to_corners(Mesh_data& mesh, const std::vector<Index>& first)
     attributes.texture.push_back({columns[0]->values[v], columns[1]->values[v], 0});
   attributes.texture_type = columns[0]->type;
   attributes.has_texture_type_of_file = columns[0]->has_type_of_file;
-  const std::string names[] = {columns[0]->name, columns[1]->name};
-  const auto is_moved = [&names](const Column& c) {
-    return c.name == names[0] || c.name == names[1];
-  };
-  Columns& all = attributes.of_vertices;
-  all.erase(std::remove_if(all.begin(), all.end(), is_moved), all.end());
+  remove_columns(attributes.of_vertices, {columns[0]->name, columns[1]->name});
 }
 
 // Vertex v goes into first[v], the first of those with which it is merged.

@@ -45,42 +45,32 @@ const Format formats[] = {
   // written piece by piece only
   {"pvtp", nullptr, nullptr, not_held_by_vtp, {true, true, true, false, true}}};
 
-bool is_readable(const Format& format)
-{
-  return format.read != nullptr;
-}
-bool is_writable(const Format&)
-{
-  return true;
-}
-
-template <class Predicate>
-std::string names_of(const Predicate& has_it, const char* before_each = "")
+// All are written, some are read.
+std::string names_of(bool are_read, const char* before_each = "")
 {
   std::string names;
   for (const Format& format : formats)
-    if (has_it(format))
+    if (!are_read || format.read != nullptr)
       names += (names.empty() ? "" : " ") + (before_each + std::string(format.name));
   return names;
 }
 
-template <class Predicate>
-Mesh_file mesh_file(const std::string& name, const std::optional<std::string>& format,
-                    const Predicate& has_it, const std::string& action)
+Mesh_file mesh_file(const std::string& name, const std::optional<std::string>& format, bool is_read)
 {
+  const std::string action = is_read ? "read" : "written";
   namespace algorithm = boost::algorithm;
   const bool is_stream = name == "-";
   if (is_stream && !format)
-    throw Usage_error("'-' needs --format and one of " + names_of(has_it) + " to be " + action);
+    throw Usage_error("'-' needs --format and one of " + names_of(is_read) + " to be " + action);
   const std::string extension = std::filesystem::path(name).extension().string();
   const std::string word =
     algorithm::to_lower_copy(is_stream ? *format : extension.substr(extension.empty() ? 0 : 1));
   for (const Format& f : formats)
-    if (word == f.name && has_it(f)) return {name, word};
+    if (word == f.name && (!is_read || f.read != nullptr)) return {name, word};
   if (is_stream)
-    throw Usage_error("--format '" + *format + "': it must be one of " + names_of(has_it) +
+    throw Usage_error("--format '" + *format + "': it must be one of " + names_of(is_read) +
                       " to be " + action);
-  throw Usage_error(name + ": the file name must end in one of " + names_of(has_it, ".") +
+  throw Usage_error(name + ": the file name must end in one of " + names_of(is_read, ".") +
                     " to be " + action);
 }
 
@@ -127,20 +117,20 @@ const Format& format_of(const Mesh_file& file)
 
 std::string readable_formats()
 {
-  return names_of(is_readable);
+  return names_of(true);
 }
 std::string writable_formats()
 {
-  return names_of(is_writable);
+  return names_of(false);
 }
 
 Mesh_file input_mesh_file(const std::string& name, const std::optional<std::string>& format)
 {
-  return mesh_file(name, format, is_readable, "read");
+  return mesh_file(name, format, true);
 }
 Mesh_file output_mesh_file(const std::string& name, const std::optional<std::string>& format)
 {
-  return mesh_file(name, format, is_writable, "written");
+  return mesh_file(name, format, false);
 }
 
 const Held_values& held_by(const Mesh_file& file)

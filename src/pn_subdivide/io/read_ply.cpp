@@ -44,12 +44,6 @@ std::array<std::size_t, 3> find_three(const Ply_element& element,
   return positions;
 }
 
-// The texture coordinates of a face's corners, as MeshLab writes them.
-constexpr const char* texture_list = "texcoord";
-// Their control normals, where vertices have several; of other faces it is empty.
-constexpr const char* normals_list = "corner_control_normals";
-constexpr const char* roundness_list = "corner_roundness";
-
 using Names = std::vector<std::string>;
 const Names names_at_vertices = {"x",  "y",          "z",          "nx",         "ny",
                                  "nz", "control_nx", "control_ny", "control_nz", "roundness"};

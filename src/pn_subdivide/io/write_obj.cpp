@@ -165,24 +165,21 @@ struct Some_several
   {
     std::unordered_map<Index, std::vector<Index>> of_several;
     auto several = mesh.several_normals.begin();
-    std::size_t corner = 0;
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      for (const Index v : mesh.face(f)) {
-        const bool is_several = several != mesh.several_normals.end() && several->corner == corner;
-        ++corner;
-        if (!is_several) {
-          if (of_vertex[v] == unknown) of_vertex[v] = add(mesh.normals[v]);
-          continue;
-        }
-        std::vector<Index>& numbers = of_several[v];
-        const auto same = std::find_if(numbers.begin(), numbers.end(), [&](Index i) {
-          return are_equal(values[i], several->normal);
-        });
-        const bool is_new = same == numbers.end();
-        of_corner[several->corner] = is_new ? add(several->normal) : *same;
-        if (is_new) numbers.push_back(of_corner[several->corner]);
-        ++several;
+    for (std::size_t c = 0; c < mesh.number_of_corners(); ++c) {
+      const Index v = mesh.vertices_of_corners()[c];
+      if (several == mesh.several_normals.end() || several->corner != c) {
+        if (of_vertex[v] == unknown) of_vertex[v] = add(mesh.normals[v]);
+        continue;
       }
+      std::vector<Index>& numbers = of_several[v];
+      const auto same = std::find_if(numbers.begin(), numbers.end(), [&](Index i) {
+        return are_equal(values[i], several->normal);
+      });
+      const bool is_new = same == numbers.end();
+      of_corner[c] = is_new ? add(several->normal) : *same;
+      if (is_new) numbers.push_back(of_corner[c]);
+      ++several;
+    }
   }
   Index add(const Triple& n)
   {

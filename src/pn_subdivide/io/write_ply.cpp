@@ -22,10 +22,6 @@
 namespace pn_subdivide {
 namespace {
 
-constexpr const char* texture_list = "texcoord";
-constexpr const char* normals_list = "corner_control_normals";
-constexpr const char* roundness_list = "corner_roundness";
-
 // A list of each face with as many numbers for each corner, or empty.
 struct Corner_list
 {

@@ -9,7 +9,6 @@
 #ifndef PN_SUBDIVIDE_ANY_PIECES_H
 #define PN_SUBDIVIDE_ANY_PIECES_H
 
-#include "io/Limit_choice.h"
 #include "options.h"
 #include "surface/Surface.h"
 #include "surface/creases.h"

@@ -54,10 +54,26 @@ public:
     boost::endian::endian_store<T, sizeof(T), boost::endian::order::little>(bytes, x);
     buffer_.append(reinterpret_cast<const char*>(bytes), sizeof(T));
   }
-  void flush();
+  void flush()
+  {
+    if (buffer_.empty()) return;
+    file_.write(place_, buffer_.data(), buffer_.size());
+    if (keeps_receipt_) {
+      checksum_.process_bytes(buffer_.data(), buffer_.size());
+      if (runs_.empty() || place_ != runs_.back().end) runs_.push_back({place_, place_});
+      runs_.back().end = place_ + buffer_.size();
+    }
+    buffer_.clear();
+  }
 
   // After flush(): the checksum of all rows, and where they are.
-  std::string receipt() const;
+  std::string receipt() const
+  {
+    std::ostringstream text;
+    text << text_of(checksum_) << std::hex;
+    for (const Run& run : runs_) text << ' ' << run.begin << ' ' << run.end;
+    return text.str();
+  }
 
 private:
   static constexpr std::size_t most = 1 << 20;
@@ -76,26 +92,6 @@ private:
   Checksum checksum_;
   std::vector<Run> runs_;
 };
-
-void Row_writer::flush()
-{
-  if (buffer_.empty()) return;
-  file_.write(place_, buffer_.data(), buffer_.size());
-  if (keeps_receipt_) {
-    checksum_.process_bytes(buffer_.data(), buffer_.size());
-    if (runs_.empty() || place_ != runs_.back().end) runs_.push_back({place_, place_});
-    runs_.back().end = place_ + buffer_.size();
-  }
-  buffer_.clear();
-}
-
-std::string Row_writer::receipt() const
-{
-  std::ostringstream text;
-  text << text_of(checksum_) << std::hex;
-  for (const Run& run : runs_) text << ' ' << run.begin << ' ' << run.end;
-  return text.str();
-}
 
 // Are the rows of a receipt in a file?
 bool has_rows(const std::filesystem::path& file, const std::string& receipt)

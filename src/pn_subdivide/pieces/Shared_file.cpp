@@ -26,11 +26,6 @@ namespace fs = std::filesystem;
 namespace pn_subdivide {
 namespace {
 
-std::string reason(int error)
-{
-  return std::generic_category().message(error);
-}
-
 #if __has_include(<unistd.h>)
 
 class Posix_file : public Shared_file

@@ -64,7 +64,7 @@ auto with_limit(const Limit_choice& limit, const PN::Attribute_table& attributes
                                 .to_limit(limit.is_used())
                                 .points(limit.points)
                                 .surface_normals(limit.normals)
-                                .tolerance(limit.tolerance.value_or(default_limit_tolerance)),
+                                .tolerance(limit.tolerance_or_default()),
                               np);
 }
 

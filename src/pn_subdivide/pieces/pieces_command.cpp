@@ -127,9 +127,7 @@ void require_options_for_pieces(const Surface_options& options, const Mesh_file&
 void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases,
                              const Output_normals& normals, const Mesh_file& output)
 {
-  const bool has_control_normals = normals.choice == Output_normals::Choice::control ||
-                                   normals.choice == Output_normals::Choice::both;
-  if (is_creased(creases) && has_control_normals)
+  if (is_creased(creases) && normals.goes_on())
     throw Error("refinement in pieces does not write what is sharp, which goes with control "
                 "normals: take --output-normals auto, or --sharp none and --border surface, or "
                 "refine it as a whole");

@@ -128,14 +128,6 @@ void set_rules(Attributes& attributes, const std::optional<std::string>& nearest
   }
 }
 
-void require_texture_rule(Texture_rule rule, const std::string& text, const std::string& scheme)
-{
-  const bool needs_edges = rule == Texture_rule::boundaries || rule == Texture_rule::all;
-  if (needs_edges && !keeps_edges(scheme))
-    throw Usage_error("--texture-rule " + text + " and --scheme " + scheme +
-                      " exclude each other: this scheme keeps no edges that could stay straight");
-}
-
 Old_elements::Old_elements(const Surface& surface)
   : corner_(surface.number_of_halfedges())
   , face_(surface.number_of_halfedges())

@@ -42,9 +42,6 @@ using Texture_rule = PN::Corner_rule;
 // Throws Usage_error unless it is one of the words of --texture-rule.
 Texture_rule parse_texture_rule(const std::string& text);
 
-// Throws Usage_error if the scheme keeps no edges and the rule needs them.
-void require_texture_rule(Texture_rule rule, const std::string& text, const std::string& scheme);
-
 // Whole numbers of vertices that are no color, and those that --nearest names, are labels; --directions names unit vectors: each by
 // three names in a row, or by one before x, y and z. Throws Error if there is no such number.
 void set_rules(Attributes& attributes, const std::optional<std::string>& nearest,

@@ -271,17 +271,13 @@ void set_aside(Mesh_data& mesh, const Stray_normals& stray, const Creases& creas
       mesh.normals[v] = estimated.normals[v];
       mesh.roundness[v] = estimated.roundness[v];
     }
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    std::size_t corner = mesh.first_corner(f);
-    for (const Index v : mesh.face(f)) {
-      if (stray.is_stray[v] && !mesh.corner_normals.empty())
-        mesh.corner_normals[corner] = estimated.corner_normals.empty()
-                                        ? estimated.normals[v]
-                                        : estimated.corner_normals[corner];
-      if (stray.is_stray[v] && !mesh.corner_roundness.empty())
-        mesh.corner_roundness[corner] = estimated.corner_roundness[corner];
-      ++corner;
-    }
+  for (std::size_t c = 0; c < mesh.number_of_corners(); ++c) {
+    const Index v = mesh.vertices_of_corners()[c];
+    if (!stray.is_stray[v]) continue;
+    if (!mesh.corner_normals.empty())
+      mesh.corner_normals[c] =
+        estimated.corner_normals.empty() ? estimated.normals[v] : estimated.corner_normals[c];
+    if (!mesh.corner_roundness.empty()) mesh.corner_roundness[c] = estimated.corner_roundness[c];
   }
 }
 

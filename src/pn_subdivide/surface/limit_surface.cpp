@@ -107,7 +107,7 @@ Limit_map write_limits(Surface& surface, std::optional<Normal_map> normals,
 
 auto make_options(const Limit_choice& choice, unsigned levels)
 {
-  return PN::parameters::tolerance(choice.tolerance.value_or(default_limit_tolerance))
+  return PN::parameters::tolerance(choice.tolerance_or_default())
     .points(choice.points)
     .surface_normals(choice.normals)
     .rounds_done(levels);
@@ -162,9 +162,8 @@ Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Li
   const std::optional<Normal_map> control = normals_of(surface);
   std::optional<Normal_map> written = control;
   if (choice.normals && !control) written = add_normals(surface);
-  const Limit_report report =
-    limits_of(surface, control, scheme, write_limits(surface, written, choice), options);
-  return {report, report.tolerance / choice.tolerance.value_or(default_limit_tolerance)};
+  return {limits_of(surface, control, scheme, write_limits(surface, written, choice), options),
+          choice};
 }
 
 Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Limit_choice& choice,
@@ -172,8 +171,7 @@ Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Li
 {
   const Threads most_threads(threads);
   const auto options = make_options(choice, levels).border(creases.border);
-  const Limit_report report = move_to_limits_of(surface, scheme, creases, choice.normals, options);
-  return {report, report.tolerance / choice.tolerance.value_or(default_limit_tolerance)};
+  return {move_to_limits_of(surface, scheme, creases, choice.normals, options), choice};
 }
 
 bool move_to_surface(Surface& surface, const Scheme_choice& scheme,

@@ -17,7 +17,6 @@
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>

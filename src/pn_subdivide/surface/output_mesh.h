@@ -94,6 +94,7 @@ struct Output_normals
 
   bool any() const { return choice != Choice::none; }
   bool with_control() const { return choice == Choice::both; }
+  bool goes_on() const { return choice == Choice::control || choice == Choice::both; }
 
   // Throws Usage_error if the options contradict each other.
   static Output_normals make(const Surface_options& options, const Mesh_file& output);

@@ -12,7 +12,6 @@
 #include "io/mesh_io.h"
 #include "options.h"
 #include "surface/Recognized_part.h"
-#include "surface/surface_schemes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +20,6 @@
 namespace pn_subdivide {
 namespace {
 
-bool has_control_normals(const Output_normals& normals)
-{
-  using Choice = Output_normals::Choice;
-  return normals.choice == Choice::control || normals.choice == Choice::both;
-}
-
 bool ends_with(const std::string& text, const std::string& end)
 {
   return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -34,12 +27,6 @@ bool ends_with(const std::string& text, const std::string& end)
 
 constexpr const char* column_name = "surface";
 constexpr const char* hidden_name = "surface, not to be written";
-
-void drop_column(Columns& columns, const char* name)
-{
-  const auto is_ours = [name](const Column& column) { return column.name == name; };
-  columns.erase(std::remove_if(columns.begin(), columns.end(), is_ours), columns.end());
-}
 
 void add_column(Columns& columns, const char* name, const Recognized_part& part)
 {
@@ -59,13 +46,13 @@ void require_tags_place(const Surface_options& options, const std::vector<std::s
 
 bool are_tags_written(const Surface_options& options, const Output_normals& normals)
 {
-  return options.write_tags || has_control_normals(normals);
+  return options.write_tags || normals.goes_on();
 }
 
 void suit_tags(Mesh_data& mesh, const Mesh_file& output, const Surface_options& options,
                const Output_normals& normals, Report& report)
 {
-  if (!has_control_normals(normals)) mesh.tags = Crease_tags();
+  if (!normals.goes_on()) mesh.tags = Crease_tags();
   if (!mesh.tags.any()) return;
   const std::string name = output.title("standard output");
   const bool has_place = output.format == "ply" || output.format == "obj";
@@ -77,7 +64,7 @@ void suit_tags(Mesh_data& mesh, const Mesh_file& output, const Surface_options& 
                                   {"what is sharp"});
   Columns& columns = mesh.attributes.of_vertices;
   if (output.format != "ply" || find_column(columns, "sharpness") == nullptr) return;
-  drop_column(columns, "sharpness");
+  remove_columns(columns, {"sharpness"});
   report.warn_of_dropped(name +
                            ": the property 'sharpness' of vertices gives way to that of corners",
                          {"'sharpness' of vertices"});
@@ -120,7 +107,7 @@ void add_segments(Mesh_data& mesh, const Recognized_part& part, const std::strin
     report.warn_of_dropped(name + ": the property 'surface' of faces gives way to the numbers of "
                                   "the recognized surfaces",
                            {"'surface' of faces"});
-  drop_column(columns, column_name);
+  remove_columns(columns, {column_name});
   add_column(columns, column_name, part);
 }
 
@@ -141,9 +128,8 @@ std::vector<double>* segments_of(Attributes& attributes)
 void suit_segments(Mesh_data& mesh, const Mesh_file& output)
 {
   Columns& columns = mesh.attributes.of_faces;
-  if (find_column(columns, hidden_name) != nullptr)
-    return drop_column(columns, hidden_name); // one of the user's stays
-  if (output.format != "ply" && output.format != "vtp") drop_column(columns, column_name);
+  if (remove_columns(columns, {hidden_name})) return; // one of the user's stays
+  if (output.format != "ply" && output.format != "vtp") remove_columns(columns, {column_name});
 }
 
 } // namespace pn_subdivide

@@ -8,7 +8,6 @@
 
 #include "surface/split_polygon.h"
 
-#include "surface/Ear_clipping.h"
 #include "surface/Surface.h"
 
 #include <algorithm>

@@ -71,10 +71,7 @@ void require_consistent(const Surface_options& options)
 Texture_rule texture_rule(const Surface_options& options)
 {
   if (!options.texture_rule) return options.chord ? Texture_rule::all : Texture_rule::corners_plus1;
-  const Texture_rule rule = parse_texture_rule(*options.texture_rule);
-  if (!options.scheme.scheme.empty())
-    require_texture_rule(rule, *options.texture_rule, options.scheme.scheme);
-  return rule;
+  return parse_texture_rule(*options.texture_rule);
 }
 
 unsigned number_of_threads(const Surface_options& options)
@@ -566,9 +563,7 @@ private:
       (source == Source::estimate || (source == Source::automatic && !has_file_normals_));
     const Interpolation_report result =
       interpolate_surface(surface, scheme_, interpolation, creases);
-    report_.note(description(result));
-    const std::string text = warning(result, interpolation.mode);
-    if (!text.empty()) report_.warn(input_ + ": " + text);
+    tell(result, interpolation.mode, input_, report_);
   }
 
   Attributes refine(Surface& surface, Refinement& rounds, Attributes attributes)
@@ -639,16 +634,8 @@ private:
       limits(copy, creases_of(copy, rounds.creases), limit);
       control = kept_normals(copy);
     }
-    report_limits(limits(surface, rounds.creases, plan_.limit));
+    limits(surface, rounds.creases, plan_.limit).tell(plan_.limit, output_, report_);
     return control;
-  }
-
-  void report_limits(const Limit_summary& summary)
-  {
-    report_.note(summary.description(plan_.limit));
-    report_.set_limit(summary.numbers(plan_.limit));
-    const std::string warning = summary.warning();
-    if (!warning.empty()) report_.warn(output_ + ": " + warning);
   }
 
   // Subdivision need not stay on cones, nor beside faces of unknown surfaces. With other normals, control data or limit
@@ -769,7 +756,7 @@ private:
     warn_of_lost_normals(pieces_.has_lost_normals, true);
     warn_of_lost_attributes(pieces_.lost_attributes);
     const Limit_summary reached = write_pieces(pieces_, output_, plan_.threads, report_);
-    if (plan_.limit.is_used()) report_limits(reached);
+    if (plan_.limit.is_used()) reached.tell(plan_.limit, output_, report_);
     report_.note(output_ + ": " + std::to_string(size.vertices) + " vertices, " +
                  std::to_string(size.faces) + " faces, " + rounds_of(pieces_.has_normals) + ", " +
                  normals_ + creases_.description() + ", " + pieces + turning_ + time());

@@ -28,13 +28,6 @@ struct Scheme_choice
   // which rounds and valences the modified schemes change, as given
   std::optional<unsigned> first_round;
   std::optional<std::string> tuned_valences;
-
-  bool operator==(const Scheme_choice& other) const
-  {
-    return scheme == other.scheme && normal_scheme == other.normal_scheme &&
-           parameters == other.parameters && first_round == other.first_round &&
-           tuned_valences == other.tuned_valences;
-  }
 };
 
 // A parameter that schemes take, which is an option of the same name.

@@ -184,12 +184,7 @@ bool remove_color_and(const std::string& name, Columns& columns)
 {
   std::vector<std::string> names = {name};
   for (const Column* channel : find_color(columns)) names.push_back(channel->name);
-  const auto end = std::remove_if(columns.begin(), columns.end(), [&names](const Column& column) {
-    return std::find(names.begin(), names.end(), column.name) != names.end();
-  });
-  const bool found = end != columns.end();
-  columns.erase(end, columns.end());
-  return found;
+  return remove_columns(columns, names);
 }
 
 Columns color_columns(const std::vector<double>& values, double end)

@@ -17,7 +17,25 @@
 #include <cstdlib>
 #include <string>
 #ifdef __unix__
+#  include <chrono>
+#  include <csignal>
+#  include <stdexcept>
 #  include <sys/wait.h>
+#  include <thread>
+#  include <unistd.h>
+
+// The command, while the test goes on.
+inline pid_t start_command(const std::string& arguments, const std::string& before = "")
+{
+  const pid_t child = fork();
+  if (child == -1) throw std::runtime_error("no process");
+  if (child == 0) {
+    execl("/bin/sh", "sh", "-c", (before + "exec '" PN_SUBDIVIDE_COMMAND "' " + arguments).c_str(),
+          nullptr);
+    _exit(127);
+  }
+  return child;
+}
 #endif
 
 // The command run as a program.
@@ -42,6 +60,24 @@ protected:
 #endif
     return {code, Temporary_folder::content(out), Temporary_folder::content(err)};
   }
+
+#ifdef __unix__
+  // The status of the command that gets the signal some time after a file more is in the folder.
+  int interrupt(const std::string& arguments, int signal, std::chrono::microseconds delay) const
+  {
+    const std::size_t files = folder.number_of_files();
+    const pid_t child = start_command(arguments);
+    int status = 0;
+    pid_t ended = 0;
+    while (folder.number_of_files() == files && ended == 0)
+      ended = waitpid(child, &status, WNOHANG);
+    if (ended != 0) return status;
+    std::this_thread::sleep_for(delay);
+    kill(child, signal);
+    EXPECT_EQ(waitpid(child, &status, 0), child);
+    return status;
+  }
+#endif
 
   static void expect_one_line(const Outcome& outcome, int code, const std::string& part)
   {

@@ -25,7 +25,6 @@
 #  include <chrono>
 #  include <csignal>
 #  include <sys/wait.h>
-#  include <thread>
 #  include <unistd.h>
 #endif
 
@@ -160,30 +159,16 @@ TEST_F(Faults, AFullDiskAtEveryBlock)
 TEST_F(Faults, ASignalInTheMiddleOfAWrite)
 {
   const std::string out = folder.file("out.obj"), old = "untouched";
-  ASSERT_EQ(run("surface '" + folder.file("cube.off") + "' '" + out + "' --levels 6 --quiet").code,
-            0);
+  const std::string arguments =
+    "surface '" + folder.file("cube.off") + "' '" + out + "' --levels 6 --quiet";
+  ASSERT_EQ(run(arguments).code, 0);
   const std::string expected = Temporary_folder::content(out);
   const std::size_t files = folder.number_of_files();
   int killed = 0, complete = 0;
   for (const int signal : {SIGINT, SIGTERM})
     for (int delay = 0; delay < 12; ++delay) {
       folder.write("out.obj", old);
-      const pid_t child = fork();
-      ASSERT_NE(child, -1);
-      if (child == 0) {
-        execl(PN_SUBDIVIDE_COMMAND, "pn_subdivide", "surface", folder.file("cube.off").c_str(),
-              out.c_str(), "--levels", "6", "--quiet", nullptr);
-        _exit(127);
-      }
-      int status = 0;
-      pid_t ended = 0;
-      while (folder.number_of_files() == files && ended == 0)
-        ended = waitpid(child, &status, WNOHANG);
-      if (ended == 0) {
-        std::this_thread::sleep_for(std::chrono::microseconds(700 * delay));
-        kill(child, signal);
-        ASSERT_EQ(waitpid(child, &status, 0), child);
-      }
+      const int status = interrupt(arguments, signal, std::chrono::microseconds(700 * delay));
       const std::string content = Temporary_folder::content(out);
       EXPECT_EQ(folder.number_of_files(), files) << "signal " << signal << ", delay " << delay;
       EXPECT_TRUE(content == old || content == expected)

@@ -25,8 +25,6 @@
 #  include <chrono>
 #  include <csignal>
 #  include <sys/wait.h>
-#  include <thread>
-#  include <unistd.h>
 #endif
 
 namespace {
@@ -275,25 +273,8 @@ TEST_F(Pieces, ASignal)
   for (const std::string out : {"out.ply", "out.pvtp"})
     for (const int signal : {SIGINT, SIGTERM})
       for (int delay = 0; delay < 4; ++delay) {
-        const pid_t child = fork();
-        ASSERT_NE(child, -1);
-        if (child == 0) {
-          execl(
-            "/bin/sh", "sh", "-c",
-            ("exec '" PN_SUBDIVIDE_COMMAND "' " + in_out("loop", out) + "--levels 6 --pieces 40")
-              .c_str(),
-            nullptr);
-          _exit(127);
-        }
-        int status = 0;
-        pid_t ended = 0;
-        while (folder.number_of_files() == files && ended == 0)
-          ended = waitpid(child, &status, WNOHANG);
-        if (ended == 0) {
-          std::this_thread::sleep_for(std::chrono::milliseconds(5 * delay));
-          kill(child, signal);
-          waitpid(child, &status, 0);
-        }
+        const int status = interrupt(in_out("loop", out) + "--levels 6 --pieces 40", signal,
+                                     std::chrono::milliseconds(5 * delay));
         if (WIFSIGNALED(status)) {
           ++killed;
           EXPECT_EQ(folder.number_of_files(), files) << out << " " << signal << " " << delay;

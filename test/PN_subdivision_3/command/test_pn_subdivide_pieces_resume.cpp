@@ -16,14 +16,12 @@
 #  include <chrono>
 #  include <csignal>
 #  include <cstddef>
-#  include <fcntl.h>
 #  include <filesystem>
 #  include <fstream>
 #  include <functional>
 #  include <string>
 #  include <sys/wait.h>
 #  include <thread>
-#  include <unistd.h>
 #  include <utility>
 #  include <vector>
 
@@ -43,14 +41,7 @@ std::size_t number_of_pieces(const std::string& done)
 void kill_in_the_middle(const std::string& arguments, const std::string& done)
 {
   constexpr std::size_t pieces = 5;
-  const pid_t child = fork();
-  ASSERT_NE(child, -1);
-  if (child == 0) {
-    const int null = open("/dev/null", O_WRONLY);
-    dup2(null, 2);
-    execl("/bin/sh", "sh", "-c", ("exec '" PN_SUBDIVIDE_COMMAND "' " + arguments).c_str(), nullptr);
-    _exit(127);
-  }
+  const pid_t child = start_command(arguments + " 2>/dev/null");
   int status = 0;
   while (number_of_pieces(done) < pieces && waitpid(child, &status, WNOHANG) == 0)
     std::this_thread::sleep_for(std::chrono::microseconds(200));

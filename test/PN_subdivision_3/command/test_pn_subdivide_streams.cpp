@@ -21,7 +21,6 @@
 #ifdef __unix__
 #  include <chrono>
 #  include <csignal>
-#  include <fcntl.h>
 #  include <sys/stat.h>
 #  include <thread>
 #  include <unistd.h>
@@ -35,6 +34,11 @@ class Streams : public Command_test
 {
 protected:
   std::string quoted(const std::string& name) const { return "'" + folder.file(name) + "'"; }
+  std::string drawn_curve() const
+  {
+    return "curve " + quoted("p.txt") + " " + quoted("c.txt") + " --scheme chaikin --comb " +
+           quoted("comb.svg") + " --quiet";
+  }
 };
 
 } // namespace
@@ -180,20 +184,7 @@ TEST_F(Streams, ASignalLeavesNoFile)
   ASSERT_EQ(mkfifo(folder.file("comb.svg").c_str(), 0600), 0);
   const std::string output = folder.write("c.txt", "untouched");
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    const pid_t child = fork();
-    ASSERT_NE(child, -1);
-    if (child == 0) {
-      execl(PN_SUBDIVIDE_COMMAND, "pn_subdivide", "curve", folder.file("p.txt").c_str(),
-            output.c_str(), "--scheme", "chaikin", "--comb", folder.file("comb.svg").c_str(),
-            "--quiet", nullptr);
-      _exit(127);
-    }
-    for (int i = 0; i < 1000 && folder.number_of_files() != 4; ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    EXPECT_EQ(folder.number_of_files(), 4u) << "the temporary file is not there";
-    EXPECT_EQ(kill(child, signal), 0);
-    int status = 0;
-    EXPECT_EQ(waitpid(child, &status, 0), child);
+    const int status = interrupt(drawn_curve(), signal, std::chrono::milliseconds(0));
     EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
     EXPECT_EQ(folder.number_of_files(), 3u) << "after signal " << signal;
     EXPECT_EQ(Temporary_folder::content(output), "untouched");
@@ -205,15 +196,7 @@ TEST_F(Streams, AnIgnoredSignalStaysIgnored)
 {
   folder.write("p.txt", "0 0\n1 0\n1 1\n");
   ASSERT_EQ(mkfifo(folder.file("comb.svg").c_str(), 0600), 0);
-  const pid_t child = fork();
-  ASSERT_NE(child, -1);
-  if (child == 0) {
-    std::signal(SIGHUP, SIG_IGN);
-    execl(PN_SUBDIVIDE_COMMAND, "pn_subdivide", "curve", folder.file("p.txt").c_str(),
-          folder.file("c.txt").c_str(), "--scheme", "chaikin", "--comb",
-          folder.file("comb.svg").c_str(), "--quiet", nullptr);
-    _exit(127);
-  }
+  const pid_t child = start_command(drawn_curve(), "trap '' HUP; ");
   for (int i = 0; i < 1000 && folder.number_of_files() != 3; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_EQ(kill(child, SIGHUP), 0);

@@ -76,6 +76,9 @@ std::string vtk_name(const std::string& type)
   return type == "float" ? "Float32" : "Float64";
 }
 
+const std::vector<std::string> rounds_and_encodings = {"--levels 0", "--levels 0 --ascii",
+                                                       "--levels 1", "--levels 2 --ascii"};
+
 class Pn_subdivide_types : public Command_test
 {
 protected:
@@ -88,60 +91,48 @@ protected:
     EXPECT_EQ(outcome.err, "");
     return Temporary_folder::content(folder.file(output));
   }
-};
 
-const std::vector<std::string> rounds_and_encodings = {"--levels 0", "--levels 0 --ascii",
-                                                       "--levels 1", "--levels 2 --ascii"};
+  void expect_colors(const std::vector<Source>& sources, Columns Attributes::*of)
+  {
+    for (const Source& source : sources)
+      for (const std::string& options : rounds_and_encodings) {
+        SCOPED_TRACE(source.name + " " + options);
+        folder.write(source.name, source.content);
+        const std::string type = source.type.empty() ? "uchar" : source.type;
+        const std::string text = written(source.name, "b.ply", options);
+        for (const char* channel : {"red", "green", "blue"})
+          EXPECT_TRUE(contains(text, "property " + type + " " + channel + "\n")) << text;
+        const Columns columns = read_mesh(folder.file("b.ply")).attributes.*of;
+        ASSERT_EQ(columns.size(), 3u);
+        for (std::size_t i = 0; i < 3; ++i)
+          for (const double x : columns[i].values) EXPECT_EQ(x, source.color[i]);
+        EXPECT_TRUE(contains(written(source.name, "b.vtp", options),
+                             "type=\"" + vtk_name(type) + "\" Name=\"colors\""));
+      }
+  }
+};
 
 } // namespace
 
 TEST_F(Pn_subdivide_types, ColorsAreBytesUnlessAPlyFileHasAnotherType)
 {
-  const std::vector<Source> sources = {
-    {"a.obj", obj_with_colors(), "", {255, 51, 128}},
-    {"fractions.off", off_with_colors("1.0 0.2 0.5"), "", {255, 51, 128}},
-    {"bytes.off", off_with_colors("255 51 7"), "", {255, 51, 7}},
-    {"uchar.ply", ply_with_colors("uchar", "255 51 7"), "uchar", {255, 51, 7}},
-    {"ushort.ply", ply_with_colors("ushort", "65535 51 7"), "ushort", {65535, 51, 7}},
-    {"float.ply", ply_with_colors("float", "1 0.25 0.5"), "float", {1, 0.25, 0.5}},
-    {"double.ply", ply_with_colors("double", "1 0.2 0.5"), "double", {1, 0.2, 0.5}}};
-  for (const Source& source : sources)
-    for (const std::string& options : rounds_and_encodings) {
-      SCOPED_TRACE(source.name + " " + options);
-      folder.write(source.name, source.content);
-      const std::string type = source.type.empty() ? "uchar" : source.type;
-      const std::string text = written(source.name, "b.ply", options);
-      for (const char* channel : {"red", "green", "blue"})
-        EXPECT_TRUE(contains(text, "property " + type + " " + channel + "\n")) << text;
-      const Columns columns = read_mesh(folder.file("b.ply")).attributes.of_vertices;
-      ASSERT_EQ(columns.size(), 3u);
-      for (std::size_t i = 0; i < 3; ++i)
-        for (const double x : columns[i].values) EXPECT_EQ(x, source.color[i]);
-      EXPECT_TRUE(contains(written(source.name, "b.vtp", options),
-                           "type=\"" + vtk_name(type) + "\" Name=\"colors\""));
-    }
+  expect_colors({{"a.obj", obj_with_colors(), "", {255, 51, 128}},
+                 {"fractions.off", off_with_colors("1.0 0.2 0.5"), "", {255, 51, 128}},
+                 {"bytes.off", off_with_colors("255 51 7"), "", {255, 51, 7}},
+                 {"uchar.ply", ply_with_colors("uchar", "255 51 7"), "uchar", {255, 51, 7}},
+                 {"ushort.ply", ply_with_colors("ushort", "65535 51 7"), "ushort", {65535, 51, 7}},
+                 {"float.ply", ply_with_colors("float", "1 0.25 0.5"), "float", {1, 0.25, 0.5}},
+                 {"double.ply", ply_with_colors("double", "1 0.2 0.5"), "double", {1, 0.2, 0.5}}},
+                &Attributes::of_vertices);
 }
 
 TEST_F(Pn_subdivide_types, ColorsOfFacesAreBytesToo)
 {
   const std::string properties = "property float red\nproperty float green\nproperty float blue\n";
-  const std::vector<Source> sources = {
-    {"fractions.off", off_with_face_color("1.0 0.2 0.5"), "", {255, 51, 128}},
-    {"bytes.off", off_with_face_color("255 51 7"), "", {255, 51, 7}},
-    {"float.ply", ply("", {}, properties, "1 0.25 0.5"), "float", {1, 0.25, 0.5}}};
-  for (const Source& source : sources)
-    for (const std::string& options : rounds_and_encodings) {
-      SCOPED_TRACE(source.name + " " + options);
-      folder.write(source.name, source.content);
-      const std::string type = source.type.empty() ? "uchar" : source.type;
-      EXPECT_TRUE(contains(written(source.name, "b.ply", options), "property " + type + " red\n"));
-      const Columns columns = read_mesh(folder.file("b.ply")).attributes.of_faces;
-      ASSERT_EQ(columns.size(), 3u);
-      for (std::size_t i = 0; i < 3; ++i)
-        for (const double x : columns[i].values) EXPECT_EQ(x, source.color[i]);
-      EXPECT_TRUE(contains(written(source.name, "b.vtp", options),
-                           "type=\"" + vtk_name(type) + "\" Name=\"colors\""));
-    }
+  expect_colors({{"fractions.off", off_with_face_color("1.0 0.2 0.5"), "", {255, 51, 128}},
+                 {"bytes.off", off_with_face_color("255 51 7"), "", {255, 51, 7}},
+                 {"float.ply", ply("", {}, properties, "1 0.25 0.5"), "float", {1, 0.25, 0.5}}},
+                &Attributes::of_faces);
 }
 
 TEST_F(Pn_subdivide_types, TextureCoordinatesAreFloatsUnlessAPlyFileHasAnotherType)

@@ -11,8 +11,6 @@
 
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
-namespace header_in_use {
-
 CGAL::PN_subdivision_3::Level_connectivity connect();
 
 struct Row
@@ -22,6 +20,23 @@ struct Row
   void add_rest(Index) {}
 };
 
-} // namespace header_in_use
+template <class Scheme>
+void use_triangle_rules(const Scheme& scheme)
+{
+  const CGAL::PN_subdivision_3::Level_connectivity level = connect();
+  const auto mask = scheme.template mask<double>(level, 1);
+  Row row;
+  mask.vertex(0, row);
+  mask.edge(0, row);
+}
+
+template <class Scheme>
+void use_quad_rules(const Scheme& scheme)
+{
+  use_triangle_rules(scheme);
+  const CGAL::PN_subdivision_3::Level_connectivity level = connect();
+  Row row;
+  scheme.template mask<double>(level, 1).face(0, row);
+}
 
 #endif // PN_SUBDIVISION_3_TEST_HEADERS_ROW_H
