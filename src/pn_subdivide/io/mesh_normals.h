@@ -160,6 +160,9 @@ private:
 // symmetry, but then with this one, too. Normals that are zero and corners without area do not count.
 Shading find_shading(const Mesh_data& mesh);
 
+// of coordinates in a file
+double rounding_of(const std::vector<Triple>& points);
+
 // The components of the mesh whose normals say nothing of its shape: in the median more than 10 degrees from the normals by arcs, by
 // areas and by angles, each of them.
 struct Stray_normals
