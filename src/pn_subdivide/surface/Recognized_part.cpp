@@ -285,23 +285,6 @@ void tag_caps(Recognized_part& part, const Surface& surface, const std::vector<b
   }
 }
 
-Surface without_normals(const Mesh_data& mesh)
-{
-  Surface surface = make_surface(mesh);
-  remove_normals_and_roundness(surface);
-  return surface;
-}
-
-template <class Function>
-auto with_parameters(const Recognition_plan& plan, const Function& f)
-{
-  const auto np = PN::parameters::shared(
-    PN::parameters::sharp_angle(plan.sharp_angle).min_facets(plan.min_facets));
-  return plan.tolerance
-           ? f(PN::parameters::join(PN::parameters::surface_tolerance(*plan.tolerance), np))
-           : f(np);
-}
-
 // The least cosine of the angle between the normals of two known surfaces along an edge; -1 if they are not known.
 double cosine_between(const Recognized_part& part, const Surface& surface, Patch_map segments,
                       Normals_of_surfaces normals, Edge e)
@@ -419,7 +402,8 @@ bool Recognized_part::is_sure() const
 Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& plan)
 {
   Recognized_part part;
-  Surface surface = without_normals(mesh);
+  Surface surface = make_surface(mesh);
+  remove_normals_and_roundness(surface);
   const Patch_map segments = surface.add_property_map<Face, std::size_t>("f:segment", 0).first;
   const Crease_map creases = surface.add_property_map<Edge, bool>("e:is_crease", false).first;
   const Normals_of_surfaces normals =
@@ -428,19 +412,21 @@ Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& pl
   const Roundness_map roundness = add_roundness(surface);
   const Bounding_box box(mesh.points);
   const double rounding = rounding_of(mesh.points), diagonal = diagonal_of(box);
-  with_parameters(plan, [&](const auto& np) {
-    part.surfaces = PN::recognize_surfaces(surface, segments, np);
-    if (!plan.tolerance && plan.tries_tolerances)
-      try_tolerance_of_six_digits(part, surface, plan, box, rounding);
-    for (const Face f : surface.faces()) part.segments.push_back(segments[f]);
-    part.moved = Places_on_surfaces(surface, part.segments, part.surfaces).cut_vertices();
-    for (const Moved_vertex& m : part.moved) surface.point(Vertex(unsigned(m.vertex))) = m.point;
-    PN::surface_creases(surface, segments, part.surfaces, creases,
-                        PN::parameters::join(PN::parameters::vertex_roundness_map(roundness)
-                                               .vertex_is_constrained_map(corners)
-                                               .vertex_normal_map(normals),
-                                             np));
-  });
+  const auto np =
+    PN::parameters::shared(PN::parameters::surface_tolerance(plan.tolerance.value_or(0))
+                             .sharp_angle(plan.sharp_angle)
+                             .min_facets(plan.min_facets));
+  part.surfaces = PN::recognize_surfaces(surface, segments, np);
+  if (!plan.tolerance && plan.tries_tolerances)
+    try_tolerance_of_six_digits(part, surface, plan, box, rounding);
+  for (const Face f : surface.faces()) part.segments.push_back(segments[f]);
+  part.moved = Places_on_surfaces(surface, part.segments, part.surfaces).cut_vertices();
+  for (const Moved_vertex& m : part.moved) surface.point(Vertex(unsigned(m.vertex))) = m.point;
+  PN::surface_creases(surface, segments, part.surfaces, creases,
+                      PN::parameters::join(PN::parameters::vertex_roundness_map(roundness)
+                                             .vertex_is_constrained_map(corners)
+                                             .vertex_normal_map(normals),
+                                           np));
   for (const Vertex v : surface.vertices()) {
     if (corners[v]) part.corners.push_back(v);
     part.roundness.push_back(roundness[v]);

@@ -134,7 +134,7 @@ Part cut_frustum()
 }
 
 // The top of a sphere of 40 sides, to 40 degrees below the pole, where a polygon is divided as openscad does.
-Part top_of_sphere()
+Part top_of_sphere(bool has_base)
 {
   const auto point = [](int k, int i) {
     const Triple p = on_circle(1, 9 * k + 4.5, 0); // height and radius
@@ -158,7 +158,7 @@ Part top_of_sphere()
     if (i > 1) top.add({point(0, i), point(0, 1 - i), point(0, i - 1)});
   }
   top.add({point(0, 20), point(0, -19), point(0, 19)});
-  top.add(base);
+  if (has_base) top.add(base);
   return top;
 }
 
@@ -368,7 +368,9 @@ TEST_F(Pn_subdivide_part, CutsEndOnTheSurface)
 TEST_F(Pn_subdivide_part, NarrowFacetsDoNotFold)
 {
   folder.write("notch.ply", triangles(notched_cylinder()).ply());
-  folder.write("top.ply", triangles(top_of_sphere()).ply());
+  folder.write("top.ply", triangles(top_of_sphere(true)).ply());
+  folder.write("open.ply", triangles(top_of_sphere(false)).ply());
+  EXPECT_FALSE(contains(said("open.ply", "--part"), "more than --chord"));
   for (const std::string input : {"notch.ply", "top.ply"})
     for (const std::string options : {"--levels 2", "--part"}) {
       const std::string text = checked(input, options + reported());
