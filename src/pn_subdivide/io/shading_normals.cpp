@@ -147,7 +147,6 @@ double median(std::vector<double>& x)
 double rounding_of(const std::vector<Triple>& points)
 {
   std::vector<double> coordinates;
-  coordinates.reserve(3 * points.size());
   for (const Triple& p : points) coordinates.insert(coordinates.end(), p.begin(), p.end());
   return CGAL::PN_subdivision_3::internal::recognition::file_rounding(coordinates);
 }

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -179,18 +178,6 @@ using Patch_map = Surface::Property_map<Face, std::size_t>;
 using Crease_map = Surface::Property_map<Edge, bool>;
 using Normals_of_surfaces = Surface::Property_map<Halfedge, Vector_3>;
 
-// of the length of twice the area
-Vector_3 area_vector(const Surface& surface, Face f)
-{
-  const Halfedge first = surface.halfedge(f);
-  const Point_3& p = surface.point(surface.target(first));
-  Vector_3 sum(0, 0, 0);
-  for (Halfedge h = surface.next(first); surface.next(h) != first; h = surface.next(h))
-    sum += CGAL::cross_product(surface.point(surface.target(h)) - p,
-                               surface.point(surface.target(surface.next(h))) - p);
-  return sum;
-}
-
 // of the farthest corner of a face over an edge of it
 double height_over(const Surface& surface, Halfedge h)
 {
@@ -217,7 +204,7 @@ std::vector<bool> vertices_at_ends(const Recognized_part& part, const Surface& s
   std::vector<bool> is_at_end(surface.number_of_vertices(), false);
   for (const Edge e : surface.edges())
     if (part.creases[e] || surface.is_border(e))
-      for (const Vertex v : {surface.vertex(e, 0), surface.vertex(e, 1)}) is_at_end[v] = true;
+      is_at_end[surface.vertex(e, 0)] = is_at_end[surface.vertex(e, 1)] = true;
   return is_at_end;
 }
 
@@ -235,8 +222,7 @@ void tag_narrow_facets(Recognized_part& part, const Surface& surface,
 
 double distance_from_plane(const Surface& surface, Face f, Face of)
 {
-  const Vector_3 area = area_vector(surface, of);
-  const Point_3& p = surface.point(surface.target(surface.halfedge(of)));
+  const auto [p, area, size] = place_of(surface, of);
   double most = 0;
   for (const Vertex v : surface.vertices_around_face(surface.halfedge(f)))
     most = (std::max)(most, std::abs((surface.point(v) - p) * area));
@@ -321,7 +307,7 @@ void fill(Recognized_part& part, const Surface& surface, Patch_map segments, Cre
                        [&](Face g) { return g == Surface::null_face() || sure[part.segments[g]]; });
   };
   for (const Face f : surface.faces()) {
-    const double area = std::sqrt(area_vector(surface, f).squared_length()) / 2;
+    const double area = std::sqrt(place_of(surface, f).twice_area.squared_length()) / 2;
     part.area += area;
     if (!part.is_known(segments[f]))
       part.unknown_area += area;
@@ -376,6 +362,22 @@ void try_tolerance_of_six_digits(Recognized_part& part, Surface& surface,
 
 } // namespace
 
+Face_place place_of(const Surface& surface, Face f)
+{
+  const Halfedge first = surface.halfedge(f);
+  const Point_3& origin = surface.point(surface.target(first));
+  Vector_3 sum(0, 0, 0), area(0, 0, 0), before(0, 0, 0);
+  double squared_size = 0, n = 1;
+  for (Halfedge h = surface.next(first); h != first; h = surface.next(h), ++n) {
+    const Vector_3 d = surface.point(surface.target(h)) - origin;
+    sum += d;
+    area += CGAL::cross_product(before, d);
+    squared_size = (std::max)(squared_size, d.squared_length());
+    before = d;
+  }
+  return {origin + sum / n, area, std::sqrt(squared_size)};
+}
+
 bool is_round(Recognized_surface::Kind kind)
 {
   return kind != Kind::plane && kind != Kind::unknown;
@@ -389,14 +391,13 @@ bool Recognized_part::knows_any() const
 
 bool Recognized_part::is_sure() const
 {
-  const auto has = [&](std::initializer_list<Kind> kinds) {
-    return std::any_of(surfaces.begin(), surfaces.end(), [&](const Recognized_surface& s) {
-      return std::find(kinds.begin(), kinds.end(), s.kind) != kinds.end();
-    });
-  };
+  bool has_plane = false, has_round = false;
+  for (const Recognized_surface& s : surfaces) {
+    has_plane = has_plane || s.kind == Kind::plane;
+    has_round = has_round || (is_round(s.kind) && s.kind != Kind::cone);
+  }
   const auto all_creases = std::size_t(std::count(creases.begin(), creases.end(), true));
-  return sure_area >= 0.9 * area && has({Kind::plane}) &&
-         has({Kind::cylinder, Kind::sphere, Kind::torus}) && 2 * slight_creases <= all_creases;
+  return sure_area >= 0.9 * area && has_plane && has_round && 2 * slight_creases <= all_creases;
 }
 
 Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& plan)

@@ -548,10 +548,9 @@ private:
       has_file_normals_ &&
       (plan_.normals.source == Source::file || plan_.normals.source == Source::automatic);
     const std::optional<Recognized_part>& recognized = part_ ? part_ : seen_.part;
-    using Sharp = Crease_plan::Source;
-    return {plan_.creases.source == Sharp::automatic && may_suggest_tags(),
-            plan_.creases.source != Sharp::none && !wants_surfaces(options_.creases) &&
-              may_suggest_creases(),
+    return {plan_.creases.source == Crease_plan::Source::automatic && may_suggest_tags(),
+            plan_.creases.source != Crease_plan::Source::none &&
+              !wants_surfaces(options_.creases) && may_suggest_creases(),
             has_shape_normals() || takes_file_normals,
             is_smooth && !plan_.interpolation && !plan_.chord && can_interpolate(scheme_),
             plan_.roundness.constant(),
