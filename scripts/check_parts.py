@@ -24,8 +24,8 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
-from control_meshes.vector import cross, dot, length, mean, sub
-from never_worse import off
+from control_meshes.files import read_mesh
+from control_meshes.vector import cross, dot, length, sub
 
 CHORD = 2e-4  # of --part
 
@@ -128,14 +128,15 @@ def folds(points: list, triangles: list) -> int:
 
 def measured(mesh: Path, solid: Solid) -> tuple[float, float, int]:
     """the largest and the mean distance, and folds"""
-    points, triangles = off(mesh)
+    read = read_mesh(mesh)
+    points, triangles = read.points, read.triangles()
     diagonal = math.dist(*([f(p[i] for p in points) for i in range(3)] for f in (min, max)))
     at: dict = {}
 
     def distance(*corners: int) -> float:
         corners = tuple(sorted(corners))
         if corners not in at:
-            at[corners] = abs(solid.distance(mean([points[v] for v in corners])))
+            at[corners] = abs(solid.distance([sum(x) / len(corners) for x in zip(*(points[v] for v in corners))]))
         return at[corners]
 
     largest = total = area = 0.0

@@ -159,6 +159,7 @@ private:
 // than 80 % with the sum of a x b / (|a|^2 |b|^2): true normals of many round shapes agree with all of them, by
 // symmetry, but then with this one, too. Normals that are zero and corners without area do not count.
 Shading find_shading(const Mesh_data& mesh);
+double rounding_of(const std::vector<Triple>& points); // of a file
 
 // The components of the mesh whose normals say nothing of its shape: in the median more than 10 degrees from the normals by arcs, by
 // areas and by angles, each of them.

@@ -56,14 +56,6 @@ double length(const Triple& v)
   return std::sqrt(scalar_product(v, v));
 }
 
-double rounding_of(const std::vector<Triple>& points)
-{
-  std::vector<double> coordinates;
-  coordinates.reserve(3 * points.size());
-  for (const Triple& p : points) coordinates.insert(coordinates.end(), p.begin(), p.end());
-  return CGAL::PN_subdivision_3::internal::recognition::file_rounding(coordinates);
-}
-
 class Sums_of_faces
 {
 public:
@@ -150,6 +142,13 @@ double median(std::vector<double>& x)
 }
 
 } // namespace
+
+double rounding_of(const std::vector<Triple>& points)
+{
+  std::vector<double> coordinates;
+  for (const Triple& p : points) coordinates.insert(coordinates.end(), p.begin(), p.end());
+  return CGAL::PN_subdivision_3::internal::recognition::file_rounding(coordinates);
+}
 
 Shading find_shading(const Mesh_data& mesh)
 {

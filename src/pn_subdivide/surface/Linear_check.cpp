@@ -217,10 +217,11 @@ std::string Linear_check::advice() const
 {
   constexpr double keeps_round_volumes = 0.5;
   const bool is_rounder = choices_.roundness && *choices_.roundness > keeps_round_volumes;
-  const Edge_advice edges =
-    choices_.may_tag ? edge_advice(choices_.part, turning_.number, turning_.of) : Edge_advice::none;
-  if (edges == Edge_advice::part) return "It looks like a part: try --part";
-  if (edges == Edge_advice::angle)
+  const auto tagged = std::size_t(std::count(is_sharp_.begin(), is_sharp_.end(), true));
+  if (choices_.may_be_part &&
+      edge_advice(choices_.part, turning_.number + tagged, turning_.of) == Edge_advice::part)
+    return "It looks like a part: try --part";
+  if (choices_.may_tag && edge_advice(nullptr, turning_.number, turning_.of) == Edge_advice::angle)
     return turning_edges_text(turning_.number, "control edge") + ": tag them (--sharp angle:40)" +
            (is_rounder ? ", or --roundness auto" : "");
   const bool is_only_lost = of_result_.is_lost() && !of_result_.is_folded(of_control_);

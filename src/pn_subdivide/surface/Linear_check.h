@@ -91,7 +91,8 @@ public:
   // What was chosen, which the advice depends on.
   struct Choices
   {
-    bool may_tag = false; // edges could be sharp, and nobody said which
+    bool may_tag = false;     // edges could be sharp, and nobody said which
+    bool may_be_part = false; // --part would be another way
     bool has_given_normals = false;
     bool may_interpolate = false;
     std::optional<double> roundness;       // the same everywhere

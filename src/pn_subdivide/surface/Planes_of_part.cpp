@@ -198,11 +198,6 @@ Planes_of_part::Planes_of_part(const Surface& control, const Recognized_part& pa
   was_crossed_ = crossed(control_, std::vector<double>(part.segments.begin(), part.segments.end()));
 }
 
-bool Planes_of_part::is_plane(std::size_t segment) const
-{
-  return part_.surfaces[segment].kind == Recognized_surface::Kind::plane;
-}
-
 void Planes_of_part::place_inside(Surface& refined, const std::vector<double>& parents,
                                   const Scheme_choice& scheme, unsigned levels,
                                   unsigned threads) const
@@ -214,7 +209,7 @@ void Planes_of_part::place_inside(Surface& refined, const std::vector<double>& p
       return part_.segments[std::size_t(parents[refined.face(h)])];
     };
     const std::size_t segment = segment_at(refined.halfedge(v));
-    is_inside[v] = is_plane(segment);
+    is_inside[v] = part_.surfaces[segment].kind == Recognized_surface::Kind::plane;
     for (const auto h : CGAL::halfedges_around_target(refined.halfedge(v), refined))
       is_inside[v] = is_inside[v] && segment_at(h) == segment;
   }

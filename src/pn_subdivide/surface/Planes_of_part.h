@@ -52,7 +52,6 @@ public:
   std::size_t number_of_crossed(const Surface& refined, const std::vector<double>& segments) const;
 
 private:
-  bool is_plane(std::size_t segment) const;
   std::vector<bool> crossed(const Surface& surface, const std::vector<double>& segments) const;
 
   Surface control_; // its points

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -192,39 +191,84 @@ double height_over(const Surface& surface, Halfedge h)
 
 // Schemes move the edge between a narrow facet and a wide one by a part of the height of the latter, and fold the former over, as beside
 // cuts near rulings. A crease stays; nobody sees it, since both sides have the normals of the surface.
-void tag_narrow_facets(Recognized_part& part, const Surface& surface)
+bool is_between_narrow_and_wide(const Surface& surface, Halfedge h)
 {
   constexpr double narrow = 1. / 4;
-  std::vector<bool> is_at_end(surface.number_of_vertices(), false); // of a surface
+  const auto [less, more] =
+    std::minmax({height_over(surface, h), height_over(surface, surface.opposite(h))});
+  return less < narrow * more;
+}
+
+std::vector<bool> vertices_at_ends(const Recognized_part& part, const Surface& surface)
+{
+  std::vector<bool> is_at_end(surface.number_of_vertices(), false);
   for (const Edge e : surface.edges())
     if (part.creases[e] || surface.is_border(e))
-      for (const Vertex v : {surface.vertex(e, 0), surface.vertex(e, 1)}) is_at_end[v] = true;
+      is_at_end[surface.vertex(e, 0)] = is_at_end[surface.vertex(e, 1)] = true;
+  return is_at_end;
+}
+
+void tag_narrow_facets(Recognized_part& part, const Surface& surface,
+                       const std::vector<bool>& is_at_end)
+{
   for (const Edge e : surface.edges()) {
     const Halfedge h = surface.halfedge(e);
-    if (surface.is_border(e) || !is_at_end[surface.source(h)] || !is_at_end[surface.target(h)] ||
-        !is_round(part.surfaces[part.segments[surface.face(h)]].kind))
-      continue;
-    const auto [less, more] =
-      std::minmax({height_over(surface, h), height_over(surface, surface.opposite(h))});
-    if (less < narrow * more) part.creases[e] = true;
+    if (!surface.is_border(e) && is_at_end[surface.source(h)] && is_at_end[surface.target(h)] &&
+        is_round(part.surfaces[part.segments[surface.face(h)]].kind) &&
+        is_between_narrow_and_wide(surface, h))
+      part.creases[e] = true;
   }
 }
 
-Surface without_normals(const Mesh_data& mesh)
+double distance_from_plane(const Surface& surface, Face f, Face of)
 {
-  Surface surface = make_surface(mesh);
-  remove_normals_and_roundness(surface);
-  return surface;
+  const auto [p, area, size] = place_of(surface, of);
+  double most = 0;
+  for (const Vertex v : surface.vertices_around_face(surface.halfedge(f)))
+    most = (std::max)(most, std::abs((surface.point(v) - p) * area));
+  return most / std::sqrt(area.squared_length());
 }
 
-template <class Function>
-auto with_parameters(const Recognition_plan& plan, const Function& f)
+// of the flat polygon that a face is in, if its neighbors are beyond doubt in other planes; `first`: a face of each that was found
+std::vector<Halfedge> rim_of_cap(const Surface& surface, Face f, std::vector<Face>& first,
+                                 const std::vector<bool>& is_at_end, double tolerance)
 {
-  const auto np = PN::parameters::shared(
-    PN::parameters::sharp_angle(plan.sharp_angle).min_facets(plan.min_facets));
-  return plan.tolerance
-           ? f(PN::parameters::join(PN::parameters::surface_tolerance(*plan.tolerance), np))
-           : f(np);
+  std::vector<Face> cap(1, f);
+  std::vector<Halfedge> rim;
+  bool is_cap = true;
+  first[f] = f;
+  for (std::size_t i = 0; is_cap && i < cap.size(); ++i)
+    for (const Halfedge h : CGAL::halfedges_around_face(surface.halfedge(cap[i]), surface)) {
+      is_cap = is_cap && !is_at_end[surface.target(h)];
+      const Face g = surface.face(surface.opposite(h));
+      if (!is_cap || first[g] == f) continue;
+      const double off = distance_from_plane(surface, g, f);
+      if (first[g] == Surface::null_face() && off <= tolerance) {
+        first[g] = f;
+        cap.push_back(g);
+      } else {
+        is_cap = off > 16 * tolerance;
+        rim.push_back(h);
+      }
+    }
+  if (is_cap && cap.size() > 2) return rim;
+  for (const Face g : cap) first[g] = Surface::null_face();
+  return {};
+}
+
+// Polygons inside spheres, as programs write them at poles, are divided into such facets: their rims stay, too.
+void tag_caps(Recognized_part& part, const Surface& surface, const std::vector<bool>& is_at_end,
+              double tolerance)
+{
+  std::vector<Face> first(surface.number_of_faces(), Surface::null_face());
+  for (const Face f : surface.faces()) {
+    if (first[f] != Surface::null_face() || part.surfaces[part.segments[f]].kind != Kind::sphere)
+      continue;
+    const std::vector<Halfedge> rim = rim_of_cap(surface, f, first, is_at_end, tolerance);
+    if (std::any_of(rim.begin(), rim.end(),
+                    [&](Halfedge h) { return is_between_narrow_and_wide(surface, h); }))
+      for (const Halfedge h : rim) part.creases[surface.edge(h)] = true;
+  }
 }
 
 // The least cosine of the angle between the normals of two known surfaces along an edge; -1 if they are not known.
@@ -238,33 +282,9 @@ double cosine_between(const Recognized_part& part, const Surface& surface, Patch
   return (std::min)(normals[h] * normals[surface.prev(g)], normals[g] * normals[surface.prev(h)]);
 }
 
-double area_of(const Surface& surface, Face f)
-{
-  const Halfedge first = surface.halfedge(f);
-  const Point_3& p = surface.point(surface.target(first));
-  Vector_3 twice(0, 0, 0);
-  for (Halfedge h = surface.next(first); surface.next(h) != first; h = surface.next(h))
-    twice += CGAL::cross_product(surface.point(surface.target(h)) - p,
-                                 surface.point(surface.target(surface.next(h))) - p);
-  return std::sqrt(twice.squared_length()) / 2;
-}
-
-CGAL::Bbox_3 box_of(const Surface& surface)
-{
-  CGAL::Bbox_3 box;
-  for (const Vertex v : surface.vertices()) box += surface.point(v).bbox();
-  return box;
-}
-
-double diagonal_of(const CGAL::Bbox_3& box)
-{
-  return std::hypot(box.x_span(), box.y_span(), box.z_span());
-}
-
 // Those with more vertices than determine them: a plane that is a triangle, or a warped quadrilateral, is a facet of anything.
-std::vector<bool> sure_segments(const Recognized_part& part, const Surface& surface)
+std::vector<bool> sure_segments(const Recognized_part& part, const Surface& surface, double flat)
 {
-  const double flat = 1e-5 * diagonal_of(box_of(surface));
   std::vector<bool> sure;
   for (const Recognized_surface& s : part.surfaces)
     sure.push_back(s.kind != Kind::unknown &&
@@ -278,16 +298,16 @@ std::vector<bool> sure_segments(const Recognized_part& part, const Surface& surf
 }
 
 void fill(Recognized_part& part, const Surface& surface, Patch_map segments, Crease_map creases,
-          Normals_of_surfaces normals)
+          Normals_of_surfaces normals, double diagonal)
 {
-  const std::vector<bool> sure = sure_segments(part, surface);
+  const std::vector<bool> sure = sure_segments(part, surface, 1e-5 * diagonal);
   const auto is_among_sure_ones = [&](Face f) {
     const auto faces = CGAL::faces_around_face(surface.halfedge(f), surface);
     return std::all_of(faces.begin(), faces.end(),
                        [&](Face g) { return g == Surface::null_face() || sure[part.segments[g]]; });
   };
   for (const Face f : surface.faces()) {
-    const double area = area_of(surface, f);
+    const double area = std::sqrt(place_of(surface, f).twice_area.squared_length()) / 2;
     part.area += area;
     if (!part.is_known(segments[f]))
       part.unknown_area += area;
@@ -322,19 +342,13 @@ std::size_t number_of_known_faces(const std::vector<Recognized_surface>& surface
 
 // A file of six digits that another program has scaled or moved has coordinates of all digits, and is taken for exact.
 void try_tolerance_of_six_digits(Recognized_part& part, Surface& surface,
-                                 const Recognition_plan& plan)
+                                 const Recognition_plan& plan, const Bounding_box& box,
+                                 double rounding)
 {
-  std::vector<double> x;
   double largest = 0;
-  for (const Vertex v : surface.vertices()) {
-    const Point_3& p = surface.point(v);
-    for (int i = 0; i < 3; ++i) {
-      x.push_back(p[i]);
-      largest = (std::max)(largest, std::abs(p[i]));
-    }
-  }
-  if (Recognition::file_rounding(x) > std::ldexp(largest, -40)) return;
-  const double tolerance = 2e-6 * diagonal_of(box_of(surface));
+  for (std::size_t k = 0; k < 3; ++k) largest = (std::max)({largest, -box.low[k], box.high[k]});
+  if (rounding > std::ldexp(largest, -40)) return;
+  const double tolerance = 2e-6 * diagonal_of(box);
   const auto segments = surface.add_property_map<Face, std::size_t>("f:other_segment", 0).first;
   const std::vector<Recognized_surface> found = PN::recognize_surfaces(
     surface, segments, PN::parameters::surface_tolerance(tolerance).min_facets(plan.min_facets));
@@ -347,6 +361,22 @@ void try_tolerance_of_six_digits(Recognized_part& part, Surface& surface,
 }
 
 } // namespace
+
+Face_place place_of(const Surface& surface, Face f)
+{
+  const Halfedge first = surface.halfedge(f);
+  const Point_3& origin = surface.point(surface.target(first));
+  Vector_3 sum(0, 0, 0), area(0, 0, 0), before(0, 0, 0);
+  double squared_size = 0, n = 1;
+  for (Halfedge h = surface.next(first); h != first; h = surface.next(h), ++n) {
+    const Vector_3 d = surface.point(surface.target(h)) - origin;
+    sum += d;
+    area += CGAL::cross_product(before, d);
+    squared_size = (std::max)(squared_size, d.squared_length());
+    before = d;
+  }
+  return {origin + sum / n, area, std::sqrt(squared_size)};
+}
 
 bool is_round(Recognized_surface::Kind kind)
 {
@@ -361,44 +391,51 @@ bool Recognized_part::knows_any() const
 
 bool Recognized_part::is_sure() const
 {
-  const auto has = [&](std::initializer_list<Kind> kinds) {
-    return std::any_of(surfaces.begin(), surfaces.end(), [&](const Recognized_surface& s) {
-      return std::find(kinds.begin(), kinds.end(), s.kind) != kinds.end();
-    });
-  };
+  bool has_plane = false, has_round = false;
+  for (const Recognized_surface& s : surfaces) {
+    has_plane = has_plane || s.kind == Kind::plane;
+    has_round = has_round || (is_round(s.kind) && s.kind != Kind::cone);
+  }
   const auto all_creases = std::size_t(std::count(creases.begin(), creases.end(), true));
-  return sure_area >= 0.9 * area && has({Kind::plane}) &&
-         has({Kind::cylinder, Kind::sphere, Kind::torus}) && 2 * slight_creases <= all_creases;
+  return sure_area >= 0.9 * area && has_plane && has_round && 2 * slight_creases <= all_creases;
 }
 
 Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& plan)
 {
   Recognized_part part;
-  Surface surface = without_normals(mesh);
+  Surface surface = make_surface(mesh);
+  remove_normals_and_roundness(surface);
   const Patch_map segments = surface.add_property_map<Face, std::size_t>("f:segment", 0).first;
   const Crease_map creases = surface.add_property_map<Edge, bool>("e:is_crease", false).first;
   const Normals_of_surfaces normals =
     surface.add_property_map<Halfedge, Vector_3>("h:of_surface", CGAL::NULL_VECTOR).first;
   const auto corners = surface.add_property_map<Vertex, bool>("v:is_corner", false).first;
   const Roundness_map roundness = add_roundness(surface);
-  with_parameters(plan, [&](const auto& np) {
-    part.surfaces = PN::recognize_surfaces(surface, segments, np);
-    if (!plan.tolerance && plan.tries_tolerances) try_tolerance_of_six_digits(part, surface, plan);
-    for (const Face f : surface.faces()) part.segments.push_back(segments[f]);
-    part.moved = Places_on_surfaces(surface, part.segments, part.surfaces).cut_vertices();
-    for (const Moved_vertex& m : part.moved) surface.point(Vertex(unsigned(m.vertex))) = m.point;
-    PN::surface_creases(surface, segments, part.surfaces, creases,
-                        PN::parameters::join(PN::parameters::vertex_roundness_map(roundness)
-                                               .vertex_is_constrained_map(corners)
-                                               .vertex_normal_map(normals),
-                                             np));
-  });
+  const Bounding_box box(mesh.points);
+  const double rounding = rounding_of(mesh.points), diagonal = diagonal_of(box);
+  const auto np =
+    PN::parameters::shared(PN::parameters::surface_tolerance(plan.tolerance.value_or(0))
+                             .sharp_angle(plan.sharp_angle)
+                             .min_facets(plan.min_facets));
+  part.surfaces = PN::recognize_surfaces(surface, segments, np);
+  if (!plan.tolerance && plan.tries_tolerances)
+    try_tolerance_of_six_digits(part, surface, plan, box, rounding);
+  for (const Face f : surface.faces()) part.segments.push_back(segments[f]);
+  part.moved = Places_on_surfaces(surface, part.segments, part.surfaces).cut_vertices();
+  for (const Moved_vertex& m : part.moved) surface.point(Vertex(unsigned(m.vertex))) = m.point;
+  PN::surface_creases(surface, segments, part.surfaces, creases,
+                      PN::parameters::join(PN::parameters::vertex_roundness_map(roundness)
+                                             .vertex_is_constrained_map(corners)
+                                             .vertex_normal_map(normals),
+                                           np));
   for (const Vertex v : surface.vertices()) {
     if (corners[v]) part.corners.push_back(v);
     part.roundness.push_back(roundness[v]);
   }
-  fill(part, surface, segments, creases, normals);
-  tag_narrow_facets(part, surface);
+  fill(part, surface, segments, creases, normals, diagonal);
+  const std::vector<bool> is_at_end = vertices_at_ends(part, surface);
+  tag_narrow_facets(part, surface, is_at_end);
+  tag_caps(part, surface, is_at_end, 8 * rounding + 1e-7 * diagonal);
   return part;
 }
 
@@ -437,6 +474,8 @@ void put_surface_normals(Mesh_data& mesh, const Recognized_part& part, bool wher
     normals[h] = of_file[h] == CGAL::NULL_VECTOR ? part.normals[h] : of_file[h];
   Mesh_data with_normals = to_mesh_data(surface);
   mesh.take_normals(with_normals);
+  if (mesh.corner_normals.empty()) // or they would be estimated at creases inside surfaces
+    for (const Index v : mesh.vertices_of_corners()) mesh.corner_normals.push_back(mesh.normals[v]);
 }
 
 } // namespace pn_subdivide

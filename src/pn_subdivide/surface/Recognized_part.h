@@ -29,6 +29,15 @@ struct Moved_vertex
 
 using Recognized_surface = PN::Recognized_surface;
 
+// Where a face is, and how it lies.
+struct Face_place
+{
+  Point_3 middle;
+  Vector_3 twice_area;
+  double size = 0; // how far its vertices are apart
+};
+Face_place place_of(const Surface& surface, Face f);
+
 // neither a plane nor unknown
 bool is_round(Recognized_surface::Kind kind);
 

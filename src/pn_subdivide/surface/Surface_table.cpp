@@ -22,14 +22,6 @@
 
 namespace pn_subdivide {
 
-// Where a face is, and how it lies.
-struct Face_place
-{
-  Point_3 middle;
-  Vector_3 twice_area;
-  double size = 0; // how far its vertices are apart
-};
-
 namespace {
 
 namespace PN_recognition = PN::internal::recognition;
@@ -74,30 +66,9 @@ PN_recognition::Vec3 as_vec3(const Point_3& p)
   return as_vec3(p - CGAL::ORIGIN);
 }
 
-PN_recognition::Shape as_shape(const Recognized_surface& s)
-{
-  return PN_recognition::as_shape(s, 1, {});
-}
-
 Deviation largest(const Deviation& a, const Deviation& b)
 {
   return {(std::max)(a.of_vertices, b.of_vertices), (std::max)(a.of_faces, b.of_faces)};
-}
-
-Face_place place_of(const Surface& surface, Face f)
-{
-  const Halfedge first = surface.halfedge(f);
-  const Point_3& origin = surface.point(surface.target(first));
-  Vector_3 sum(0, 0, 0), area(0, 0, 0), before(0, 0, 0);
-  double squared_size = 0, n = 1;
-  for (Halfedge h = surface.next(first); h != first; h = surface.next(h), ++n) {
-    const Vector_3 d = surface.point(surface.target(h)) - origin;
-    sum += d;
-    area += CGAL::cross_product(before, d);
-    squared_size = (std::max)(squared_size, d.squared_length());
-    before = d;
-  }
-  return {origin + sum / n, area, std::sqrt(squared_size)};
 }
 
 Deviation of_face(const Surface& surface, Face f, const PN_recognition::Shape& shape)
@@ -114,18 +85,13 @@ Deviation of_face(const Surface& surface, Face f, const PN_recognition::Shape& s
   return result;
 }
 
-std::vector<double> as_numbers(const std::vector<std::size_t>& segments)
-{
-  return std::vector<double>(segments.begin(), segments.end());
-}
-
 // One a segment; zero for unknown ones. Segments are those of the faces.
 std::vector<Deviation> deviations(const Surface& surface, const std::vector<double>& segments,
                                   const std::vector<Recognized_surface>& surfaces)
 {
   std::vector<Deviation> result(surfaces.size());
   std::vector<PN_recognition::Shape> shapes;
-  for (const Recognized_surface& s : surfaces) shapes.push_back(as_shape(s));
+  for (const Recognized_surface& s : surfaces) shapes.push_back(PN_recognition::as_shape(s, 1, {}));
   for (const Face f : surface.faces()) {
     const auto segment = static_cast<std::size_t>(segments[f]);
     if (surfaces[segment].kind != Kind::unknown)
@@ -136,16 +102,9 @@ std::vector<Deviation> deviations(const Surface& surface, const std::vector<doub
 
 std::string columns(const std::array<std::string, 6>& words)
 {
-  constexpr std::array<int, 6> width{12, 10, 8, 10, 10, 10};
-  std::string line = " ";
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const auto gap = (std::max)(1, width[i] - int(words[i].size()));
-    if (i == 0)
-      line += words[i] + std::string(std::size_t(gap), ' ');
-    else
-      line += std::string(std::size_t(gap), ' ') + words[i];
-  }
-  return line;
+  const auto word = [&](std::size_t i) { return words[i].c_str(); };
+  return formatted(" %-11s %9s %7s %9s %9s %9s", word(0), word(1), word(2), word(3), word(4),
+                   word(5));
 }
 
 std::string radius_of(const Recognized_surface& s)
@@ -172,7 +131,7 @@ std::string left_prisms(const std::vector<Recognized_surface>& surfaces)
 
 Surface_table::Surface_table(const Recognized_part& part, const Surface& control)
   : part_(part)
-  , before_(deviations(control, as_numbers(part.segments), part.surfaces))
+  , before_(deviations(control, {part.segments.begin(), part.segments.end()}, part.surfaces))
   , after_(before_)
   , along_(part.surfaces.size(), 0.)
 {
@@ -188,8 +147,9 @@ Surface_table::Surface_table(const Recognized_part& part, const Surface& control
 double Surface_table::along(const Face_place& place, std::size_t segment) const
 {
   if (part_.surfaces[segment].kind == Kind::unknown) return 0;
-  return dot(as_vec3(place.twice_area),
-             as_shape(part_.surfaces[segment]).normal(as_vec3(place.middle)));
+  return dot(
+    as_vec3(place.twice_area),
+    PN_recognition::as_shape(part_.surfaces[segment], 1, {}).normal(as_vec3(place.middle)));
 }
 
 // against most of its surface, by more than rounding: that of the control mesh, whose cut vertices have moved

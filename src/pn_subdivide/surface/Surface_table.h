@@ -25,8 +25,6 @@ struct Deviation
   double of_vertices = 0, of_faces = 0;
 };
 
-struct Face_place;
-
 // What was found in a part, and what has become of it.
 class Surface_table
 {

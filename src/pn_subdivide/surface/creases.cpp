@@ -13,6 +13,7 @@
 #include "surface/Recognized_part.h"
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <limits>
@@ -198,12 +199,6 @@ void set_edges(Creases& creases, const std::vector<bool>& edges, double sharpnes
     if (edges[e]) creases.edges[e] = sharpness;
 }
 
-bool has_border(const Surface& surface)
-{
-  const auto edges = surface.edges();
-  return std::any_of(edges.begin(), edges.end(), [&](Edge e) { return surface.is_border(e); });
-}
-
 // As few digits as it takes.
 std::string short_number(double x)
 {
@@ -303,7 +298,7 @@ Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::
                           plan.source != Source::surfaces; // a sphere has no edges
   if (!creases.any() && (wants_some || plan.has_sharpness))
     report.warn(name + ": no edge is sharp");
-  if (plan.border != Border::surface && !has_border(surface)) {
+  if (plan.border != Border::surface && CGAL::is_closed(surface)) {
     report.warn(name + ": there is no border for --border");
     creases.border = Border::surface;
   }

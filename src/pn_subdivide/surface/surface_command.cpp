@@ -259,9 +259,9 @@ private:
   // Whether the user may be told of edges to be tagged: they could be sharp, and nobody has said which are.
   bool may_suggest_tags() const
   {
-    return options_.creases.sharp.value_or("auto") == "auto" && !plan_.interpolation &&
-           has_crease_rules_;
+    return options_.creases.sharp.value_or("auto") == "auto" && may_suggest_creases();
   }
+  bool may_suggest_creases() const { return !plan_.interpolation && has_crease_rules_; }
   bool has_shape_normals() const
   {
     return plan_.normals.source == Source::sphere || plan_.normals.source == Source::cylinder;
@@ -546,9 +546,12 @@ private:
       (plan_.normals.source == Source::file || plan_.normals.source == Source::automatic);
     const std::optional<Recognized_part>& recognized = part_ ? part_ : seen_.part;
     return {plan_.creases.source == Crease_plan::Source::automatic && may_suggest_tags(),
+            plan_.creases.source != Crease_plan::Source::none &&
+              !wants_surfaces(options_.creases) && may_suggest_creases(),
             has_shape_normals() || takes_file_normals,
             is_smooth && !plan_.interpolation && !plan_.chord && can_interpolate(scheme_),
-            plan_.roundness.constant(), recognized ? &*recognized : nullptr};
+            plan_.roundness.constant(),
+            recognized ? &*recognized : nullptr};
   }
 
   // The mesh becomes a control net of the surface through its vertices.

@@ -133,6 +133,35 @@ Part cut_frustum()
   return part;
 }
 
+// The top of a sphere of 40 sides, to 40 degrees below the pole, where a polygon is divided as openscad does.
+Part top_of_sphere(bool has_base)
+{
+  const auto point = [](int k, int i) {
+    const Triple p = on_circle(1, 9 * k + 4.5, 0); // height and radius
+    return on_circle(p[1], 9 * i, p[0]);
+  };
+  Part top;
+  std::vector<Triple> base;
+  for (int i = 0; i < 40; ++i) {
+    base.insert(base.begin(), point(4, i));
+    for (int k = 0; k < 4; ++k) {
+      const std::array<Triple, 4> p{point(k, i), point(k + 1, i), point(k + 1, i + 1),
+                                    point(k, i + 1)};
+      if (i % 2 == 0)
+        top.add({p[0], p[1], p[2], p[3]});
+      else
+        top.add({p[1], p[2], p[3], p[0]});
+    }
+  }
+  for (int i = 1; i < 20; ++i) {
+    top.add({point(0, i), point(0, -i), point(0, 1 - i)});
+    if (i > 1) top.add({point(0, i), point(0, 1 - i), point(0, i - 1)});
+  }
+  top.add({point(0, 20), point(0, -19), point(0, 19)});
+  if (has_base) top.add(base);
+  return top;
+}
+
 using Profile = std::vector<std::array<double, 2>>;
 const Profile of_shaft{{2, 0}, {2, 1}, {1, 1}, {1, 3}},
   of_countersunk{{2.4, 0}, {.8, 1.6}, {.8, 3}}; // with a cone
@@ -339,11 +368,15 @@ TEST_F(Pn_subdivide_part, CutsEndOnTheSurface)
 TEST_F(Pn_subdivide_part, NarrowFacetsDoNotFold)
 {
   folder.write("notch.ply", triangles(notched_cylinder()).ply());
-  for (const std::string options : {"--levels 2", "--part"}) {
-    const std::string text = checked("notch.ply", options + reported());
-    EXPECT_EQ(report()["check"].at("edges_folded_by_150_degrees"), 0) << text;
-    EXPECT_LT(report()["check"].at("largest_distance").get<double>(), 1e-4) << text;
-  }
+  folder.write("top.ply", triangles(top_of_sphere(true)).ply());
+  folder.write("open.ply", triangles(top_of_sphere(false)).ply());
+  EXPECT_FALSE(contains(said("open.ply", "--part"), "more than --chord"));
+  for (const std::string input : {"notch.ply", "top.ply"})
+    for (const std::string options : {"--levels 2", "--part"}) {
+      const std::string text = checked(input, options + reported());
+      EXPECT_EQ(report()["check"].at("edges_folded_by_150_degrees"), 0) << text;
+      EXPECT_LT(report()["check"].at("largest_distance").get<double>(), 1e-4) << text;
+    }
 }
 
 TEST_F(Pn_subdivide_part, WhatElseIsAskedForIsDone)
@@ -587,6 +620,13 @@ TEST_F(Pn_subdivide_part, CheckKnowsRoundSurfaces)
     EXPECT_EQ(json.at("folded"), false);
     EXPECT_EQ(json.at("linear_folded"), false);
   }
+}
+
+TEST_F(Pn_subdivide_part, CheckProposesPartBesideTags)
+{
+  const std::string tagged = checked("shaft.stl", "--sharp angle:100");
+  EXPECT_TRUE(contains(tagged, ". It looks like a part: try --part\n")) << tagged;
+  EXPECT_FALSE(contains(checked("shaft.stl", "--sharp none"), "--part"));
 }
 
 // A ball of 12 meridians and 5 parallels has 0.82 of the volume of its sphere, and is that again.
