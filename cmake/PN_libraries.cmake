@@ -31,8 +31,9 @@ foreach(_pn_name double recognition limits fitting)
   if(_pn_read_${_pn_name})
     target_precompile_headers(${_pn_library} PRIVATE ${_pn_read_${_pn_name}})
   endif()
-  if(_pn_name STREQUAL "double") # what is read once has not the code of wide averages
-    set_source_files_properties(${_pn_sources}/${_pn_library}/control_levels.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  if(_pn_name STREQUAL "double") # what the others read has not the code of wide averages
+    set_source_files_properties(${_pn_sources}/${_pn_library}/control_levels.cpp
+                                PROPERTIES SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
   elseif(_pn_name STREQUAL "limits")
     target_link_libraries(${_pn_library} PUBLIC PN_subdivision_3_double)
   elseif(_pn_name STREQUAL "fitting")
