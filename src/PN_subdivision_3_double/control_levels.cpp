@@ -6,8 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
+// What is linked to the library has not the code of wide averages.
+#undef CGAL_PN_SUBDIVISION_3_DOUBLE
 #include <CGAL/PN_subdivision_3/internal/rows/Wide_PN_average.h>
+#define CGAL_PN_SUBDIVISION_3_DOUBLE
+
+#include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
 
 namespace CGAL::PN_subdivision_3::internal {
 

@@ -12,6 +12,8 @@
 namespace CGAL::PN_subdivision_3::internal {
 
 CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(, Any_of_quads)
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(, Linear_of_quads)
 CGAL_PN_SUBDIVISION_3_TESSELLATION(, Any_of_quads)
+CGAL_PN_SUBDIVISION_3_TESSELLATION(, Linear_of_quads)
 
 } // namespace CGAL::PN_subdivision_3::internal

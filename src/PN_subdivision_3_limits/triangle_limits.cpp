@@ -12,6 +12,10 @@
 namespace CGAL::PN_subdivision_3::internal {
 
 CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(, Any_of_triangles)
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(, Linear_of_triangles)
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(, Any_of_sqrt3)
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(, Linear_of_sqrt3)
 CGAL_PN_SUBDIVISION_3_TESSELLATION(, Any_of_triangles)
+CGAL_PN_SUBDIVISION_3_TESSELLATION(, Linear_of_triangles)
 
 } // namespace CGAL::PN_subdivision_3::internal

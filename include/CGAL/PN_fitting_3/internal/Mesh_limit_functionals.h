@@ -367,8 +367,6 @@ Mesh_limit_functionals<Scheme>::farthest(const Values& values, const Vectors<3>&
 }
 
 #ifdef CGAL_PN_SUBDIVISION_3_FITTING // the library has it
-extern template class Mesh_limit_functionals<CatmullClark_scheme>;
-extern template class Mesh_limit_functionals<Loop_scheme>;
 extern template class Mesh_limit_functionals<Scheme_on_host<PQQ_host, double>>;
 extern template class Mesh_limit_functionals<Scheme_on_host<PTQ_host, double>>;
 extern template class Mesh_limit_functionals<compiled_once::Linear_of_quads>;

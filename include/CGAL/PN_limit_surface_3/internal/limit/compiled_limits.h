@@ -24,8 +24,6 @@
 #ifdef CGAL_PN_SUBDIVISION_3_LIMITS
 namespace CGAL::PN_subdivision_3::internal {
 
-CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, CatmullClark)
-CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Loop)
 CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Any_of_quads)
 CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Any_of_triangles)
 CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Any_of_sqrt3)

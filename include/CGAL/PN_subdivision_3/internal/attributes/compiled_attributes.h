@@ -30,24 +30,24 @@
     const Crease_round<compiled_once::SCHEME, compiled_once::Average<compiled_once::SCHEME>,       \
                        Creases<double>>&,                                                          \
     Level_connectivity&, const Creases<double>&, Kind_of_round);
+#define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_OF_ALL(EXTERN)                                            \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, PQQ_host)                                               \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, PQQ_host, Any_of_quads)                      \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, PTQ_host)                                               \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, PTQ_host, Any_of_triangles)                  \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, DQQ_host)                                               \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, DQQ_host, Any_of_corners)                     \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, Sqrt3_host)                                             \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, Sqrt3_host, Any_of_sqrt3)                     \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, PQQ_host, Linear_of_quads)                   \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, PTQ_host, Linear_of_triangles)               \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, DQQ_host, Linear_of_corners)                  \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, Sqrt3_host, Linear_of_sqrt3)
 
 #ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
 namespace CGAL::PN_subdivision_3::internal {
 
-CGAL_PN_SUBDIVISION_3_ATTRIBUTES(extern, PQQ_host)
-CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(extern, PQQ_host, CatmullClark)
-CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(extern, PQQ_host, Any_of_quads)
-CGAL_PN_SUBDIVISION_3_ATTRIBUTES(extern, PTQ_host)
-CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(extern, PTQ_host, Loop)
-CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(extern, PTQ_host, Any_of_triangles)
-CGAL_PN_SUBDIVISION_3_ATTRIBUTES(extern, DQQ_host)
-CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(extern, DQQ_host, Any_of_corners)
-CGAL_PN_SUBDIVISION_3_ATTRIBUTES(extern, Sqrt3_host)
-CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(extern, Sqrt3_host, Any_of_sqrt3)
-CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(extern, PQQ_host, Linear_of_quads)
-CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(extern, PTQ_host, Linear_of_triangles)
-CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(extern, DQQ_host, Linear_of_corners)
-CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(extern, Sqrt3_host, Linear_of_sqrt3)
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES_OF_ALL(extern)
 
 } // namespace CGAL::PN_subdivision_3::internal
 #endif

@@ -18,7 +18,6 @@
 #include <type_traits>
 
 namespace CGAL {
-
 // declared, not included: a program that uses them has them
 template <typename Point>
 class Surface_mesh;
@@ -27,26 +26,17 @@ struct Simple_cartesian;
 class Epick;
 class SM_Vertex_index;
 class SM_Edge_index;
+} // namespace CGAL
 
-namespace PN_subdivision_3 {
-struct CatmullClark_scheme;
+namespace CGAL::PN_subdivision_3 {
 struct DooSabin_scheme;
-struct Loop_scheme;
 struct Sqrt3_scheme;
-namespace internal {
+} // namespace CGAL::PN_subdivision_3
+
+namespace CGAL::PN_subdivision_3::internal {
 
 // The usual calls of subdivide() are compiled once, in the library PN_subdivision_3_double
-// (src/PN_subdivision_3_double). What is linked to it has this macro, and leaves them to it; all others are compiled
-// where they are.
-#ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
-constexpr bool has_compiled_calls = true;
-#else
-constexpr bool has_compiled_calls = false;
-#endif
-
-template <class T, class... Others>
-constexpr bool is_one_of_v = (std::is_same_v<T, Others> || ...);
-
+// (src/PN_subdivision_3_double). What is linked to it leaves them to it; all others are compiled where they are.
 template <class Mesh>
 constexpr bool is_usual_mesh_v = false;
 template <class Point>
@@ -64,15 +54,14 @@ using Usual_edge_map = typename Mesh::template Property_map<SM_Edge_index, bool>
 template <class Concurrency_tag, class Mesh, class Scheme, class Parameters, class Carry>
 constexpr bool is_compiled_call()
 {
-  if constexpr (!has_compiled_calls || is_parallel_v<Concurrency_tag> || !Carry::is_empty ||
+  if constexpr (!is_linked_to_library || is_parallel_v<Concurrency_tag> || !Carry::is_empty ||
                 !is_usual_mesh_v<Mesh>)
     return false;
   else {
     using Edges = typename Parameters::Edge_constraint_map;
-    constexpr bool is_creased = !std::is_same_v<Edges, No_constraint_map>;
-    constexpr bool is_usual_scheme =
-      is_one_of_v<Scheme, CatmullClark_scheme, Loop_scheme> ||
-      (is_one_of_v<Scheme, DooSabin_scheme, Sqrt3_scheme> && !is_creased);
+    constexpr bool is_usual_scheme = is_one_of_v<Scheme, CatmullClark_scheme, Loop_scheme> ||
+                                     (is_one_of_v<Scheme, DooSabin_scheme, Sqrt3_scheme> &&
+                                      std::is_same_v<Edges, No_constraint_map>);
     constexpr bool has_usual_points =
       std::is_same_v<typename Parameters::FT, double> &&
       std::is_same_v<typename Parameters::Point_map,
@@ -92,8 +81,6 @@ void compiled_call(Mesh& mesh, const Scheme& scheme, unsigned rounds,
                    Function_ref<void(unsigned, std::size_t)> round_done, Point_map points,
                    Normal_map normals, Edge_map edges);
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_COMPILED_CALL_H

@@ -28,12 +28,9 @@
 
 #include <vector>
 
-// The schemes as calls have them, for which the libraries have what is computed of levels: two by their types, all others, and
-// linear twins, as an Any_scheme on its host.
+// The schemes as rules_of() makes them, for which the libraries have what is computed of levels.
 namespace CGAL::PN_subdivision_3::internal::compiled_once {
 
-using CatmullClark = With_roundness<CatmullClark_scheme, double>;
-using Loop = With_roundness<Loop_scheme, double>;
 using Any_of_quads = With_roundness<Scheme_on_host<PQQ_host, double>, double>;
 using Any_of_triangles = With_roundness<Scheme_on_host<PTQ_host, double>, double>;
 using Any_of_corners = With_roundness<Scheme_on_host<DQQ_host, double>, double>;
@@ -75,23 +72,23 @@ using Value = typename Average<Scheme>::Value;
     compiled_once::SCHEME, compiled_once::Average<compiled_once::SCHEME>, Creases<double>>;        \
   EXTERN template class Level_refiner<                                                             \
     compiled_once::SCHEME, compiled_once::Average<compiled_once::SCHEME>, Creases<double>>;
+#define CGAL_PN_SUBDIVISION_3_LEVELS(EXTERN)                                                       \
+  CGAL_PN_SUBDIVISION_3_CREASED_ROUNDS(EXTERN, Any_of_quads)                                       \
+  CGAL_PN_SUBDIVISION_3_CREASED_ROUNDS(EXTERN, Any_of_triangles)                                   \
+  CGAL_PN_SUBDIVISION_3_ROUNDS(EXTERN, Any_of_corners)                                             \
+  CGAL_PN_SUBDIVISION_3_ROUNDS(EXTERN, Any_of_sqrt3)                                               \
+  CGAL_PN_SUBDIVISION_3_CREASED_ROUNDS(EXTERN, Linear_of_quads)                                    \
+  CGAL_PN_SUBDIVISION_3_CREASED_ROUNDS(EXTERN, Linear_of_triangles)                                \
+  CGAL_PN_SUBDIVISION_3_ROUNDS(EXTERN, Linear_of_corners)                                          \
+  CGAL_PN_SUBDIVISION_3_ROUNDS(EXTERN, Linear_of_sqrt3)                                            \
+  EXTERN template Scheme_facts<double> facts_of(const CatmullClark_scheme&);                       \
+  EXTERN template Scheme_facts<double> facts_of(const Loop_scheme&);
 
 #ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
 namespace CGAL::PN_subdivision_3::internal {
 
 CGAL_PN_SUBDIVISION_3_CONTROL_LEVELS(extern)
-CGAL_PN_SUBDIVISION_3_CREASED_ROUNDS(extern, CatmullClark)
-CGAL_PN_SUBDIVISION_3_CREASED_ROUNDS(extern, Loop)
-CGAL_PN_SUBDIVISION_3_CREASED_ROUNDS(extern, Any_of_quads)
-CGAL_PN_SUBDIVISION_3_CREASED_ROUNDS(extern, Any_of_triangles)
-CGAL_PN_SUBDIVISION_3_ROUNDS(extern, Any_of_corners)
-CGAL_PN_SUBDIVISION_3_ROUNDS(extern, Any_of_sqrt3)
-CGAL_PN_SUBDIVISION_3_CREASED_ROUNDS(extern, Linear_of_quads)
-CGAL_PN_SUBDIVISION_3_CREASED_ROUNDS(extern, Linear_of_triangles)
-CGAL_PN_SUBDIVISION_3_ROUNDS(extern, Linear_of_corners)
-CGAL_PN_SUBDIVISION_3_ROUNDS(extern, Linear_of_sqrt3)
-extern template Scheme_facts<double> facts_of(const CatmullClark_scheme&);
-extern template Scheme_facts<double> facts_of(const Loop_scheme&);
+CGAL_PN_SUBDIVISION_3_LEVELS(extern)
 
 } // namespace CGAL::PN_subdivision_3::internal
 #endif

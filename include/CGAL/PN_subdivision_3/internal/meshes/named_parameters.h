@@ -227,13 +227,11 @@ constexpr bool
 template <class Parameters>
 constexpr bool creases_may_end_in_call()
 {
-#ifndef CGAL_PN_SUBDIVISION_3_DOUBLE
   using Edge_map = typename Parameters::Edge_constraint_map;
   using Vertex_map = typename Parameters::Vertex_constraint_map;
-  if constexpr (is_constraint_map_v<Edge_map> || is_constraint_map_v<Vertex_map>)
-    return may_be_semi_sharp<Edge_map>() || may_be_semi_sharp<Vertex_map>();
-#endif
-  return true;
+  return is_linked_to_library ||
+         (!is_constraint_map_v<Edge_map> && !is_constraint_map_v<Vertex_map>) ||
+         may_be_semi_sharp<Edge_map>() || may_be_semi_sharp<Vertex_map>();
 }
 
 // Masks with negative weights take what is from 0 to 1 a little beyond, from which a further call goes on.

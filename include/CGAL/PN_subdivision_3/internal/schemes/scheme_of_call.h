@@ -24,6 +24,11 @@
 #include <utility>
 #include <vector>
 
+namespace CGAL::PN_subdivision_3 {
+struct CatmullClark_scheme;
+struct Loop_scheme;
+} // namespace CGAL::PN_subdivision_3
+
 namespace CGAL::PN_subdivision_3::internal {
 
 // What a call says by named parameters of the border, of the tangents of creases and of the estimate of normals is put
@@ -235,25 +240,38 @@ constexpr bool creases_may_end_v = true;
 template <class Scheme, class FT, bool creases_may_end>
 constexpr bool creases_may_end_v<With_roundness<Scheme, FT, creases_may_end>> = creases_may_end;
 
+// what is linked to the library CGAL::PN_subdivision_3_double has this macro
+#ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
+constexpr bool is_linked_to_library = true;
+#else
+constexpr bool is_linked_to_library = false;
+#endif
+
+template <class T, class... Others>
+constexpr bool is_one_of_v = (std::is_same_v<T, Others> || ...);
+
 // What rounds and limits ask of a scheme. What a call says of the border, the tangents of creases and the estimate of normals is
-// known when the mesh has been read, and all such calls share the code that follows.
-template <class Scheme>
-decltype(auto) rules_of(const Scheme& scheme)
+// known when the mesh has been read, and such calls share what follows. Libraries have Catmull-Clark and Loop as an Any_scheme.
+template <class Scheme, class FT = double>
+decltype(auto) rules_of(const Scheme& scheme, FT = FT())
 {
   if constexpr (Is_said_by_call<Scheme>::value)
-    return rules_of(scheme.scheme);
+    return rules_of(scheme.scheme, FT());
+  else if constexpr (is_linked_to_library && std::is_same_v<FT, double> &&
+                     is_one_of_v<Scheme, CatmullClark_scheme, Loop_scheme>)
+    return Scheme_on_host<typename Scheme::Host, FT>(scheme);
   else
     return (scheme);
 }
 template <class Scheme, class FT, bool creases_may_end>
 auto rules_of(const With_roundness<Scheme, FT, creases_may_end>& scheme)
 {
-  using Rules = std::decay_t<decltype(rules_of(scheme.scheme))>;
+  using Rules = std::decay_t<decltype(rules_of(scheme.scheme, FT()))>;
   if constexpr (Is_linear<Rules>::value)
-    return rules_of(scheme.scheme);
+    return rules_of(scheme.scheme, FT());
   else
     return With_roundness<Rules, FT, creases_may_end>{
-      {rules_of(scheme.scheme)}, scheme.given, scheme.varies};
+      {rules_of(scheme.scheme, FT())}, scheme.given, scheme.varies};
 }
 template <class Scheme>
 using Rules_of = std::decay_t<decltype(rules_of(std::declval<const Scheme&>()))>;

@@ -6,12 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_limit_surface_3/internal/limit/compiled_limits.h>
-#include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/compiled_attributes.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
 
 namespace CGAL::PN_subdivision_3::internal {
 
-CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(, Linear_of_triangles)
-CGAL_PN_SUBDIVISION_3_TESSELLATION(, Linear_of_triangles)
+CGAL_PN_SUBDIVISION_3_LEVELS()
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES_OF_ALL()
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -11,8 +11,9 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-template class Mesh_limit_functionals<CatmullClark_scheme>;
 template class Mesh_limit_functionals<Scheme_on_host<PQQ_host, double>>;
+template class Mesh_limit_functionals<Scheme_on_host<PTQ_host, double>>;
 template class Mesh_limit_functionals<compiled_once::Linear_of_quads>;
+template class Mesh_limit_functionals<compiled_once::Linear_of_triangles>;
 
 } // namespace CGAL::PN_subdivision_3::internal
