@@ -77,8 +77,7 @@ Jet jet_product(const A& a, const B& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Where g.u x + g.v y + (g.uu x^2 + 2 g.uv x y + g.vv y^2) / 2, which is nowhere concave, is least for (u + x, v + y) in the
-// unit square or the triangle u + v <= 1: inside, or else on a side.
+// Where the quadratic function of steps with these derivatives, nowhere concave, is least in the square or triangle: inside, or on a side.
 inline std::array<double, 2> least_place(const Jet& g, bool is_triangle, double u, double v)
 {
   using Place = std::array<double, 2>;
