@@ -9,6 +9,7 @@
 #define CGAL_PN_LIMIT_SURFACE_3_LIMIT_SURFACE_QUERIES_H
 
 #include <CGAL/PN_limit_surface_3/Limit_surface.h>
+#include <CGAL/PN_limit_surface_3/internal/limit_surface/Jet.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Ray_search.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Surface_places.h>
 
@@ -23,14 +24,13 @@
 #endif
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3 {
@@ -72,9 +72,9 @@ using Query_traits = AABB_traits<Simple_cartesian<double>, Primitive>;
 finds closest points and intersections with rays on a limit surface. An `AABB_tree` of flat triangles between limit points finds candidates; from
 there Newton's method goes to the point on the surface itself, which is evaluated where the query needs it, see `Limit_surface`.
 
-How far the surface is from its triangles is estimated as in `tessellate()`. All triangles that may have the closest point, within twice this distance, are looked at, and all
-that a ray passes within it. A triangle over which the ray may meet the surface twice, or at a place that Newton's
-method does not find, is split, up to 16 times. A point that is returned for a ray is at most four times the
+How far the surface is from its triangles is estimated as in `tessellate()`. All triangles that may have the closest point are looked at, and all
+that a ray passes within this distance. A triangle over which several places may be closest is split (up to 100 are), and one over which the ray may meet the surface twice, or at a place that Newton's
+method does not find, up to 16 times. A point that is returned for a ray is at most four times the
 `tolerance()` of the surface off it, or twice the `error` that the surface has there if that is more.
 
 The squares of distances have to be in the range of `double`, here and in `AABB_tree`: coordinates up to 10<sup>150</sup>.
@@ -145,27 +145,19 @@ public:
   Hit closest_point(const Point_3& p) const
   {
     const Kernel::Point_3 q = Places::in_double(p);
-    const auto nearest = tree_.closest_point_and_primitive(q);
-    const double flat = std::sqrt(CGAL::squared_distance(q, nearest.first));
-    Place best = descend(start(*nearest.second, nearest.first), q);
-    const double reach = (std::min)(flat + 2 * distance_, best.distance + distance_);
+    const Triangle& nearest = *tree_.closest_point_and_primitive(q).second;
+    Place best = descend(start(nearest, q), q);
+    const double reach = best.distance + distance_;
     std::vector<typename Primitive::Id> around;
-    tree_.all_intersected_primitives(Kernel::Sphere_3(q, reach * reach),
+    // no sphere, which for CGAL has nothing inside
+    tree_.all_intersected_primitives(Bbox_3(q.x() - reach, q.y() - reach, q.z() - reach,
+                                            q.x() + reach, q.y() + reach, q.z() + reach),
                                      std::back_inserter(around));
-    std::vector<std::pair<double, typename Primitive::Id>> sorted;
-    for (const auto& t : around)
-      if (t != nearest.second)
-        sorted.emplace_back(std::sqrt(CGAL::squared_distance(q, t->triangle())), t);
-    std::sort(sorted.begin(), sorted.end());
-    for (const auto& [d, t] : sorted) {
-      if (d - distance_ > best.distance) break;
-      if (Places::is_about(best, *t, 0)) continue;
-      const Place other = descend(start(*t, closest(t->triangle(), q)), q);
-      if (other.distance < best.distance) best = other;
-    }
-    const double least = (std::max)(0., flat - distance_);
-    return hit(best, best.distance,
-               (std::min)((std::max)(0., best.distance - least), best.gap + best.at.error));
+    Parts parts;
+    for (const auto& t : around) add(parts, *t, q);
+    const double rest = (std::max)(0., search(best, parts, q));
+    return hit(
+      best, (std::max)((std::min)(best.gap + best.at.error, best.distance), best.distance - rest));
   }
 
   /*!
@@ -185,12 +177,11 @@ public:
     Near_ray near_ray{distance_, {}};
     tree_.traversal(Kernel::Ray_3(o, d), near_ray);
     internal::Ray_search<Surface> search(places_, o, d);
-    std::vector<std::pair<double, typename Primitive::Id>> sorted;
-    for (const auto& t : near_ray.found) sorted.emplace_back(search.least_distance(*t), t);
-    std::sort(sorted.begin(), sorted.end());
+    std::multimap<double, typename Primitive::Id> sorted;
+    for (const auto& t : near_ray.found) sorted.emplace(search.least_distance(*t), t);
     for (const auto& [least, t] : sorted) search.add(*t);
     if (!search.first()) return {};
-    return hit(*search.first(), search.first()->distance, search.first()->gap);
+    return hit(*search.first(), search.first()->gap);
   }
 
 private:
@@ -198,7 +189,6 @@ private:
   using Kernel = Simple_cartesian<double>;
   using Triangle = typename Places::Triangle;
   using Place = typename Places::Place;
-  using Step = std::array<double, 2>; // of the parameters
   using Primitive = internal::Query_primitive<typename Surface::Face>;
 
   // Collects the triangles whose boxes, grown, a ray meets.
@@ -224,119 +214,106 @@ private:
     }
   };
 
-  static Kernel::Point_3 closest(const Kernel::Triangle_3& t, const Kernel::Point_3& p)
-  {
-    return Kernel().construct_projected_point_3_object()(t, p);
-  }
-
-  // barycentric coordinates of a point of the triangle
-  static std::array<double, 3> coordinates(const Kernel::Triangle_3& t, const Kernel::Point_3& p)
-  {
-    const auto a = t[1] - t[0], b = t[2] - t[0], r = p - t[0];
-    const double aa = a * a, ab = a * b, bb = b * b, ra = r * a, rb = r * b;
-    const double det = aa * bb - ab * ab;
-    if (!(det > 0)) return {1. / 3, 1. / 3, 1. / 3};
-    const auto in_range = [](double x) { return (std::min)(1., (std::max)(0., x)); };
-    const double x = in_range((ra * bb - rb * ab) / det), y = in_range((rb * aa - ra * ab) / det);
-    return {(std::max)(0., 1 - x - y), x, y};
-  }
-
+  // where the triangle is closest to a point
   Place start(const Triangle& t, const Kernel::Point_3& p) const
   {
-    return places_.start(t, coordinates(t.triangle(), p));
+    const Kernel::Triangle_3 flat = t.triangle();
+    const auto a = flat[1] - flat[0], b = flat[2] - flat[0],
+               r = Kernel().construct_projected_point_3_object()(flat, p) - flat[0];
+    const double aa = a * a, ab = a * b, bb = b * b, ra = r * a, rb = r * b;
+    const double det = aa * bb - ab * ab;
+    if (!(det > 0)) return places_.start(t, {1. / 3, 1. / 3, 1. / 3});
+    const double x = (ra * bb - rb * ab) / det, y = (rb * aa - ra * ab) / det;
+    return places_.start(t, {1 - x - y, x, y});
   }
 
-  // \name Closest points: the least distance in a piece, by Newton's method in its domain
+  // \name Closest points: the least distance in a piece, by Newton's method in its domain; triangles that may have several are split
+  using Parts = std::multimap<double, Triangle>; // by the least distance that they may have
+  static void add(Parts& parts, const Triangle& t, const Kernel::Point_3& p)
+  {
+    parts.emplace(std::sqrt(CGAL::squared_distance(p, t.triangle())) - t.distance, t);
+  }
+
+  // returns what no part that is left is nearer than
+  double search(Place& best, Parts& parts, const Kernel::Point_3& p) const
+  {
+    constexpr unsigned most_splits = 100;
+    for (unsigned splits = 0; !parts.empty();) {
+      const auto [least, t] = *parts.begin();
+      const double tolerance = (std::max)(places_.surface().tolerance(), best.at.error);
+      if (least >= best.distance - tolerance) return least;
+      const bool has_one = Places::has_one_foot(t, p);
+      improve(best, t, has_one, p);
+      if (!has_one && splits++ == most_splits) return least;
+      parts.erase(parts.begin());
+      if (!has_one)
+        for (const Triangle& part : places_.parts(t)) add(parts, part, p);
+    }
+    return best.distance;
+  }
+
+  // by what is found from where a triangle is nearest, or by a corner, where Newton's method may not go
+  void improve(Place& best, const Triangle& t, bool has_one, const Kernel::Point_3& p) const
+  {
+    const auto is_nearer = [&](const auto& x) {
+      return std::sqrt(CGAL::squared_distance(p, x)) < best.distance;
+    };
+    const auto take = [&](const Place& from) {
+      const Place other = descend(from, p);
+      if (other.distance < best.distance) best = other;
+    };
+    const bool is_known = best.at.derivatives > 0 && Places::is_about(best, t, 0);
+    if (!is_known && (has_one || is_nearer(t.triangle()))) take(start(t, p));
+    for (const auto& c : t.corners)
+      if (is_nearer(c.point)) take({t.face, t.piece, c.parameters[0], c.parameters[1], {}});
+  }
+
   Place descend(Place place, const Kernel::Point_3& p) const
   {
     constexpr int most_steps = 30;
-    place.at = places_.evaluate(place);
-    place.distance = std::sqrt(CGAL::squared_distance(Places::in_double(place.at.point), p));
+    look(place, p);
     place.gap = place.distance;
     for (int i = 0; i < most_steps; ++i) {
-      Place next = place;
-      if (!go(next, step(place, p), p)) break;
-      const double moved = std::sqrt(CGAL::squared_distance(Places::in_double(next.at.point),
-                                                            Places::in_double(place.at.point)));
-      next.gap = place.distance - next.distance;
-      place = next;
-      if (moved <= places_.surface().tolerance()) break;
+      const Place last = place;
+      if (!go(place, p)) break;
+      place.gap = last.distance - place.distance;
+      const auto moved = Places::in_double(place.at.point) - Places::in_double(last.at.point);
+      if (std::sqrt(moved.squared_length()) <= places_.surface().tolerance()) break;
     }
     if (!(place.gap < place.distance)) place.gap = 0; // the first place was the best one
     return place;
   }
 
-  // by a step or a part of it, if that is closer
-  bool go(Place& place, const Step& step, const Kernel::Point_3& p) const
+  void look(Place& place, const Kernel::Point_3& p) const
   {
-    const Place from = place;
-    for (double t = step[0] == 0 && step[1] == 0 ? 0 : 1; t > 1e-3; t /= 4) {
-      place.u = from.u;
-      place.v = from.v;
-      places_.move(place, t * step[0], t * step[1]);
-      place.at = places_.evaluate(place);
-      place.distance = std::sqrt(CGAL::squared_distance(Places::in_double(place.at.point), p));
-      if (place.distance < from.distance) return true;
+    place.at = places_.evaluate(place);
+    place.distance = std::sqrt(CGAL::squared_distance(Places::in_double(place.at.point), p));
+  }
+
+  // by a step or a part of it, if that is closer
+  bool go(Place& place, const Kernel::Point_3& p) const
+  {
+    internal::Jet_vector r;
+    for (int k = 0; k < 3; ++k) {
+      const auto x = [k](const auto& v) { return CGAL::to_double(v[k]); };
+      const auto& s = place.at;
+      r[k] = {x(s.point) - p[k], x(s.du), x(s.dv), x(s.duu), x(s.duv), x(s.dvv)};
     }
-    place = from;
+    const auto [u, v] = internal::next_foot(r, places_.surface().is_triangular(), place.u, place.v);
+    for (double t = u == place.u && v == place.v ? 0 : 1; t > 1e-3; t /= 4) {
+      Place next = place;
+      places_.move(next, t * (u - place.u), t * (v - place.v));
+      look(next, p);
+      if (!(next.distance < place.distance)) continue;
+      place = next;
+      return true;
+    }
     return false;
   }
 
-  // to the least value in the domain of what Newton's method takes for the half square of the distance
-  Step step(const Place& place, const Kernel::Point_3& p) const
+  Hit hit(const Place& p, double error) const
   {
-    const auto& s = place.at;
-    if (s.derivatives == 0) return {0, 0};
-    const auto r = Places::in_double(s.point) - p, du = Places::vector_in_double(s.du),
-               dv = Places::vector_in_double(s.dv);
-    const double gu = r * du, gv = r * dv;
-    double a = du * du, b = du * dv, c = dv * dv;
-    if (s.derivatives == 2) {
-      const double x = a + r * Places::vector_in_double(s.duu),
-                   y = b + r * Places::vector_in_double(s.duv),
-                   z = c + r * Places::vector_in_double(s.dvv);
-      if (x > 0 && x * z - y * y > 1e-3 * a * c) a = x, b = y, c = z;
-    }
-    return step_to_least(place, gu, gv, a, b, c);
-  }
-
-  // of gu x + gv y + a x^2 / 2 + b x y + c y^2 / 2, which is nowhere concave: inside, or else on a side
-  Step step_to_least(const Place& place, double gu, double gv, double a, double b, double c) const
-  {
-    const bool is_triangular = places_.surface().is_triangular();
-    const double u = place.u, v = place.v, det = a * c - b * b;
-    if (det > 0) {
-      const Step s = {(b * gv - c * gu) / det, (b * gu - a * gv) / det};
-      const double x = u + s[0], y = v + s[1];
-      if (x >= 0 && y >= 0 && (is_triangular ? x + y <= 1 : x <= 1 && y <= 1)) return s;
-    }
-    const std::size_t n = is_triangular ? 3 : 4;
-    const Step corners[] = {{0, 0}, {1, 0}, {is_triangular ? 0. : 1., 1}, {0, 1}};
-    Step best{};
-    double least = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-      const Step &p = corners[k], &q = corners[(k + 1) % n];
-      const double x = p[0] - u, y = p[1] - v, dx = q[0] - p[0], dy = q[1] - p[1];
-      const double slope = (gu + a * x + b * y) * dx + (gv + b * x + c * y) * dy,
-                   bend = a * dx * dx + 2 * b * dx * dy + c * dy * dy,
-                   t = bend > 0 ? (std::min)(1., (std::max)(0., -slope / bend)) : slope < 0;
-      const Step s = {x + t * dx, y + t * dy};
-      const double value =
-        gu * s[0] + gv * s[1] + (a * s[0] * s[0] + c * s[1] * s[1]) / 2 + b * s[0] * s[1];
-      if (value < least) least = value, best = s;
-    }
-    return best;
-  }
-
-  Hit hit(const Place& p, double distance, double error) const
-  {
-    Hit h;
-    h.location = places_.location(p);
-    h.point = p.at.point;
-    h.normal = p.at.normal;
-    h.distance = distance;
-    h.error = error;
-    return h;
+    return {places_.location(p), p.at.point, p.at.normal, p.distance, error};
   }
 
   const Places places_;

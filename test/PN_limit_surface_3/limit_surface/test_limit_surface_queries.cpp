@@ -25,10 +25,7 @@ using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 using Queries = PN::Limit_surface_queries<Surface_mesh, Kernel>;
 
-double length(const Vector& v)
-{
-  return std::sqrt(v.squared_length());
-}
+using surface_checks::length;
 
 std::vector<Vector> directions()
 {
@@ -81,6 +78,21 @@ TEST(LimitSurfaceQueries, SpheresOfQuads)
 TEST(LimitSurfaceQueries, SpheresOfTriangles)
 {
   expect_sphere(test_meshes::bipyramid(5), PN::Loop_scheme());
+}
+
+// From inside, a large face may be the nearest though its triangles are not: those of small ones may be wholly nearer than what is
+// found there, and over one of them several places be nearer than its neighbors.
+TEST(LimitSurfaceQueries, SpheresOfUnequalQuadsFromInside)
+{
+  Control_mesh shape = named_shapes::cube();
+  for (auto& p : shape.points) p = test_meshes::unit({0.3 * p[0] + 0.2, p[1] + 0.3, p[2]});
+  shape.normals = shape.points;
+  Surface_mesh mesh = to_surface_mesh(shape);
+  const PN::Limit_surface surface(
+    mesh, PN::CatmullClark_scheme(),
+    PN::parameters::tolerance(5e-6).vertex_normal_map(normal_map(mesh)));
+  const Point p = CGAL::ORIGIN + 0.2 * directions().back();
+  EXPECT_NEAR(Queries(surface, 2).closest_point(p).distance, 0.8, 1e-6);
 }
 
 // Faces of three corners become three pieces, and Newton's method ends at their sides.

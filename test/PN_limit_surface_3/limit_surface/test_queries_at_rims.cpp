@@ -194,6 +194,23 @@ void expect_surface(const Combination& c, int number)
   surface_checks::expect_closest_points(surface, queries, triangles, queried, number);
 }
 
+// In a fold beside a corner a place may be nearer than those about it, and the corner nearer still. Corners have no derivatives.
+TEST(LimitSurfaceQueries, PointsBesideAndBeforeCorners)
+{
+  const auto expect = [](const Combination& c, const Point& p, double most) {
+    Tagged_control control(c);
+    const Surface surface(control.mesh, scheme_named(c.scheme),
+                          control.parameters(c).tolerance(c.tolerance));
+    EXPECT_LE(Queries(surface, 2).closest_point(p).distance, most);
+  };
+  // a limit point
+  expect({"modified-catmull-clark", 6, true, Creases::darts, 1, 1e-9},
+         {0.44230323409675038, 0.95372469590494602, 0.046647072678230428}, 2e-8);
+  // nearest of 1891 places of each face
+  expect({"loop", 6, true, Creases::darts, 1, 1e-9},
+         {-0.50069986623341789, -0.48416537743181809, -0.94367184299150131}, 1.49433);
+}
+
 // All combinations, of which one in 27 has nearly all pairs.
 TEST(LimitSurfaceQueries, AllKindsOfSurfaces)
 {

@@ -56,48 +56,22 @@ struct Farthest_point
   }
 };
 
-// of Newton's method for the half square f of the length of r
-inline std::array<double, 2> step_to_foot(const Jet_vector& r, const Jet& f)
-{
-  double a = 0, b = 0, c = 0;
-  for (const Jet& x : r) a += x.u * x.u, b += x.u * x.v, c += x.v * x.v;
-  if (f.uu > 0 && f.uu * f.vv - f.uv * f.uv > 1e-3 * a * c) a = f.uu, b = f.uv, c = f.vv;
-  const double det = a * c - b * b;
-  if (det > 0) return {(b * f.v - c * f.u) / det, (b * f.u - a * f.v) / det};
-  return {a > 0 ? -f.u / a : 0., c > 0 ? -f.v / c : 0.};
-}
-
 // at(u, v): the Jet_average of the piece, over the unit square or the triangle u + v <= 1; of a curve v does not matter
 template <class At>
 Foot_in_piece foot_in_piece(const At& at, bool is_triangle, const std::array<double, 3>& point,
                             double u, double v)
 {
   constexpr int most_steps = 16;
-  const auto leaves = [](double x, double dx) { return (x <= 0 && dx < 0) || (x >= 1 && dx > 0); };
-  const auto inside = [](double x) { return (std::min)(1., (std::max)(0., x)); };
   Foot_in_piece best;
   for (int i = 0; i < most_steps; ++i) {
     Jet_vector r = at(u, v).point;
     for (std::size_t k = 0; k < 3; ++k) r[k].value -= point[k];
-    const Jet f = jet_product(r, r) * 0.5;
-    if (const double distance = std::sqrt(2 * f.value); distance < best.distance)
+    if (const double distance = std::sqrt(jet_product(r, r).value); distance < best.distance)
       best = {u, v, distance};
-    std::array<double, 2> d = step_to_foot(r, f);
-    if (is_triangle && u + v >= 1 - 1e-15 && d[0] + d[1] > 0) {
-      const double along = (f.v - f.u) / 2, size = f.uu / 2 - f.uv + f.vv / 2;
-      d[0] = size > 0 ? along / size : 0;
-      d[1] = -d[0];
-    }
-    if (leaves(u, d[0])) d = {0, f.vv > 0 ? -f.v / f.vv : 0};
-    if (leaves(v, d[1])) d = {f.uu > 0 && !leaves(u, -f.u) ? -f.u / f.uu : 0, 0};
-    const double last_u = u, last_v = v;
-    u = inside(u + d[0]);
-    v = inside(v + d[1]);
-    if (is_triangle && u + v > 1) {
-      u = inside(u - (u + v - 1) / 2);
-      v = (std::min)(v, 1 - u);
-    }
-    if (!(std::abs(u - last_u) + std::abs(v - last_v) > 1e-15)) break;
+    const auto [next_u, next_v] = next_foot(r, is_triangle, u, v);
+    if (!(std::abs(next_u - u) + std::abs(next_v - v) > 1e-15)) break;
+    u = next_u;
+    v = next_v;
   }
   return best;
 }

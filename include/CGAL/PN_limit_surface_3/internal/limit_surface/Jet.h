@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -74,6 +75,43 @@ template <class A, class B>
 Jet jet_product(const A& a, const B& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// Where the quadratic function of steps with these derivatives, nowhere concave, is least in the square or triangle: inside, or on a side.
+inline std::array<double, 2> least_place(const Jet& g, bool is_triangle, double u, double v)
+{
+  using Place = std::array<double, 2>;
+  if (const double det = g.uu * g.vv - g.uv * g.uv; det > 0) {
+    const Place s = {u + (g.uv * g.v - g.vv * g.u) / det, v + (g.uv * g.u - g.uu * g.v) / det};
+    if (s[0] >= 0 && s[1] >= 0 && (is_triangle ? s[0] + s[1] <= 1 : s[0] <= 1 && s[1] <= 1))
+      return s;
+  }
+  const Place corners[] = {{0, 0}, {1, 0}, {is_triangle ? 0. : 1., 1}, {0, 1}};
+  Place best = {u, v};
+  double least = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Place &p = corners[k], &q = corners[(k + 1) % 4];
+    const auto slope = [&](double x, double y, double dx, double dy) {
+      return (g.u + g.uu * x + g.uv * y) * dx + (g.v + g.uv * x + g.vv * y) * dy;
+    };
+    const double dx = q[0] - p[0], dy = q[1] - p[1], start = slope(p[0] - u, p[1] - v, dx, dy),
+                 bend = slope(q[0] - u, q[1] - v, dx, dy) - start,
+                 t = bend > 0 ? (std::min)(1., (std::max)(0., -start / bend)) : start < 0;
+    const Place s = {p[0] + t * dx, p[1] + t * dy};
+    const double x = s[0] - u, y = s[1] - v, value = (g.u * x + g.v * y + slope(x, y, x, y)) / 2;
+    if (value < least) least = value, best = s;
+  }
+  return best;
+}
+
+// Where Newton's method for the half square of the length of r goes.
+inline std::array<double, 2> next_foot(const Jet_vector& r, bool is_triangle, double u, double v)
+{
+  Jet f = jet_product(r, r) * 0.5;
+  double a = 0, b = 0, c = 0;
+  for (const Jet& x : r) a += x.u * x.u, b += x.u * x.v, c += x.v * x.v;
+  if (!(f.uu > 0 && f.uu * f.vv - f.uv * f.uv > 1e-3 * a * c)) f.uu = a, f.uv = b, f.vv = c;
+  return least_place(f, is_triangle, u, v);
 }
 
 // What is averaged.

@@ -56,11 +56,11 @@ public:
     const Passing passing = this->passing(t);
     if (!(passing.gap <= t.distance)) return;
     const bool crosses_once = is_seen_from_one_side(t);
-    if (crosses_once && first_ && is_about(*first_, t)) return;
+    if (crosses_once && first_ && Places::is_about(*first_, t, 0.5)) return;
     const Place place = approach(places_.start(t, passing.weights));
     if (is_hit(place)) {
       if (place.distance >= 0 && (!first_ || place.distance < first_->distance)) first_ = place;
-      if (crosses_once && is_about(place, t)) return;
+      if (crosses_once && Places::is_about(place, t, 0.5)) return;
     }
     const bool is_known = t.distance <= (std::max)(4 * places_.surface().tolerance(), 2 * t.error);
     if (splits == most_splits || (is_known && splits >= enough)) return;
@@ -81,10 +81,7 @@ private:
 
   static Vector perpendicular(const Vector& d)
   {
-    const double x = std::abs(d.x()), y = std::abs(d.y()), z = std::abs(d.z());
-    const Vector n = CGAL::cross_product(d, x <= y && x <= z ? Vector(1, 0, 0)
-                                            : y <= z         ? Vector(0, 1, 0)
-                                                             : Vector(0, 0, 1));
+    const Vector n = Kernel::Plane_3(CGAL::ORIGIN, d).base1();
     return n / std::sqrt(n.squared_length());
   }
 
@@ -124,11 +121,6 @@ private:
     const auto side = [&](std::size_t k) { return t.corners[k].normal * along_; };
     const auto [a, b] = std::minmax({side(0), side(1), side(2)});
     return (std::max)(a, -b) > (b - a) / 2;
-  }
-
-  static bool is_about(const Place& place, const Triangle& t)
-  {
-    return Places::is_about(place, t, 0.5);
   }
 
   double tolerance(const Place& p) const

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -127,6 +128,24 @@ public:
       return x >= least - growth && x <= greatest + growth;
     };
     return is_between(place.u, 0) && is_between(place.v, 1);
+  }
+
+  // Whether half the square of the distance from a point bends up over a triangle, as far as cubics over its sides tell, by a part of
+  // what it does near the point: then there is no place but one where it is least.
+  static bool has_one_foot(const Triangle& t, const Kernel::Point_3& p)
+  {
+    constexpr double part = 0.125;
+    std::array<double, 3> bend;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Query_corner &a = t.corners[k], &b = t.corners[(k + 1) % 3];
+      const Kernel::Vector_3 side = b.point - a.point, r = a.point - p, s = b.point - p;
+      const double at_a = r * side - (r * a.normal) * (a.normal * side),
+                   at_b = s * side - (s * b.normal) * (b.normal * side);
+      bend[k] = at_b - at_a - part * side.squared_length();
+      if (!(bend[k] >= 3 * std::abs((r + s) * side - at_a - at_b))) return false;
+    }
+    const auto [x, y, z] = bend;
+    return 2 * (x * y + y * z + z * x) >= x * x + y * y + z * z;
   }
 
   // \name Triangles
