@@ -8,7 +8,7 @@
 
 // What is linked to the library has not the code of wide averages.
 #undef CGAL_PN_SUBDIVISION_3_DOUBLE
-#include <CGAL/PN_subdivision_3/internal/rows/Wide_PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Vectorized_PN_average.h>
 #define CGAL_PN_SUBDIVISION_3_DOUBLE
 
 #include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
@@ -17,10 +17,10 @@ namespace CGAL::PN_subdivision_3::internal {
 
 CGAL_PN_SUBDIVISION_3_CONTROL_LEVELS()
 #ifdef CGAL_PN_SUBDIVISION_3_HAS_AVX2_FUNCTIONS
-template struct Wide_PN_average<double, 2>;
-template struct Wide_PN_average<double, 3>;
-template struct Wide_PN_average<float, 2>;
-template struct Wide_PN_average<float, 3>;
+template struct Vectorized_PN_average<double, 2>;
+template struct Vectorized_PN_average<double, 3>;
+template struct Vectorized_PN_average<float, 2>;
+template struct Vectorized_PN_average<float, 3>;
 #endif
 
 } // namespace CGAL::PN_subdivision_3::internal

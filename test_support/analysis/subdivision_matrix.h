@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
 
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>

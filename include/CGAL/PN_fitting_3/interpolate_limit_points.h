@@ -223,7 +223,7 @@ interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
             !what.empty())
           return internal::interpolate_with_creases<FT>(access, scheme, level, mesh, np, options,
                                                         what, for_chunks, is_interpolated);
-      if constexpr (internal::is_of_halfedges_v<Access, typename Parameters::Normal_map>)
+      if constexpr (internal::has_corner_normals_v<Access, typename Parameters::Normal_map>)
         return Limit_interpolation(); // what_is_sharp() has told of the normals of corners
       else
         return internal::interpolate_without_creases<FT>(access, scheme, level, mesh, np, options,

@@ -208,7 +208,7 @@ smooth_control_normals(const PolygonMesh& mesh, NormalMap normals,
         });
         changed.keep();
       };
-      if constexpr (!internal::is_of_halfedges_v<Access, NormalMap>) {
+      if constexpr (!internal::has_corner_normals_v<Access, NormalMap>) {
         const auto data = internal::data_in_double<FT>(internal::read_given_values<Average>(
           access, points, normals, level.number_of_vertices()));
         report = internal::smooth<3>(level, data, smooth);

@@ -12,7 +12,7 @@
 #include <CGAL/PN_limit_surface_3/internal/pieces/Piece_levels.h>
 #include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Kept_attributes.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Refined_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
@@ -160,12 +160,12 @@ private:
   }
 
   Level_connectivity connectivity_;
-  internal::Numbered_elements vertices_, faces_;
+  internal::Global_ids vertices_, faces_;
   std::vector<Point_3> points_;
   std::vector<Vector_3> normals_;
   std::vector<typename GeomTraits::FT> roundness_;
   std::vector<Corner> corners_; // of vertices with several wedges
-  internal::Kept_attributes attributes_;
+  internal::Refined_attributes attributes_;
   Limit_report limit_report_;
 };
 

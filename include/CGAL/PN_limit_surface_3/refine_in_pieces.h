@@ -15,10 +15,10 @@
 #include <CGAL/PN_limit_surface_3/internal/pieces/Piece_limits.h>
 #include <CGAL/PN_limit_surface_3/internal/pieces/Piece_refiner.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Kept_attributes.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Refined_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
@@ -267,16 +267,15 @@ private:
   // takes the connectivity
   auto begin_piece(Piece& piece, bool has_normals) const
   {
-    return
-      [&piece, has_normals](Level_connectivity& connectivity, internal::Numbered_elements& vertices,
-                            internal::Numbered_elements& faces) {
-        piece.connectivity_ = std::move(connectivity);
-        piece.vertices_ = std::move(vertices);
-        piece.faces_ = std::move(faces);
-        piece.points_.resize(piece.vertices_.size());
-        if (has_normals) piece.normals_.resize(piece.vertices_.size());
-        if (is_pn) piece.roundness_.resize(piece.vertices_.size());
-      };
+    return [&piece, has_normals](Level_connectivity& connectivity, internal::Global_ids& vertices,
+                                 internal::Global_ids& faces) {
+      piece.connectivity_ = std::move(connectivity);
+      piece.vertices_ = std::move(vertices);
+      piece.faces_ = std::move(faces);
+      piece.points_.resize(piece.vertices_.size());
+      if (has_normals) piece.normals_.resize(piece.vertices_.size());
+      if (is_pn) piece.roundness_.resize(piece.vertices_.size());
+    };
   }
 
   Piece refined_piece(std::size_t i, unsigned rings) const
@@ -411,8 +410,8 @@ private:
     Level_connectivity level = internal::checked_level(access);
     internal::check_scheme<Hosted_scheme, internal::Element_names>(scheme, level, access);
     const internal::With_roundness<Hosted_scheme, FT> with_roundness{{scheme}, &roundness};
-    const internal::Mesh_creases_of_call<std::decay_t<decltype(with_roundness)>, FT, Access,
-                                         Normal_map, Edge_map, Vertex_map>
+    const internal::Mesh_values_of_call<std::decay_t<decltype(with_roundness)>, FT, Access,
+                                        Normal_map, Edge_map, Vertex_map>
       of_mesh(with_roundness, access, level, edge_map, vertex_map);
     auto creases = of_mesh.creases(level);
     using Level_creases = decltype(creases);
@@ -431,17 +430,17 @@ private:
     is_near_overflow_ = std::any_of(values.begin(), values.end(), [](const Value& v) {
       return internal::is_near_overflow(internal::point_of(v));
     });
-    constexpr bool carries = !std::is_same_v<Attributes, internal::No_attributes>;
+    constexpr bool has_attributes = !std::is_same_v<Attributes, internal::No_attributes>;
     // as calls for all of a surface have them; no roundness of the call is read any more
     using Rules = internal::Rules_of<internal::With_roundness<Hosted_scheme, FT>>;
-    using Refiner = internal::Piece_refiner<Rules, Average, Level_creases, carries>;
-    typename Refiner::Carried carried;
-    if constexpr (carries)
+    using Refiner = internal::Piece_refiner<Rules, Average, Level_creases, has_attributes>;
+    typename Refiner::Attribute_rounds carried;
+    if constexpr (has_attributes)
       if (!internal::is_empty(attributes)) {
-        auto [all, of_part] = internal::Kept_attributes::carry<FT, Host>(
+        auto [all, of_part] = internal::Refined_attributes::for_pieces<FT, Host>(
           access, level, creases, of_mesh.sharpness(level), attributes,
           internal::For_chunks::with(Concurrency_tag()));
-        carried = typename Refiner::Carried(std::move(all));
+        carried = typename Refiner::Attribute_rounds(std::move(all));
         attributes_of_ = std::move(of_part);
       }
     const auto make = [&](auto* refiner) {
@@ -458,7 +457,8 @@ private:
     if constexpr (may_be_limits)
       if (limits_)
         return make(
-          static_cast<internal::Piece_limits<Rules, Average, Level_creases, carries>*>(nullptr));
+          static_cast<internal::Piece_limits<Rules, Average, Level_creases, has_attributes>*>(
+            nullptr));
     make(static_cast<Refiner*>(nullptr));
   }
 
@@ -478,9 +478,9 @@ private:
   unsigned rounds_ = 0, ghost_rings_ = 0;
   bool is_near_overflow_ = false;
   std::unique_ptr<Limits> limits_; // if they are asked for
-  std::unique_ptr<internal::Kept_pieces<Average>> refiner_;
+  std::unique_ptr<internal::Abstract_pieces<Average>> refiner_;
   const internal::Pieces_at_limit<Average>* at_limit_ = nullptr; // the same, if they are asked for
-  std::function<internal::Kept_attributes(internal::Carried_attributes<FT>&)> attributes_of_;
+  std::function<internal::Refined_attributes(internal::Control_attributes<FT>&)> attributes_of_;
 };
 
 template <class PolygonMesh, class Scheme,

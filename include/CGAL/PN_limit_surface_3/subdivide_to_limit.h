@@ -13,7 +13,7 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_subdivision.h>
 #include <CGAL/PN_limit_surface_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Carrier.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Call_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
@@ -105,8 +105,9 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
       if constexpr (!internal::check_visitor<Visitor, PolygonMesh>()) return report;
       auto attributes = Parameters::attributes(np);
       auto& carried = internal::unwrapped(attributes);
-      const internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<decltype(carried)>>
-        carry{unwrapped, carried};
+      const internal::Call_attributes<PolygonMesh, Visitor,
+                                      std::remove_reference_t<decltype(carried)>>
+        attributes_of_call{unwrapped, carried};
       const internal::Limit_maps_of_call<typename Parameters::Geom_traits, NamedParameters> maps{
         np};
       internal::with_mesh_access(mesh, [&](auto& access) {
@@ -117,7 +118,7 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
               subdivision(s, rounds, options, round_done);
             return subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
                                Parameters::edge_constraint_map(np),
-                               Parameters::vertex_constraint_map(np), carry, maps);
+                               Parameters::vertex_constraint_map(np), attributes_of_call, maps);
           });
       });
     }

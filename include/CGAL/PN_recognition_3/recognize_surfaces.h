@@ -197,7 +197,7 @@ std::size_t surface_creases(const FaceGraph& mesh, FacePatchMap patch_map,
     }
     using Normal_map = typename Parameters::Normal_map;
     if constexpr (!std::is_same_v<Normal_map, internal::No_normal_map>) {
-      static_assert(internal::is_of_halfedges_v<std::decay_t<decltype(access)>, Normal_map>,
+      static_assert(internal::has_corner_normals_v<std::decay_t<decltype(access)>, Normal_map>,
                     "PN_subdivision_3: the normals of surfaces belong to the corners of faces: "
                     "the vertex_normal_map must be one of half-edges");
       using Normal = typename boost::property_traits<Normal_map>::value_type;

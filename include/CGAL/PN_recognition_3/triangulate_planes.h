@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_recognition_3/surfaces/Recognized_surface.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
-#include <CGAL/PN_subdivision_3/internal/own_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/package_parameters.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>

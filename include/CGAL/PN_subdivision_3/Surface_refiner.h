@@ -11,17 +11,17 @@
 
 #include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Kept_attributes.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Refined_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Gone_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases_without_fractions.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Control_values.h>
-#include <CGAL/PN_subdivision_3/internal/refiner/Kept_refinement.h>
-#include <CGAL/PN_subdivision_3/internal/refiner/Kept_rounds.h>
+#include <CGAL/PN_subdivision_3/internal/refiner/Stored_refinement.h>
+#include <CGAL/PN_subdivision_3/internal/refiner/Stored_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -382,8 +382,7 @@ private:
     const Level_size size = internal::checked_refined_size<typename Hosted_scheme::Host>(
       level.size(), rounds, Level_connectivity::null);
     internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
-    const internal::Mesh_creases_of_call<Hosted_scheme, FT, Access, Normal_map, Edge_map,
-                                         Vertex_map>
+    const internal::Mesh_values_of_call<Hosted_scheme, FT, Access, Normal_map, Edge_map, Vertex_map>
       of_mesh(scheme, access, level, edge_map, vertex_map);
     auto creases = of_mesh.creases(level);
     using Level_creases = decltype(creases);
@@ -406,7 +405,7 @@ private:
       control_->set_slots(slot_values, std::move(is_put));
       if constexpr (internal::are_creases_v<Level_creases>)
         if (internal::has_fractions(creases)) {
-          is_put = read(internal::Gone_creases<FT>(level, creases).creases);
+          is_put = read(internal::Creases_without_fractions<FT>(level, creases).creases);
           control_->set_slots_without_fractions(slot_values, std::move(is_put));
         }
     }
@@ -417,7 +416,7 @@ private:
                              attributes, for_chunks);
     points_.assign(size.vertices, Point_3(0, 0, 0));
     if (is_pn) normals_.assign(size.vertices, Vector_3(0, 0, 0));
-    rounds_ = std::make_unique<internal::Kept_rounds<Hosted_scheme, Average, Level_creases>>(
+    rounds_ = std::make_unique<internal::Stored_rounds<Hosted_scheme, Average, Level_creases>>(
       scheme, std::move(level), std::move(creases), rounds, *control_, for_chunks);
   }
 
@@ -460,11 +459,11 @@ private:
 
   internal::Control_vertices<PolygonMesh> control_vertices_;
   std::unique_ptr<Control> control_;
-  std::unique_ptr<internal::Kept_refinement<Average>> rounds_;
+  std::unique_ptr<internal::Stored_refinement<Average>> rounds_;
   std::vector<Point_3> points_;
   std::vector<Vector_3> normals_;
   std::vector<Index> changed_;
-  internal::Kept_attributes attributes_;
+  internal::Refined_attributes attributes_;
 };
 
 template <class PolygonMesh, class Scheme,

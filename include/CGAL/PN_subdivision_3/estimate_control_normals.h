@@ -115,7 +115,7 @@ void estimate_into(const PolygonMesh& mesh, const Normal_map& normals,
 {
   if constexpr (check_estimation_arguments<PolygonMesh, Normal_map, NamedParameters>())
     with_mesh_access(mesh, [&](const auto& access) {
-      if constexpr (is_of_halfedges_v<std::decay_t<decltype(access)>, Normal_map>)
+      if constexpr (has_corner_normals_v<std::decay_t<decltype(access)>, Normal_map>)
         estimate_corner_normals(access, mesh, normals, roundness, np);
       else
         estimate_vertex_normals(access, mesh, normals, roundness, np);

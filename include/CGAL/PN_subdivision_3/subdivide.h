@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_SUBDIVIDE_H
 
 #include <CGAL/PN_subdivision_3/attributes.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Carrier.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Call_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/calls/Mesh_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/compiled_call.h>
@@ -233,22 +233,22 @@ void subdivide(PolygonMesh& mesh, const Scheme& scheme,
     if constexpr (!internal::check_visitor<Visitor, PolygonMesh>()) return;
     auto attributes = Parameters::attributes(np);
     auto& carried = internal::unwrapped(attributes);
-    using Carry =
-      internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<decltype(carried)>>;
+    using Attributes_of_call =
+      internal::Call_attributes<PolygonMesh, Visitor, std::remove_reference_t<decltype(carried)>>;
     if constexpr (internal::is_compiled_call<Concurrency_tag, PolygonMesh, Scheme, Parameters,
-                                             Carry>())
+                                             Attributes_of_call>())
       internal::compiled_call(mesh, scheme, iterations, round_done, Parameters::point_map(mesh, np),
                               Parameters::normal_map(np), Parameters::edge_constraint_map(np));
     else
       internal::with_mesh_access(mesh, [&](auto& access) {
-        const Carry carry{unwrapped, carried};
+        const Attributes_of_call attributes_of_call{unwrapped, carried};
         internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
           using Scheme_of_call = std::decay_t<decltype(s)>;
           const internal::Mesh_subdivision<Concurrency_tag, Scheme_of_call, typename Parameters::FT>
             subdivision(s, iterations, round_done);
           subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
                       Parameters::roundness_map(np), Parameters::edge_constraint_map(np),
-                      Parameters::vertex_constraint_map(np), carry);
+                      Parameters::vertex_constraint_map(np), attributes_of_call);
         });
       });
   }

@@ -9,8 +9,8 @@
 // What subdivide_to_limit() carries besides, on meshes and numbers that the matrix of features does not have, and what
 // is left where a visitor ends it.
 
-#include "Carrying_mesh.h"
 #include "Mesh_cases.h"
+#include "Mesh_with_attributes.h"
 #include "support/Options.h"
 
 #include <CGAL/Exact_rational.h>
@@ -33,7 +33,7 @@ namespace {
 
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
-using carrying_mesh::Carrying;
+using carrying_mesh::Mesh_with_attributes;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
@@ -41,7 +41,7 @@ template <class Mesh, class Concurrency_tag, class Number, class Scheme>
 void compare(const mesh_cases::Soup& soup, const Scheme& scheme)
 {
   for (const unsigned rounds : {0u, 1u, 2u}) {
-    Carrying<Mesh, Number> limit(soup), plain(soup);
+    Mesh_with_attributes<Mesh, Number> limit(soup), plain(soup);
     const auto np = params::number_of_iterations(rounds);
     PN::subdivide_to_limit<Concurrency_tag>(
       limit.mesh, scheme, PN::parameters::join(PN::parameters::attributes(limit.attributes()), np));
@@ -95,13 +95,13 @@ struct Canceller
 TEST(Carried_to_the_limit, AVisitorCancelsBeforeTheMeshIsTouched)
 {
   const mesh_cases::Soup soup = mesh_cases::mixed_with_border();
-  Carrying<Surface_mesh> whole(soup);
+  Mesh_with_attributes<Surface_mesh> whole(soup);
   const auto np = params::number_of_iterations(3);
   const PN::CatmullClark_scheme scheme;
   PN::subdivide_to_limit(whole.mesh, scheme,
                          PN::parameters::join(PN::parameters::attributes(whole.attributes()), np));
   for (int n = 1; n <= 5; ++n) {
-    Carrying<Surface_mesh> c(soup), before(soup);
+    Mesh_with_attributes<Surface_mesh> c(soup), before(soup);
     int left = n;
     const Canceller visitor{&left};
     EXPECT_THROW(
@@ -121,7 +121,7 @@ TEST(Carried_to_the_limit, AVisitorCancelsBeforeTheMeshIsTouched)
 TEST(Carried_to_the_limit, WithoutLimitsNothingIsChanged)
 {
   const mesh_cases::Soup soup = mesh_cases::mixed_with_border();
-  Carrying<Surface_mesh> c(soup), before(soup);
+  Mesh_with_attributes<Surface_mesh> c(soup), before(soup);
   test_options::Limit_options wrong;
   wrong.tolerance = -1;
   EXPECT_THROW(

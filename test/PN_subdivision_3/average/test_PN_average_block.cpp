@@ -262,11 +262,11 @@ bool differs_by_design()
 #if defined(__FMA__) // the compiler fuses operations as it likes
   return true;
 #else
-  using Wide = PN::internal::Wide_PN_average<FT, 3>;
-  if constexpr (Wide::maximum_length == 0)
+  using Vectorized = PN::internal::Vectorized_PN_average<FT, 3>;
+  if constexpr (Vectorized::maximum_length == 0)
     return true;
   else
-    return !Wide::is_available();
+    return !Vectorized::is_available();
 #endif
 }
 

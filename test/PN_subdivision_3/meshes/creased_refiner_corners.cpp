@@ -8,9 +8,9 @@
 
 // Refiners with normals of corners that are edited, and with attributes in maps: what subdivide() gives, by bytes.
 
-#include "Carrying_mesh.h"
 #include "Feature_matrix.h"
 #include "Mesh_cases.h"
+#include "Mesh_with_attributes.h"
 #include "Messages.h"
 #include "support/Options.h"
 
@@ -30,7 +30,7 @@
 namespace {
 
 using namespace feature_matrix;
-using carrying_mesh::Carrying;
+using carrying_mesh::Mesh_with_attributes;
 
 const Kernel::Point_3 moved(0.3, -0.2, 0.7);
 const Vector turned(1, 2, 4);
@@ -74,8 +74,8 @@ template <class Control, class Built, class Number, class Scheme>
 void compare(const mesh_cases::Soup& soup, const Scheme& scheme)
 {
   for (const unsigned rounds : {0u, 1u, 2u}) {
-    Carrying<Control, Number> control(soup), plain(soup);
-    Carrying<Built, Number> built;
+    Mesh_with_attributes<Control, Number> control(soup), plain(soup);
+    Mesh_with_attributes<Built, Number> built;
     const auto np = params::number_of_iterations(rounds);
     const PN::Surface_refiner refiner(
       control.mesh, scheme,
@@ -84,7 +84,7 @@ void compare(const mesh_cases::Soup& soup, const Scheme& scheme)
     PN::subdivide(plain.mesh, scheme,
                   PN::parameters::join(PN::parameters::attributes(plain.attributes()), np));
     EXPECT_EQ(built.carried(), plain.carried()) << rounds << " rounds";
-    EXPECT_EQ(control.carried(), (Carrying<Control, Number>(soup).carried()));
+    EXPECT_EQ(control.carried(), (Mesh_with_attributes<Control, Number>(soup).carried()));
   }
 }
 
@@ -101,8 +101,9 @@ TEST(Refiner_with_attributes, OnSeveralThreads)
 {
   const PN::CatmullClark_scheme scheme;
   const auto np = params::number_of_iterations(5); // some chunks of vertices
-  Carrying<Mesh> control(mesh_cases::mixed_with_border()), plain(mesh_cases::mixed_with_border());
-  Carrying<Mesh> built;
+  Mesh_with_attributes<Mesh> control(mesh_cases::mixed_with_border()),
+    plain(mesh_cases::mixed_with_border());
+  Mesh_with_attributes<Mesh> built;
   const PN::Surface_refiner<Mesh, PN::CatmullClark_scheme, Kernel, CGAL::Parallel_tag> refiner(
     control.mesh, scheme,
     PN::parameters::join(PN::parameters::attributes(control.attributes()), np));
@@ -123,7 +124,7 @@ TEST(Refiner_with_attributes, InExactNumbers)
 
 TEST(Refiner_with_attributes, ThatAreOthersAreRefused)
 {
-  Carrying<Mesh> control(mesh_cases::mixed_with_border()), built;
+  Mesh_with_attributes<Mesh> control(mesh_cases::mixed_with_border()), built;
   const PN::Surface_refiner refiner(control.mesh, PN::CatmullClark_scheme(),
                                     PN::parameters::attributes(control.attributes()));
   const auto expect_refusal = [&](auto&& attributes) {

@@ -56,8 +56,9 @@ constexpr bool is_compiled()
   using Unwrapped =
     std::remove_reference_t<decltype(PN::internal::unwrapped(std::declval<Visitor&>()))>;
   using Attributes = decltype(Parameters::attributes(std::declval<const NamedParameters&>()));
-  return PN::internal::is_compiled_call<Concurrency_tag, Mesh, Scheme, Parameters,
-                                        PN::internal::Carrier<Mesh, Unwrapped, Attributes>>();
+  return PN::internal::is_compiled_call<
+    Concurrency_tag, Mesh, Scheme, Parameters,
+    PN::internal::Call_attributes<Mesh, Unwrapped, Attributes>>();
 }
 
 template <class Mesh>

@@ -45,7 +45,7 @@ void visit(Visitor& visitor)
 
 template <class Visitor>
 constexpr PN::internal::Level_origins::Kinds visited =
-  PN::internal::Carrier<Mesh, Visitor, PN::internal::No_attributes>::visited;
+  PN::internal::Call_attributes<Mesh, Visitor, PN::internal::No_attributes>::visited;
 
 struct Faces : PN::Default_visitor
 {
@@ -76,9 +76,9 @@ TEST(Visitors, MembersThatHideThoseOfTheDefaultAreCalled)
                 "what is not hidden costs nothing");
   PN::Default_visitor nothing;
   visit(nothing);
-  static_assert(
-    PN::internal::Carrier<Mesh, PN::Default_visitor, const PN::internal::No_attributes>::is_empty,
-    "nor does the default");
+  static_assert(PN::internal::Call_attributes<Mesh, PN::Default_visitor,
+                                              const PN::internal::No_attributes>::is_empty,
+                "nor does the default");
 }
 
 TEST(Visitors, MembersMayTakeWhatTheirArgumentsConvertTo)

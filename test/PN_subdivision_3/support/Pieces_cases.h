@@ -247,7 +247,7 @@ std::size_t number_of_defects(const Control_mesh& control_mesh, const Scheme& sc
 {
   using Average = PN::PN_average<double, 3>;
   using Refiner = PN::internal::Piece_refiner<Scheme, Average>;
-  using Elements = PN::internal::Numbered_elements;
+  using Elements = PN::internal::Global_ids;
   const Control<double> control(control_mesh);
   std::vector<Control<double>::Vector> normals;
   const auto mesh = control.refined(scheme, rounds, normals);

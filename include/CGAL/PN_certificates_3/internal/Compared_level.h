@@ -14,7 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
@@ -91,7 +91,7 @@ Level_with_points<FT> refined_aside(const Scheme& scheme, const Access& access, 
     require_crease_rules(scheme, access, normals, edge_map, vertex_map);
     Level_connectivity level = checked_level(access);
     check_scheme<Scheme, Element_names>(scheme, level, access);
-    const Mesh_creases_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
+    const Mesh_values_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
       scheme, access, level, edge_map, vertex_map);
     auto creases = of_mesh.creases(level);
     of_mesh.read_tangents(creases);
@@ -123,21 +123,21 @@ Level_with_points<FT> refined_aside(const Scheme& scheme, const Access& access, 
 template <class FT>
 class Unit_frame
 {
-  using Wide = Wide_number<FT>;
-  using Wide_point = Coordinates<Wide, 3>;
+  using Coordinate = At_least_double<FT>;
+  using Point_of_frame = Coordinates<Coordinate, 3>;
 
 public:
   using Points = std::vector<Coordinates<double, 3>>;
 
   explicit Unit_frame(const std::vector<Coordinates<FT, 3>>& control)
-    : origin_(control.empty() ? zero_vector<Wide, 3>() : wide(control.front()))
+    : origin_(control.empty() ? zero_vector<Coordinate, 3>() : widened(control.front()))
   {
     double size = 0;
     for (const Coordinates<double, 3>& p : (*this)(control))
       for (const double x : p) size = (std::max)(size, std::abs(x));
     if (size > 0 && std::isfinite(size)) exponent_ = std::ilogb(size) + 1;
     double farthest = 0;
-    for (const Wide& x : origin_) farthest = (std::max)(farthest, std::abs(close_double(x)));
+    for (const Coordinate& x : origin_) farthest = (std::max)(farthest, std::abs(close_double(x)));
     const double epsilon = (std::max)(close_double(machine_epsilon<FT>()), 0x1p-53);
     if (is_exact_v<FT>) farthest = 0; // only what is relative to the origin is rounded
     rounding_ = epsilon * (1 + std::ldexp(farthest, -exponent_));
@@ -148,7 +148,7 @@ public:
     Points result;
     result.reserve(points.size());
     for (const Coordinates<FT, 3>& p : points) {
-      result.push_back(to_double_3(difference(wide(p), origin_)));
+      result.push_back(to_double_3(difference(widened(p), origin_)));
       for (double& x : result.back()) x = std::ldexp(x, -exponent_);
     }
     return result;
@@ -160,12 +160,12 @@ public:
   int exponent() const { return exponent_; }
 
 private:
-  static Wide_point wide(const Coordinates<FT, 3>& p)
+  static Point_of_frame widened(const Coordinates<FT, 3>& p)
   {
-    return {Wide(p[0]), Wide(p[1]), Wide(p[2])};
+    return {Coordinate(p[0]), Coordinate(p[1]), Coordinate(p[2])};
   }
 
-  Wide_point origin_;
+  Point_of_frame origin_;
   int exponent_ = 0;
   double rounding_ = 0;
 };

@@ -135,7 +135,7 @@ private:
       demand_.curvatures && has_curvature_ && of_points.has_curvature && of_points.rows.size() > 1;
     // as on surfaces: the error of the geometric series that the differences become
     const double square = of_points.largest_other * of_points.largest_other;
-    Limit_steps<FT, dimension> steps(demand_, is_exact,
+    Convergence<FT, dimension> steps(demand_, is_exact,
                                      (std::min)(0.9, (std::max)(1. / 16, square)));
     Tangents tangents;
     for (unsigned depth = 0;; ++depth, ++result.depth) {

@@ -10,7 +10,7 @@
 #define CGAL_PN_CURVES_INTERNAL_CURVE_POINTS_H
 
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
-#include <CGAL/PN_subdivision_3/internal/own_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/package_parameters.h>
 
 #include <CGAL/Dimension.h>
 #include <CGAL/Kernel_traits.h>

@@ -12,7 +12,7 @@
 #include <CGAL/PN_curves/internal/Univariate_rows.h>
 #include <CGAL/PN_curves/masks/curve_masks.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_weights.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_masks.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_eigenvectors.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 #include <CGAL/number_type_basic.h>
@@ -123,7 +123,7 @@ public:
   }
 
 private:
-  using Real = Ring_masks::Real;
+  using Real = Ring_eigenvectors::Real;
   using Matrix = Window_matrix<Real>;
 
   static constexpr Real tolerance = 1e-9L;
@@ -239,11 +239,12 @@ private:
 
   static double radius(const Matrix& m)
   {
-    return Ring_masks::largest_modulus(Ring_masks::noise(m.size(), 3), [&](std::vector<Real>& x) {
-      const std::vector<Real> old = x;
-      for (std::size_t i = 0; i < x.size(); ++i)
-        x[i] = std::inner_product(old.begin(), old.end(), m[i].begin(), Real(0));
-    });
+    return Ring_eigenvectors::largest_modulus(
+      Ring_eigenvectors::noise(m.size(), 3), [&](std::vector<Real>& x) {
+        const std::vector<Real> old = x;
+        for (std::size_t i = 0; i < x.size(); ++i)
+          x[i] = std::inner_product(old.begin(), old.end(), m[i].begin(), Real(0));
+      });
   }
 
   Univariate_rows<FT> rows_;

@@ -14,7 +14,7 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
@@ -130,7 +130,7 @@ void require_fixed_creases([[maybe_unused]] const Access& access,
         "PN_subdivision_3: " + Edge_of_mesh::name(access, creases.edges.front().edge) +
         " is sharp, and the result is interpolated with the tangents of the data: take "
         "a crease_tangent_map, with which the result is refined, too");
-    if constexpr (!is_of_halfedges_v<Access, Normal_map>)
+    if constexpr (!has_corner_normals_v<Access, Normal_map>)
       for (const Crease_star& star : creases.stars)
         if (star.number_of_wedges > 1)
           throw std::invalid_argument(
@@ -151,7 +151,7 @@ std::string what_is_sharp(const Scheme& scheme, const Access& access,
                         [&](const std::string& element) {
                           if (what.empty()) what = element + " is sharp";
                         });
-  if (what.empty() && is_of_halfedges_v<Access, Normal_map>) what = "corners have normals";
+  if (what.empty() && has_corner_normals_v<Access, Normal_map>) what = "corners have normals";
   return what;
 }
 
@@ -194,8 +194,8 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
   const auto edge_map = Parameters::edge_constraint_map(np);
   const auto vertex_map = Parameters::vertex_constraint_map(np);
   require_crease_rules(scheme, access, normals, edge_map, vertex_map);
-  Mesh_creases<Scheme_of_call, FT, Access, std::decay_t<decltype(edge_map)>,
-               std::decay_t<decltype(vertex_map)>, true>
+  Mesh_values<Scheme_of_call, FT, Access, std::decay_t<decltype(edge_map)>,
+              std::decay_t<decltype(vertex_map)>, true>
     of_mesh(scheme, access, level, edge_map, vertex_map);
   Creases<FT> creases = of_mesh.creases(level);
   require_sharp_for_ever<FT>(access, creases, 0);

@@ -9,8 +9,8 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_CURVATURE_PRESCRIPTION_H
 #define CGAL_PN_FITTING_3_INTERNAL_CURVATURE_PRESCRIPTION_H
 
-#include <CGAL/PN_fitting_3/internal/Functional_tower.h>
 #include <CGAL/PN_fitting_3/internal/Prescription.h>
+#include <CGAL/PN_fitting_3/internal/Ring_limit_functionals.h>
 #include <CGAL/PN_limit_surface_3/internal/curvature/Regular_jet.h>
 
 #include <Eigen/Core>

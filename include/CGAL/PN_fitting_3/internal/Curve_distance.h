@@ -10,7 +10,7 @@
 #define CGAL_PN_FITTING_3_INTERNAL_CURVE_DISTANCE_H
 
 #include <CGAL/PN_fitting_3/internal/Foot_of_point.h>
-#include <CGAL/PN_fitting_3/internal/Functional_tower.h>
+#include <CGAL/PN_fitting_3/internal/Ring_limit_functionals.h>
 
 #include <algorithm>
 #include <array>
@@ -126,7 +126,7 @@ private:
   Part refined(const Part& old, std::ptrdiff_t center) const
   {
     const auto n = static_cast<std::ptrdiff_t>(old.net.size());
-    const auto average = [&](const Ring_rule::Row& row) {
+    const auto average = [&](const Ring_averages::Row& row) {
       return average_(row.data(), row.data() + row.size(), old.net.data());
     };
     Part part;

@@ -10,7 +10,7 @@
 #define CGAL_PN_FITTING_3_INTERNAL_LIMIT_DISTANCE_H
 
 #include <CGAL/PN_fitting_3/internal/Foot_of_point.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Spline_piece.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
@@ -115,7 +115,7 @@ private:
       return {0, 0, quick_length(difference(values[level.target(base)].point, point))};
     const Spline_piece piece(level, base, degree, neighborhood_.regular_rings > 0, [&](Index v) {
       if (level.is_border_vertex(v)) return Piece_vertex::border;
-      const bool is_regular = level.valence(v) == Settled_neighborhood<Scheme>::regular_valence;
+      const bool is_regular = level.valence(v) == Has_final_rules<Scheme>::regular_valence;
       return is_regular ? Piece_vertex::interior : Piece_vertex::irregular;
     });
     const bool is_spline =

@@ -12,7 +12,7 @@
 #include <CGAL/PN_curves/masks/curve_masks.h>
 #include <CGAL/PN_fitting_3/internal/Curve_distance.h>
 #include <CGAL/PN_fitting_3/internal/Foot_of_point.h>
-#include <CGAL/PN_fitting_3/internal/Functional_tower.h>
+#include <CGAL/PN_fitting_3/internal/Ring_limit_functionals.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 
 #include <Eigen/Core>
@@ -32,7 +32,7 @@ struct Limit_functionals
 {
   using Index = std::uint32_t;
   using Vector = Eigen_vector<dimension>;
-  using Block = typename Functional_tower<dimension, tangents>::Block;
+  using Block = typename Ring_limit_functionals<dimension, tangents>::Block;
 
   struct Entry
   {
@@ -60,7 +60,7 @@ struct Limit_functionals
 
   // Fills in the limit of a ring, given by its vertices; entries if there are blocks.
   template <class Values>
-  void run(Functional_tower<dimension, tangents>& tower, const Ring_rule& rule,
+  void run(Ring_limit_functionals<dimension, tangents>& of_ring, const Ring_averages& rule,
            const Values& values, const std::vector<Index>& ring, const Limit_precision& precision)
   {
     const auto& origin = values[ring[0]].point;
@@ -69,17 +69,17 @@ struct Limit_functionals
       relative.push_back(values[w]);
       for (std::size_t c = 0; c < dimension; ++c) relative.back().point[c] -= origin[c];
     }
-    tower.run(rule, relative, precision);
-    limit_point = to_eigen<dimension>(tower.limit().point) + to_eigen<dimension>(origin);
-    control_normal = to_eigen<dimension>(tower.limit().normal);
-    error = tower.error();
-    depth += tower.depth();
+    of_ring.run(rule, relative, precision);
+    limit_point = to_eigen<dimension>(of_ring.limit().point) + to_eigen<dimension>(origin);
+    control_normal = to_eigen<dimension>(of_ring.limit().normal);
+    error = of_ring.error();
+    depth += of_ring.depth();
     has_tangents = !rule.tangents.empty();
     if (!precision.with_blocks) return;
     std::vector<double> weights(ring.size(), 0.);
     for (const auto& e : rule.limit) weights[e.vertex] += e.weight;
     for (std::size_t p = 0; p < ring.size(); ++p)
-      entries.push_back({ring[p], weights[p], tower.block(p)});
+      entries.push_back({ring[p], weights[p], of_ring.block(p)});
   }
 
   // The blocks of a limit point sum to the identity and those of a tangent to 0: taking the points
@@ -183,7 +183,7 @@ public:
     inner_.error_factor = 1;
     end_.rows_of_points = {{{0, 1.}}};
     end_.limit = {{0, 1.}};
-    for (Ring_rule* rule : {&inner_, &end_}) {
+    for (Ring_averages* rule : {&inner_, &end_}) {
       rule->rows_of_normals = rule->rows_of_points;
       rule->normal_limit = rule->limit;
     }
@@ -193,13 +193,13 @@ public:
                                       const Limit_precision& precision) override
   {
     std::vector<Functionals> result;
-    Functional_tower<dimension, 1> tower;
+    Ring_limit_functionals<dimension, 1> of_ring;
     const auto n = static_cast<Index>(values.size());
     for (const Index v : vertices) {
       std::vector<Index> ring = {v};
       if (is_closed_ || (v != 0 && v + 1 != n)) ring = {v, (v + n - 1) % n, (v + 1) % n};
       result.emplace_back().center = v;
-      result.back().run(tower, ring.size() == 1 ? end_ : inner_, values, ring, precision);
+      result.back().run(of_ring, ring.size() == 1 ? end_ : inner_, values, ring, precision);
     }
     return result;
   }
@@ -212,7 +212,7 @@ public:
 
 private:
   bool is_closed_;
-  Ring_rule inner_, end_;
+  Ring_averages inner_, end_;
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

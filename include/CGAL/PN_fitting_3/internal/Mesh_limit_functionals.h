@@ -12,10 +12,10 @@
 #include <CGAL/PN_fitting_3/internal/Limit_distance.h>
 #include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
 #include <CGAL/PN_limit_surface_3/internal/curvature/Regular_jet.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_classes.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules_cache.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
@@ -84,7 +84,7 @@ public:
     : scheme_(scheme)
     , level_(level)
     , for_chunks_(for_chunks)
-    , classes_(scheme)
+    , rules_cache_(scheme)
   {}
 
   const Level_connectivity& level() const { return level_; }
@@ -98,8 +98,8 @@ public:
 private:
   using Average = PN_average<double, 3>;
   using One_round = Round<Scheme, Average>;
-  using Kind = typename Limit_classes<Scheme, double>::Kind;
-  using Tower = Functional_tower<3, 2>;
+  using Kind = typename Ring_rules_cache<Scheme, double>::Kind;
+  using Functionals_of_ring = Ring_limit_functionals<3, 2>;
   using Entry = Functionals::Entry;
 
   using Foot = typename Limit_distance<Scheme>::Foot;
@@ -147,7 +147,7 @@ private:
   struct Ring_of_kind
   {
     const Kind* kind = nullptr;
-    Ring_rule rule;
+    Ring_averages rule;
   };
 
   // result[positions[i]] is that of vertices[i]
@@ -156,7 +156,7 @@ private:
                 std::vector<Functionals>& result)
   {
     const unsigned first_final_round = first_tuned_round(scheme_);
-    const Settled_neighborhood<Scheme> is_settled(scheme_, stage.level,
+    const Has_final_rules<Scheme> has_final_rules(scheme_, stage.level,
                                                   next_round >= first_final_round);
     std::vector<const Ring_of_kind*> kinds(vertices.size(), nullptr);
     std::vector<Index> unsettled;
@@ -165,7 +165,7 @@ private:
       const Index v = vertices[i];
       if (stage.level.is_isolated(v))
         continue;
-      else if (is_settled(v))
+      else if (has_final_rules(v))
         kinds[i] = &ring_of_kind(stage.level, v, next_round);
       else {
         unsettled.push_back(v);
@@ -173,13 +173,13 @@ private:
       }
     }
     for_chunks_(static_cast<Index>(vertices.size()), [&](Index begin, Index end) {
-      Tower tower;
+      Functionals_of_ring of_ring;
       std::vector<Index> ring;
       for (Index i = begin; i < end; ++i) {
         Functionals& f = result[positions[i]];
         f.depth = f.rounds = depth;
         if (kinds[i] != nullptr)
-          run(stage, vertices[i], *kinds[i], tower, ring, f);
+          run(stage, vertices[i], *kinds[i], of_ring, ring, f);
         else if (stage.level.is_isolated(vertices[i]))
           set_isolated(stage, vertices[i], f);
       }
@@ -204,45 +204,45 @@ private:
 
   const Ring_of_kind& ring_of_kind(const Level_connectivity& level, Index v, unsigned next_round)
   {
-    const Kind& kind = classes_.at(level, v, next_round);
+    const Kind& kind = rules_cache_.at(level, v, next_round);
     Ring_of_kind& ring = rings_[&kind];
     if (ring.kind != nullptr) return ring;
-    const auto& c = *kind.ring_class;
+    const auto& c = *kind.ring_rules;
     ring.kind = &kind;
-    ring.rule.rows_of_points = Ring_rule::rows(c.matrix());
-    ring.rule.rows_of_normals = Ring_rule::rows(c.normal_matrix());
-    ring.rule.limit = Ring_rule::row(c.limit_row());
-    ring.rule.normal_limit = Ring_rule::row(c.normal_limit_row());
+    ring.rule.rows_of_points = Ring_averages::rows(c.matrix());
+    ring.rule.rows_of_normals = Ring_averages::rows(c.normal_matrix());
+    ring.rule.limit = Ring_averages::row(c.limit_row());
+    ring.rule.normal_limit = Ring_averages::row(c.normal_limit_row());
     if (c.has_tangents()) ring.rule.tangents.assign(c.tangents().begin(), c.tangents().end());
     ring.rule.error_factor = c.error_factor();
     ring.rule.error_ratio = c.error_ratio();
     return ring;
   }
 
-  void run(const Stage& stage, Index v, const Ring_of_kind& kind, Tower& tower,
+  void run(const Stage& stage, Index v, const Ring_of_kind& kind, Functionals_of_ring& of_ring,
            std::vector<Index>& ring, Functionals& f) const
   {
     ring.clear();
-    Limit_classes<Scheme, double>::append_ring(stage.level, v, *kind.kind, ring);
-    f.run(tower, kind.rule, stage.values, ring,
-          precision_at(*kind.kind->ring_class, stage.level.is_border_vertex(v)));
+    Ring_rules_cache<Scheme, double>::append_ring(stage.level, v, *kind.kind, ring);
+    f.run(of_ring, kind.rule, stage.values, ring,
+          precision_at(*kind.kind->ring_rules, stage.level.is_border_vertex(v)));
     if (precision_.second_forms > 0)
-      if (const auto jet = surface_jet(stage.level, v, *kind.kind->ring_class, tower)) {
+      if (const auto jet = surface_jet(stage.level, v, *kind.kind->ring_rules, of_ring)) {
         f.second_form = second_form(*jet);
         f.has_second_form = true;
-        if (!is_spline_at(stage.level, v)) f.share_of_slopes = tower.limit().roundness;
+        if (!is_spline_at(stage.level, v)) f.share_of_slopes = of_ring.limit().roundness;
       }
     for (const Stage* s = &stage; s->parent != nullptr; s = s->parent)
       f.entries = pulled_back(*s, f.entries);
   }
 
   // Errors of tangents and second forms fall by lambda^2 a round, on borders by lambda.
-  template <class Ring_class>
-  Limit_precision precision_at(const Ring_class& ring_class, bool is_at_border) const
+  template <class Ring_rules>
+  Limit_precision precision_at(const Ring_rules& ring_rules, bool is_at_border) const
   {
     Limit_precision p = precision_;
-    const double factor = ring_class.lambda() * (is_at_border ? 1 : ring_class.lambda());
-    if (!ring_class.has_tangents() || !(factor < 1)) return p;
+    const double factor = ring_rules.lambda() * (is_at_border ? 1 : ring_rules.lambda());
+    if (!ring_rules.has_tangents() || !(factor < 1)) return p;
     for (const double error : {p.tangents, p.second_forms})
       if (error > 0)
         p.min_depth = (std::max)(
@@ -285,23 +285,23 @@ private:
   // has no part of second order that would last
   std::optional<Surface_jet<double>>
   surface_jet(const Level_connectivity& level, Index v,
-              const typename Limit_classes<Scheme, double>::Class& ring_class,
-              const Tower& tower) const
+              const typename Ring_rules_cache<Scheme, double>::Rules& ring_rules,
+              const Functionals_of_ring& of_ring) const
   {
     static constexpr Index quads[] = {0, 1, 6, 2, 7, 3, 8, 4, 5};
     static constexpr Index triangles[] = {0, 1, 2, 3, 4, 5, 6};
     constexpr bool is_quads = Scheme::Host::refined_degree == 4;
-    if (level.is_border_vertex(v) || !ring_class.has_tangents() ||
-        Average::is_zero(tower.limit().normal))
+    if (level.is_border_vertex(v) || !ring_rules.has_tangents() ||
+        Average::is_zero(of_ring.limit().normal))
       return std::nullopt;
-    const std::vector<Point_normal<double, 3>> ring(tower.top().begin(), tower.top().end());
+    const std::vector<Point_normal<double, 3>> ring(of_ring.top().begin(), of_ring.top().end());
     if (is_spline_at(level, v))
       return Regular_jet<double>(is_quads ? 4 : 3)
-        .surface_jet(is_quads ? quads : triangles, ring.data(), tower.limit().roundness);
-    const double lambda2 = ring_class.lambda() * ring_class.lambda();
-    const Ring_geometry geometry(ring, tower.limit(), ring_class.tangents(),
-                                 tower.limit().roundness);
-    if (!(ring_class.largest_other() < 0.9 * lambda2) || !geometry.is_regular())
+        .surface_jet(is_quads ? quads : triangles, ring.data(), of_ring.limit().roundness);
+    const double lambda2 = ring_rules.lambda() * ring_rules.lambda();
+    const Ring_geometry geometry(ring, of_ring.limit(), ring_rules.tangents(),
+                                 of_ring.limit().roundness);
+    if (!(ring_rules.largest_other() < 0.9 * lambda2) || !geometry.is_regular())
       return std::nullopt;
     return geometry.extraordinary_jet();
   }
@@ -309,7 +309,7 @@ private:
   bool is_spline_at(const Level_connectivity& level, Index v) const
   {
     return limit_neighborhood(scheme_).is_spline &&
-           level.valence(v) == Settled_neighborhood<Scheme>::regular_valence;
+           level.valence(v) == Has_final_rules<Scheme>::regular_valence;
   }
 
   static void set_isolated(const Stage& stage, Index v, Functionals& f)
@@ -324,7 +324,7 @@ private:
   const Scheme& scheme_;
   const Level_connectivity& level_;
   For_chunks for_chunks_;
-  Limit_classes<Scheme, double> classes_;
+  Ring_rules_cache<Scheme, double> rules_cache_;
   std::map<const Kind*, Ring_of_kind> rings_;
   Limit_precision precision_;
 };

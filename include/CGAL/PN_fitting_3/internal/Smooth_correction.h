@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_SMOOTH_CORRECTION_H
 #define CGAL_PN_FITTING_3_INTERNAL_SMOOTH_CORRECTION_H
 
-#include <CGAL/PN_fitting_3/internal/Functional_tower.h>
+#include <CGAL/PN_fitting_3/internal/Ring_limit_functionals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 

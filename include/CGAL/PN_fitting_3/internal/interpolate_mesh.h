@@ -9,10 +9,10 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_INTERPOLATE_MESH_H
 #define CGAL_PN_FITTING_3_INTERNAL_INTERPOLATE_MESH_H
 
-#include <CGAL/PN_fitting_3/internal/Functional_tower.h>
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
 #include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
 #include <CGAL/PN_fitting_3/internal/Mesh_limit_functionals.h>
+#include <CGAL/PN_fitting_3/internal/Ring_limit_functionals.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>

@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_FITTING_3_INTERPOLATION_LIMIT_INTERPOLATION_H
 #define CGAL_PN_FITTING_3_INTERPOLATION_LIMIT_INTERPOLATION_H
 
-#include <CGAL/PN_subdivision_3/internal/own_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/package_parameters.h>
 
 #include <cstddef>
 

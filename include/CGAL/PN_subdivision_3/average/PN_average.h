@@ -174,7 +174,7 @@ A row with a single entry is a copy.
 This is the rule itself, for any number type and any row. The package has it in other forms, which are tested against
 this one. `internal/rows/PN_average_block.h` has it for hardware floating point in three passes over a block of rows,
 which hides the latency of roots and divisions and adds the heights in another order. It leaves rows that fade or
-whose normal may vanish to this form. `internal/rows/Wide_PN_average.h` has the same, to the same bits, with four rows
+whose normal may vanish to this form. `internal/rows/Vectorized_PN_average.h` has the same, to the same bits, with four rows
 side by side for AVX2. `PN_mask_3` has it through masks that only average points, which never see a row.
 
 The old values are a pointer to them, or anything whose `operator[]` makes a `Value` of an index.

@@ -8,7 +8,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_PARAMETERS_PARAMETERS_H
 #define CGAL_PN_SUBDIVISION_3_PARAMETERS_PARAMETERS_H
 
-#include <CGAL/PN_subdivision_3/internal/own_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/package_parameters.h>
 
 #include <functional>
 #include <type_traits>

@@ -10,9 +10,9 @@
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_CREASED_LIMITS_H
 
 #include <CGAL/PN_limit_surface_3/internal/limit/Dart_limit.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_towers.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits_by_kind.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
@@ -52,13 +52,13 @@ public:
   using Level = typename Evaluation::Level;
 
   Creased_limits(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
-                 std::shared_ptr<typename Evaluation::Classes> classes = nullptr)
+                 std::shared_ptr<typename Evaluation::Rules_cache> rules_cache = nullptr)
     : scheme_(scheme)
     , demand_(demand)
     , for_chunks_(for_chunks)
-    , evaluation_(scheme, demand, for_chunks, std::move(classes))
+    , evaluation_(scheme, demand, for_chunks, std::move(rules_cache))
     , any_round_((std::max)(101u, first_tuned_round(scheme)))
-    , border_classes_(scheme)
+    , border_rules_(scheme)
   {}
 
   // `level` has the values of the slots; it is cut open meanwhile. The creases get the tangents of the limit. If
@@ -72,7 +72,7 @@ private:
   using Refiner = Level_refiner<Scheme, Average, Creases<FT>>;
   using Vector = Coordinates<FT, 3>;
   using Crease_limit = Crease_vertex_limit<FT, is_pn>;
-  using Dart = Dart_class<Scheme, FT>;
+  using Dart = Dart_rules<Scheme, FT>;
 
   // open while it lives
   struct Cut
@@ -175,14 +175,14 @@ private:
       if (creases.rule(star) == Vertex_rule::dart) darts.emplace(star.vertex, &star);
     std::vector<Index> smooth, smooth_positions, rest;
     const bool is_final = next_round >= first_tuned_round(scheme_);
-    const Settled_neighborhood<Scheme> is_settled(scheme_, level.level, is_final);
+    const Has_final_rules<Scheme> has_final_rules(scheme_, level.level, is_final);
     for (Index i = 0; i < vertices.here.size(); ++i) {
       const Index v = vertices.here[i], whole = vertices.whole[i];
       const auto dart = darts.find(v);
       if (dart == darts.end()) {
         smooth.push_back(v);
         smooth_positions.push_back(i);
-      } else if (is_settled(v))
+      } else if (has_final_rules(v))
         evaluate_dart(level, creases, *dart->second, limits, whole, depth, results[whole]);
       else
         rest.push_back(i);
@@ -302,7 +302,7 @@ private:
       add_wedge(level, creases, from, to, false, limit, slot_ids);
       add_wedge(level, creases, to, from, true, limit, slot_ids);
     }
-    Limit_steps<FT> steps(demand_, !is_pn, 1. / 16);
+    Convergence<FT> steps(demand_, !is_pn, 1. / 16);
     limit.evaluate(weights, steps);
     for (Index w = 0; w < star.number_of_wedges; ++w) {
       Result& result = results[star.slot(w)];
@@ -368,7 +368,7 @@ private:
     limit.tangent = tangent_from(creases, e);
     limit.far_tangent = tangent_towards(creases, e);
     // the differences fall by 1/4 at least, as the square of the ring
-    Limit_steps<FT> steps(demand_, !is_pn, 1. / 4);
+    Convergence<FT> steps(demand_, !is_pn, 1. / 4);
     decide(star, [&] { result.value = limit.evaluate(dart, steps); });
     result.error = steps.error();
     result.depth = depth + steps.depth();
@@ -386,7 +386,7 @@ private:
     auto& dart = darts_[{star.is_border, is_first, valence}];
     if (!dart && star.is_border)
       dart =
-        std::make_unique<Dart>(*border_classes_.at(level.level, star.vertex, any_round_).ring_class,
+        std::make_unique<Dart>(*border_rules_.at(level.level, star.vertex, any_round_).ring_rules,
                                is_first ? Index(1) : valence);
     else if (!dart)
       dart = std::make_unique<Dart>(scheme_, valence, any_round_);
@@ -398,7 +398,7 @@ private:
   For_chunks for_chunks_;
   Evaluation evaluation_;
   const unsigned any_round_; // with the rules of all later ones
-  Limit_classes<Scheme, FT> border_classes_;
+  Ring_rules_cache<Scheme, FT> border_rules_;
   const std::vector<Index>* some_ = nullptr; // the vertices that are asked for
   // of the border, whether the crease is on its first edge, valence
   std::map<std::tuple<bool, bool, Index>, std::unique_ptr<Dart>> darts_;

@@ -9,11 +9,11 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_DART_LIMIT_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_DART_LIMIT_H
 
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_towers.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_weights.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_class.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_eigenvectors.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_masks.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits_by_kind.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules.h>
 #include <CGAL/PN_subdivision_3/creases/Crease_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
@@ -79,21 +79,21 @@ inline Level_connectivity wheel(Level_connectivity::Index valence, Level_connect
 // What darts of one valence share: the rows of their ring, which is cut open along the crease, and the limit
 // mask. Places are those of Vertex_ring.
 template <class Scheme, class FT>
-class Dart_class
+class Dart_rules
 {
 public:
   using Index = Level_connectivity::Index;
   using Entry = typename Entry_row<FT>::Entry;
   using Row = std::vector<Entry>;
 
-  struct Rules
+  struct Weights
   {
     std::vector<Row> rows;
     Row limit;
   };
 
   // of an interior vertex in a round with the rules of all later ones
-  Dart_class(const Scheme& scheme, Index valence, unsigned round)
+  Dart_rules(const Scheme& scheme, Index valence, unsigned round)
     : crease_places_{1, valence + 1}
   {
     const auto mask_of = [&](auto number, const Level_connectivity& level) {
@@ -110,7 +110,7 @@ public:
     }
   }
   // of a vertex on a border that is a crease on one side, by the ring class of a plain one
-  Dart_class(const Ring_class<Scheme, FT>& border, Index crease_place)
+  Dart_rules(const Ring_rules<Scheme, FT>& border, Index crease_place)
     : crease_places_{crease_place}
     , points_(rules(border.matrix(), border.limit_row()))
     , normals_(rules(border.normal_matrix(), border.normal_limit_row()))
@@ -120,8 +120,8 @@ public:
   bool has_own_normals() const { return has_own_normals_; }
 
   const std::vector<Index>& crease_places() const { return crease_places_; }
-  const Rules& points() const { return points_; }
-  const Rules& normals() const { return normals_; }
+  const Weights& points() const { return points_; }
+  const Weights& normals() const { return normals_; }
 
 private:
   using Host = typename Scheme::Host;
@@ -132,22 +132,22 @@ private:
     for (const auto& [place, weight] : row) result.push_back({place, weight});
     return result;
   }
-  static Rules rules(const Ring_matrix<FT>& matrix, const Ring_row<FT>& limit)
+  static Weights rules(const Ring_matrix<FT>& matrix, const Ring_row<FT>& limit)
   {
-    Rules result;
+    Weights result;
     for (const auto& row : matrix) result.rows.push_back(entries(row));
     result.limit = entries(limit);
     return result;
   }
 
   template <class Mask_of>
-  static void set_rules(const Mask_of& mask_of, Index valence, unsigned round, Rules& result)
+  static void set_rules(const Mask_of& mask_of, Index valence, unsigned round, Weights& result)
   {
-    using Real = Ring_masks::Real;
+    using Real = Ring_eigenvectors::Real;
     const Wheel wheel(valence, round);
     const auto matrix = dart_matrix<FT>(mask_of, wheel, valence);
     const auto real_matrix = dart_matrix<Real>(mask_of, wheel, valence);
-    const Ring_masks masks(real_matrix, Ring_layout());
+    const Ring_eigenvectors masks(real_matrix, Ring_layout());
     if (masks.limit().empty()) throw std::invalid_argument(no_mask(valence));
     result = rules(matrix, limit_weights(masks.limit(), matrix));
   }
@@ -204,7 +204,7 @@ private:
   }
 
   std::vector<Index> crease_places_; // of the slots of the neighbor on the crease
-  Rules points_, normals_;
+  Weights points_, normals_;
   bool has_own_normals_ = false; // otherwise they are refined by the rules of the points
 };
 
@@ -214,7 +214,7 @@ template <class Scheme, class FT>
 class Dart_limit
 {
 public:
-  using Class = Dart_class<Scheme, FT>;
+  using Rules_of_dart = Dart_rules<Scheme, FT>;
   using Average = Average_of_scheme<Scheme, FT>;
   using Value = typename Average::Value;
   using Vector = Coordinates<FT, 3>;
@@ -228,7 +228,7 @@ public:
   Vector far_tangent; // from its neighbor
 
   // returns the limit of the value; the tangent becomes its limit
-  Value evaluate(const Class& dart, Limit_steps<FT>& steps)
+  Value evaluate(const Rules_of_dart& dart, Convergence<FT>& steps)
   {
     const Vector center = point_of(ring.front());
     if constexpr (std::is_floating_point_v<FT>)
@@ -250,7 +250,7 @@ private:
   static constexpr bool is_pn = is_pn_v<Scheme>;
   using Rule = Crease_average<FT, 3>;
   using Entry = typename Rule::Entry;
-  using Row = typename Class::Row;
+  using Row = typename Rules_of_dart::Row;
 
   // without a row of their own the normals are averaged as the points
   Value average(const Row& row, [[maybe_unused]] const Row* normal_row) const
@@ -263,7 +263,7 @@ private:
     return average_(begin, begin + row.size(), ring.data());
   }
 
-  void refine(const Class& dart)
+  void refine(const Rules_of_dart& dart)
   {
     std::vector<Value> next;
     for (std::size_t p = 0; p < ring.size(); ++p)

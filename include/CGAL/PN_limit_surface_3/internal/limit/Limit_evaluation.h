@@ -9,13 +9,13 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_EVALUATION_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_EVALUATION_H
 
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_classes.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_tower.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_towers.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Rim_closure.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits_by_kind.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_planes.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules_cache.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/orient_normals.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
@@ -71,21 +71,21 @@ class Limit_evaluation
 {
 public:
   using Index = Level_connectivity::Index;
-  using Tower = Limit_tower<Scheme, FT, points_alone>;
-  using Value = typename Tower::Value;
-  using Result = typename Tower::Result;
+  using Limits_of_rings = Ring_limits<Scheme, FT, points_alone>;
+  using Value = typename Limits_of_rings::Value;
+  using Result = typename Limits_of_rings::Result;
   using Level = Valued_level<Value>;
-  using Classes = Limit_classes<Scheme, FT>;
+  using Rules_cache = Ring_rules_cache<Scheme, FT>;
   using Result_of = Function_ref<Result&(Index)>;
 
-  // `classes` may be shared with other evaluations of the scheme
+  // `rules_cache` may be shared with other evaluations of the scheme
   Limit_evaluation(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
-                   std::shared_ptr<Classes> classes = nullptr)
+                   std::shared_ptr<Rules_cache> rules_cache = nullptr)
     : scheme_(scheme)
     , neighborhood_(limit_neighborhood(scheme))
     , demand_(demand)
     , for_chunks_(for_chunks)
-    , classes_(classes ? std::move(classes) : std::make_shared<Classes>(scheme))
+    , rules_cache_(rules_cache ? std::move(rules_cache) : std::make_shared<Rules_cache>(scheme))
   {}
 
   // of all vertices, in the round that is next, or of some, whose results have the places that they have among all
@@ -111,12 +111,12 @@ public:
   void require_depth(unsigned depth, unsigned next_round) const;
 
 private:
-  using Average = typename Tower::Average;
+  using Average = typename Limits_of_rings::Average;
   using One_round = Round<Scheme, Average>;
 
-  using Towers = Limit_towers<Scheme, FT, points_alone>;
-  using Rings = Gathered_rings<Value, typename Towers::Vertex>;
-  using Vertices = std::vector<typename Towers::Vertex>;
+  using Limits = Ring_limits_by_kind<Scheme, FT, points_alone>;
+  using Rings = Gathered_rings<Value, typename Limits::Vertex>;
+  using Vertices = std::vector<typename Limits::Vertex>;
 
   enum class Vertex_state : char {
     evaluated,
@@ -147,29 +147,29 @@ private:
 
   // calls f() for ranges [begin, end) of [0, n), each with gathered rings of its own
   template <class Function>
-  void with_towers(std::size_t n, const Function& f) const
+  void with_limits(std::size_t n, const Function& f) const
   {
     const Caller_precision<FT> precision;
     for_chunks_(static_cast<Index>(n), [&](Index begin, Index end) {
       const typename Caller_precision<FT>::In_this_thread same(precision);
-      Towers towers(demand_);
-      f(towers, begin, end);
-      towers.finish();
+      Limits limits(demand_);
+      f(limits, begin, end);
+      limits.finish();
     });
   }
 
-  void put_rings(const Level_connectivity& level, Rings& rings, Towers& towers) const
+  void put_rings(const Level_connectivity& level, Rings& rings, Limits& limits) const
   {
-    rings.take([&](const typename Towers::Vertex& vertex, const auto& value) {
-      towers.add(vertex, is_regular_spline(level, vertex.v), value);
+    rings.take([&](const typename Limits::Vertex& vertex, const auto& value) {
+      limits.add(vertex, is_regular_spline(level, vertex.v), value);
     });
   }
 
   void evaluate_in_next_ring(const Level& level, const Vertices& vertices, unsigned number) const
   {
-    if constexpr (Settled_neighborhood<Scheme>::may_have_next_ring) {
+    if constexpr (Has_final_rules<Scheme>::may_have_next_ring) {
       const One_round round(scheme_, level.level, number);
-      with_towers(vertices.size(), [&](Towers& towers, Index begin, Index end) {
+      with_limits(vertices.size(), [&](Limits& limits, Index begin, Index end) {
         std::vector<Index> rings;
         std::vector<Value> values;
         for (Index first = begin; first < end; first += batch) {
@@ -185,9 +185,9 @@ private:
           const Value* ring = values.data();
           for (Index i = first; i < last; ++i) {
             ++vertices[i].result->depth;
-            towers.add(vertices[i], is_regular_spline(level.level, vertices[i].v),
+            limits.add(vertices[i], is_regular_spline(level.level, vertices[i].v),
                        [&](std::size_t p) -> const Value& { return ring[p]; });
-            ring += vertices[i].kind->ring_class->size();
+            ring += vertices[i].kind->ring_rules->size();
           }
         }
       });
@@ -198,7 +198,7 @@ private:
   bool is_regular_spline(const Level_connectivity& level, Index v) const
   {
     if (!demand_.curvatures || !neighborhood_.is_spline || level.is_border_vertex(v)) return false;
-    return level.valence(v) == Settled_neighborhood<Scheme>::regular_valence;
+    return level.valence(v) == Has_final_rules<Scheme>::regular_valence;
   }
 
   // the next level; `vertices` are given, and come back, as their numbers there
@@ -232,7 +232,7 @@ private:
   const Limit_neighborhood neighborhood_;
   const Limit_demand& demand_;
   For_chunks for_chunks_;
-  std::shared_ptr<Classes> classes_;
+  std::shared_ptr<Rules_cache> rules_cache_;
 };
 
 template <class Scheme, class FT, bool points_alone>
@@ -278,7 +278,7 @@ auto Limit_evaluation<Scheme, FT, points_alone>::evaluate_settled(
   Result_of result_of) -> std::vector<Index>
 {
   const unsigned first_final_round = first_tuned_round(scheme_);
-  const Settled_neighborhood<Scheme> is_settled(scheme_, level.level,
+  const Has_final_rules<Scheme> has_final_rules(scheme_, level.level,
                                                 next_round >= first_final_round);
   const bool keeps_points =
     neighborhood_.keeps_points &&
@@ -286,8 +286,8 @@ auto Limit_evaluation<Scheme, FT, points_alone>::evaluate_settled(
   const bool is_final_then = next_round + 1 >= first_final_round;
   std::vector<Vertex_state> states(vertices.size());
   // all about a vertex in one go: what is read of the level is at hand then
-  with_towers(vertices.size(), [&](Towers& towers, Index begin, Index end) {
-    typename Classes::Recent kind_of(*classes_, level.level, next_round);
+  with_limits(vertices.size(), [&](Limits& limits, Index begin, Index end) {
+    typename Rules_cache::Recent kind_of(*rules_cache_, level.level, next_round);
     Rings rings(level.values);
     std::array<Index, most_at_once> valences;
     for (Index i = begin; i < end; ++i) {
@@ -300,21 +300,21 @@ auto Limit_evaluation<Scheme, FT, points_alone>::evaluate_settled(
       result.depth = depth;
       if (valences[in_part] == 0 || keeps_points)
         result.value = level.values[v];
-      else if (is_settled(v)) {
+      else if (has_final_rules(v)) {
         const auto* kind = &kind_of(v, valences[in_part]);
         rings.add({v, &result, kind}, [&](std::vector<Index>& ring) {
-          Classes::append_ring(level.level, v, *kind, ring);
+          Rules_cache::append_ring(level.level, v, *kind, ring);
         });
-        if (rings.is_full()) put_rings(level.level, rings, towers);
+        if (rings.is_full()) put_rings(level.level, rings, limits);
       } else
-        states[i] = is_final_then && is_settled.in_next_ring(v) ? Vertex_state::settled_then
-                                                                : Vertex_state::unsettled;
+        states[i] = is_final_then && has_final_rules.in_next_ring(v) ? Vertex_state::settled_then
+                                                                     : Vertex_state::unsettled;
     }
-    put_rings(level.level, rings, towers);
+    put_rings(level.level, rings, limits);
   });
   Vertices in_next_ring;
   std::vector<Index> unsettled;
-  typename Classes::Recent kind_of(*classes_, level.level, next_round + 1);
+  typename Rules_cache::Recent kind_of(*rules_cache_, level.level, next_round + 1);
   for (Index i = 0; i < vertices.size(); ++i)
     if (states[i] == Vertex_state::settled_then)
       in_next_ring.push_back(

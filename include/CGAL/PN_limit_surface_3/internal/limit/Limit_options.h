@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
-#include <CGAL/PN_subdivision_3/internal/own_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/package_parameters.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 
 #include <algorithm>
@@ -164,11 +164,11 @@ inline double limit_error(double factor, double ratio, double step, double& last
 // Decides when the averages of a limit mask over values that are refined by themselves have come close
 // enough to the limit.
 template <class FT, int dimension = 3>
-class Limit_steps
+class Convergence
 {
 public:
   // ratio: that of the differences in a row; is_exact: whether the first average is the limit
-  Limit_steps(const Limit_demand& demand, bool is_exact, double ratio)
+  Convergence(const Limit_demand& demand, bool is_exact, double ratio)
     : demand_(demand)
     , is_exact_(is_exact)
     , ratio_(ratio)

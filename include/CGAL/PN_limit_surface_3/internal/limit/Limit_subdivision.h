@@ -14,12 +14,12 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Kept_attributes.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Refined_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
@@ -58,15 +58,16 @@ public:
   Limit_subdivision(const Scheme&, unsigned, const Limit_options&, const Function&&) = delete;
 
   template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
-            class Carry, class Limit_maps>
+            class Attributes, class Limit_maps>
   Limit_report operator()(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
-                          Vertex_map vertex_map, const Carry& carry, const Limit_maps& maps) const
+                          Vertex_map vertex_map, const Attributes& attributes,
+                          const Limit_maps& maps) const
   {
     static_assert(check_no_grid_rows<Scheme>());
     Limit_report report;
     if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
       require_crease_rules(scheme_, access, normals, edge_map, vertex_map);
-      report = subdivide(access, points, normals, edge_map, vertex_map, carry, maps);
+      report = subdivide(access, points, normals, edge_map, vertex_map, attributes, maps);
     }
     return report;
   }
@@ -80,13 +81,14 @@ private:
   using Limit_value = Point_normal<FT, 3>;
 
   template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
-            class Carry, class Limit_maps>
+            class Attributes, class Limit_maps>
   Limit_report subdivide(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
-                         Vertex_map vertex_map, const Carry& carry, const Limit_maps& maps) const
+                         Vertex_map vertex_map, const Attributes& attributes,
+                         const Limit_maps& maps) const
   {
     Level_connectivity level = checked_level(access);
     check_scheme<Scheme, Element_names>(scheme_, level, access);
-    Mesh_creases_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
+    Mesh_values_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
       scheme_, access, level, edge_map, vertex_map);
     auto creases = of_mesh.creases(level);
     const unsigned rounds = number_of_rounds(level, rounds_);
@@ -96,17 +98,17 @@ private:
     std::vector<Value> values = of_mesh.values(level, points, normals, creases);
     using Writers = Normal_writers<Access, Normal_map>;
     typename Writers::Corner_writer corners(access, level, normals);
-    Carried_through<FT, Host, Carry> carried(
-      carry, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()),
-      Carry::is_empty ? Control_sharpness() : of_mesh.sharpness(level), for_chunks_);
+    Call_attribute_rounds<FT, Host, Attributes> attribute_rounds(
+      attributes, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()),
+      Attributes::is_empty ? Control_sharpness() : of_mesh.sharpness(level), for_chunks_);
     const Rules_of<Scheme>& rules = rules_of(scheme_);
     Level_refiner<Rules_of<Scheme>, Average, decltype(creases)> refiner(
       rules, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
     std::vector<Value>().swap(values);
-    refine(rounds, rules, refiner, carried);
+    refine(rounds, rules, refiner, attribute_rounds);
     auto last = refiner.next_round();
-    carried.begin_round(rules, refiner, last, Kind_of_round::last_put_later);
-    Level refined = refined_level(refiner, last, carried.rows());
+    attribute_rounds.begin_round(rules, refiner, last, Kind_of_round::last_put_later);
+    Level refined = refined_level(refiner, last, attribute_rounds.rows());
     refiner.release_values();
     report_last_round(round_done_, rounds, rounds_, size);
     auto limit_creases = last.refined_creases();
@@ -124,7 +126,7 @@ private:
       put_limits(limits, refined.values, static_cast<Index>(size.vertices), writer);
       put_corner_normals<Maps_writer::is_any_given>(corners, refined.level, limit_creases, limits);
       of_limits.write(limits, static_cast<Index>(size.vertices));
-      carried.put(refiner, last.round());
+      attribute_rounds.put(refiner, last.round());
       of_mesh.put_sharpness(limit_creases, size, rounds);
       of_mesh.put_tangents(limit_creases, size);
       put_connectivity(last.round(), access, for_chunks_, [&] {
@@ -132,14 +134,14 @@ private:
         of_limits.keep();
         corners.keep();
         of_mesh.keep();
-        carried.keep();
+        attribute_rounds.keep();
       });
     };
     if (puts_normals())
       put(Writers::vertex_map(normals));
     else
       put(No_normal_map());
-    carried.visit(access, refiner, last.round());
+    attribute_rounds.visit(access, refiner, last.round());
     limits.resize(size.vertices);
     return limit_report(limits, demand);
   }
@@ -148,15 +150,15 @@ private:
   bool puts_normals() const { return is_pn_v<Scheme> || options_.surface_normals; }
 
   // all rounds but the last one
-  template <class Refiner, class Carried>
+  template <class Refiner, class Attribute_rounds>
   void refine(unsigned rounds, const Rules_of<Scheme>& rules, Refiner& refiner,
-              Carried& carried) const
+              Attribute_rounds& attribute_rounds) const
   {
     for (unsigned k = 1; k < rounds; ++k) {
-      carried.refine(rules, refiner);
+      attribute_rounds.refine(rules, refiner);
       round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
     }
-    carried.before_cut(refiner);
+    attribute_rounds.before_cut(refiner);
   }
 
   // at the slots of the refined level; the creases get the tangents of the limit

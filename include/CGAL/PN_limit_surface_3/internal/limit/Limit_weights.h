@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_WEIGHTS_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_WEIGHTS_H
 
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_masks.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_eigenvectors.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/Weight_number.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
@@ -261,7 +261,8 @@ bool is_left_eigenvector(const std::vector<std::pair<std::uint32_t, FT>>& row,
 // types than those of the processor get them from the matrix, with all the precision that they have.
 template <class FT>
 std::vector<std::pair<std::uint32_t, FT>>
-limit_weights(const Ring_masks::Vector& limit, [[maybe_unused]] const Ring_matrix<FT>& matrix)
+limit_weights(const Ring_eigenvectors::Vector& limit,
+              [[maybe_unused]] const Ring_matrix<FT>& matrix)
 {
   if constexpr (!is_exact_v<FT> && !std::is_floating_point_v<FT>) return Limit_row<FT>(matrix)();
   std::size_t largest = 0;

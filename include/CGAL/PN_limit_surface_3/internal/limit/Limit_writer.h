@@ -10,8 +10,8 @@
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_WRITER_H
 
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_tower.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_class.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules.h>
 #include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>

@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_LANES_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_LANES_H
 
-#include <CGAL/PN_subdivision_3/internal/rows/Wide_PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Vectorized_PN_average.h>
 
 #include <boost/config.hpp>
 

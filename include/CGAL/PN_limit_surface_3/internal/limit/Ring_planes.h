@@ -9,9 +9,9 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_PLANES_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_PLANES_H
 
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_class.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_lanes.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/orient_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -33,8 +33,8 @@ template <class Scheme, class FT>
 class Ring_planes
 {
 public:
-  using Class = Ring_class<Scheme, FT>;
-  using Value = typename Class::Value;
+  using Rules = Ring_rules<Scheme, FT>;
+  using Value = typename Rules::Value;
   using Vector = Coordinates<double, 3>;
 
   // tangent to a ring at its limit, if there is one
@@ -48,9 +48,9 @@ public:
     bool is_against_faces = false; // the faces around the vertex at place 0
   };
 
-  explicit Ring_planes(const Class& ring_class)
-    : class_(ring_class)
-    , planes_(ring_class.copies())
+  explicit Ring_planes(const Rules& ring_rules)
+    : rules_(ring_rules)
+    , planes_(ring_rules.copies())
   {}
 
   // `ring()` becomes ring c about its limit, divided by a power of two if squares of its size would be out of
@@ -60,9 +60,9 @@ public:
     constexpr int harmless = 200;
     double size = 0, largest = 0;
     const Coordinates<FT, 3>& center = point_of(limits[c]);
-    ring_.resize(class_.size());
-    for (std::size_t p = 0; p < class_.size(); ++p) {
-      Value v(rings[p * class_.copies() + c]);
+    ring_.resize(rules_.size());
+    for (std::size_t p = 0; p < rules_.size(); ++p) {
+      Value v(rings[p * rules_.copies() + c]);
       for (const FT& x : point_of(v)) largest = (std::max)(largest, std::abs(close_double(x)));
       add_multiple<FT, 3>(point_of(v), FT(-1), center);
       ring_[p] = to_double_value(v);
@@ -75,7 +75,7 @@ public:
     rounding_ = rounding_of(std::ldexp(largest, -exponent_));
     Point_normal<double, 3> limit = to_double_value(limits[c]);
     limit.point = {};
-    return Ring_geometry(ring_, limit, class_.tangents(), class_.roundness_at(limits[c]));
+    return Ring_geometry(ring_, limit, rules_.tangents(), rules_.roundness_at(limits[c]));
   }
   const std::vector<Point_normal<double, 3>>& ring() const { return ring_; }
   // of the power of two by which `ring()` is divided
@@ -108,15 +108,15 @@ private:
   void find_side_by_side(const Value* rings, const Value* limits, std::size_t first,
                          std::size_t end)
   {
-    lanes_.ring.resize(class_.size());
+    lanes_.ring.resize(rules_.size());
     for (std::size_t l = 0; l < Ring_lanes::lanes; ++l) {
       const std::size_t c = (std::min)(first + l, end - 1);
-      for (std::size_t p = 0; p < class_.size(); ++p)
-        set_place(lanes_.ring[p], l, rings[p * class_.copies() + c]);
+      for (std::size_t p = 0; p < rules_.size(); ++p)
+        set_place(lanes_.ring[p], l, rings[p * rules_.copies() + c]);
       set_place(lanes_.limit, l, limits[c]);
-      lanes_.roundness[l] = class_.roundness_at(limits[c]);
+      lanes_.roundness[l] = rules_.roundness_at(limits[c]);
     }
-    lanes_.find(class_.tangents(), fan());
+    lanes_.find(rules_.tangents(), fan());
     for (std::size_t l = 0; first + l < end; ++l)
       if (lanes_.is_found[l])
         planes_[first + l] = {true,
@@ -149,7 +149,7 @@ private:
     return result;
   }
 
-  Ring_lanes::Fan fan() const { return {class_.number_of_neighbors(), !class_.is_at_border()}; }
+  Ring_lanes::Fan fan() const { return {rules_.number_of_neighbors(), !rules_.is_at_border()}; }
 
   static constexpr bool has_lanes = is_pn_v<Scheme> && std::is_same_v<FT, double>;
 
@@ -171,7 +171,7 @@ private:
     return 4 * (rounding / size + std::numeric_limits<double>::epsilon());
   }
 
-  const Class& class_;
+  const Rules& rules_;
   std::vector<Plane> planes_;
   std::vector<Point_normal<double, 3>> ring_;
   int exponent_ = 0;

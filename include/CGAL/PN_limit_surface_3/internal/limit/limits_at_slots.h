@@ -18,7 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
@@ -113,7 +113,7 @@ void with_slot_level(const Access& access, const Scheme& scheme, Point_map point
     Valued_level<typename Average_of_scheme<Scheme, FT>::Value> level;
     level.level = checked_level(access);
     check_scheme<Scheme, Element_names>(scheme, level.level, access);
-    Mesh_creases_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
+    Mesh_values_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
       scheme, access, level.level, edge_map, vertex_map);
     auto creases = of_mesh.creases(level.level);
     require_sharp_for_ever<FT>(access, creases, rounds);
@@ -129,10 +129,10 @@ template <class FT, bool points_alone = false, class Scheme, class Level, class 
 auto limits_at_slots(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
                      Level& level, Level_creases& creases, unsigned next_round,
                      const std::vector<Level_connectivity::Index>* some = nullptr,
-                     std::shared_ptr<Limit_classes<Scheme, FT>> classes = nullptr)
+                     std::shared_ptr<Ring_rules_cache<Scheme, FT>> rules_cache = nullptr)
 {
   Limits_of_level<Scheme, FT, Level_creases, points_alone> limits(scheme, demand, for_chunks,
-                                                                  std::move(classes));
+                                                                  std::move(rules_cache));
   return limits(level, creases, next_round, some);
 }
 

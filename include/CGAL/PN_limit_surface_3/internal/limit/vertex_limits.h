@@ -10,15 +10,15 @@
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_VERTEX_LIMITS_H
 
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_tower.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_writer.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_class.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/orient_normals.h>
 #include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
@@ -40,9 +40,9 @@ class Face_limits
 {
 public:
   using Index = Level_connectivity::Index;
-  using Tower = Limit_tower<Scheme, FT>;
-  using Result = typename Tower::Result;
-  using Level = Valued_level<typename Tower::Value>;
+  using Limits_of_rings = Ring_limits<Scheme, FT>;
+  using Result = typename Limits_of_rings::Result;
+  using Level = Valued_level<typename Limits_of_rings::Value>;
 
   Face_limits(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks)
     : scheme_(scheme)
@@ -54,28 +54,28 @@ public:
   {
     const Index n = level.level.number_of_faces();
     for (Index f = 0; f < n; ++f) {
-      auto& ring_class = classes_[level.level.degree(level.level.halfedge_of_face(f))];
-      if (!ring_class) ring_class = make(level.level.degree(level.level.halfedge_of_face(f)));
+      auto& ring_rules = rules_by_degree_[level.level.degree(level.level.halfedge_of_face(f))];
+      if (!ring_rules) ring_rules = make(level.level.degree(level.level.halfedge_of_face(f)));
     }
     std::vector<Result> results(n);
     const Caller_precision<FT> precision;
     for_chunks_(n, [&](Index begin, Index end) {
       const typename Caller_precision<FT>::In_this_thread same(precision);
-      std::map<Index, std::unique_ptr<Tower>> towers;
+      std::map<Index, std::unique_ptr<Limits_of_rings>> limits_by_degree;
       std::vector<Index> ring;
       for (Index f = begin; f < end; ++f) {
         ring.clear();
         for_each_halfedge_of_face(level.level, f,
                                   [&](Index h) { ring.push_back(level.level.target(h)); });
-        auto& tower = towers[static_cast<Index>(ring.size())];
-        if (!tower)
-          tower =
-            std::make_unique<Tower>(*classes_.at(static_cast<Index>(ring.size())), demand_, false);
-        tower->add(
+        auto& limits_of_rings = limits_by_degree[static_cast<Index>(ring.size())];
+        if (!limits_of_rings)
+          limits_of_rings = std::make_unique<Limits_of_rings>(
+            *rules_by_degree_.at(static_cast<Index>(ring.size())), demand_, false);
+        limits_of_rings->add(
           [&](std::size_t p) -> const auto& { return level.values[ring[p]]; }, results[f]);
-        if (tower->is_full()) tower->evaluate();
+        if (limits_of_rings->is_full()) limits_of_rings->evaluate();
       }
-      for (auto& entry : towers) entry.second->evaluate();
+      for (auto& entry : limits_by_degree) entry.second->evaluate();
     });
     const auto point = [&](Index v) { return to_double_3(point_of(level.values[v])); };
     if (demand_.surface_normals)
@@ -86,10 +86,10 @@ public:
   }
 
 private:
-  using Class = Ring_class<Scheme, FT>;
+  using Rules = Ring_rules<Scheme, FT>;
 
   // from a level of one face: its new vertices are the corners in their order
-  std::unique_ptr<Class> make(Index degree) const
+  std::unique_ptr<Rules> make(Index degree) const
   {
     Level_size size;
     size.vertices = size.edges = size.corners = degree;
@@ -115,13 +115,13 @@ private:
     layout.first = 0;
     layout.number = degree;
     layout.clockwise = false;
-    return std::make_unique<Class>(scheme_, std::vector<Ring_round>{{level, 1, rings}}, layout);
+    return std::make_unique<Rules>(scheme_, std::vector<Ring_round>{{level, 1, rings}}, layout);
   }
 
   const Scheme& scheme_;
   const Limit_demand& demand_;
   For_chunks for_chunks_;
-  std::map<Index, std::unique_ptr<Class>> classes_;
+  std::map<Index, std::unique_ptr<Rules>> rules_by_degree_;
 };
 
 // The limits of a mesh, at its slots if it has creases.

@@ -8,8 +8,8 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_LIMIT_CELLS_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_LIMIT_CELLS_H
 
+#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Spline_piece.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>

@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_LEVELS_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_LEVELS_H
 
-#include <CGAL/PN_limit_surface_3/internal/pieces/Whole_level.h>
+#include <CGAL/PN_limit_surface_3/internal/pieces/Global_ids.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
@@ -36,7 +36,7 @@ public:
   using Index = Level_connectivity::Index;
 
   // the arguments must stay
-  Child_elements(const Piece_elements& elements, const Host& host, const Whole_level& whole,
+  Child_elements(const Piece_elements& elements, const Host& host, const Global_level& whole,
                  const For_chunks& for_chunks)
     : elements_(elements)
     , host_(host)
@@ -44,23 +44,23 @@ public:
     , for_chunks_(for_chunks)
   {}
 
-  Numbered_elements vertices(std::size_t size) const
+  Global_ids vertices(std::size_t size) const
   {
     return children(
       size, [&](Index c) { return host_.parent_of_vertex(c); },
-      [&](const Whole_parent& p) { return numbering_.vertex(p); });
+      [&](const Global_parent& p) { return numbering_.vertex(p); });
   }
-  Numbered_elements edges(std::size_t size) const
+  Global_ids edges(std::size_t size) const
   {
     return children(
       size, [&](Index c) { return host_.parent_of_edge(c); },
-      [&](const Whole_parent& p) { return numbering_.edge(p); });
+      [&](const Global_parent& p) { return numbering_.edge(p); });
   }
-  Numbered_elements faces(std::size_t size) const
+  Global_ids faces(std::size_t size) const
   {
     return children(
       size, [&](Index c) { return host_.parent_of_face(c); },
-      [&](const Whole_parent& p) { return numbering_.face(p); });
+      [&](const Global_parent& p) { return numbering_.face(p); });
   }
   Piece_elements all(const Level_size& size) const
   {
@@ -71,18 +71,17 @@ private:
   using Kind = Element_parent::Kind;
 
   template <class Parent_of, class Number_of>
-  Numbered_elements children(std::size_t size, const Parent_of& parent_of,
-                             const Number_of& number) const
+  Global_ids children(std::size_t size, const Parent_of& parent_of, const Number_of& number) const
   {
-    Numbered_elements result(size);
+    Global_ids result(size);
     for_chunks_(static_cast<Index>(size), [&](Index begin, Index end) {
       for (Index c = begin; c < end; ++c) {
         const Element_parent p = parent_of(c);
-        const Numbered_elements& parents = p.kind == Kind::vertex ? elements_.vertices
-                                           : p.kind == Kind::edge ? elements_.edges
-                                                                  : elements_.faces;
-        const auto kind = static_cast<Whole_parent::Kind>(p.kind);
-        result.set(c, number(Whole_parent{kind, parents.number(p.index), p.ordinal}),
+        const Global_ids& parents = p.kind == Kind::vertex ? elements_.vertices
+                                    : p.kind == Kind::edge ? elements_.edges
+                                                           : elements_.faces;
+        const auto kind = static_cast<Global_parent::Kind>(p.kind);
+        result.set(c, number(Global_parent{kind, parents.number(p.index), p.ordinal}),
                    parents.is_owned(p.index));
       }
     });
@@ -91,11 +90,11 @@ private:
 
   const Piece_elements& elements_;
   const Host& host_;
-  Whole_numbering<Host> numbering_;
+  Global_numbering<Host> numbering_;
   const For_chunks& for_chunks_;
 };
 
-inline Face_marks owned_faces(const Numbered_elements& faces)
+inline Face_marks owned_faces(const Global_ids& faces)
 {
   Face_marks is_owned(faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f) is_owned[f] = faces.is_owned(f) ? 1 : 0;
@@ -104,11 +103,11 @@ inline Face_marks owned_faces(const Numbered_elements& faces)
 
 // What the numbers of the elements depend on, from a level that is held up to the last one.
 template <class Host>
-class Whole_levels
+class Global_levels
 {
 public:
   // the first level, the number of its round, and that of the last one
-  Whole_levels(const Level_connectivity& base, unsigned base_round, unsigned last_round)
+  Global_levels(const Level_connectivity& base, unsigned base_round, unsigned last_round)
     : base_round_(base_round)
   {
     levels_.push_back({base.size(), Face_corners<std::uint64_t>(base)});
@@ -118,41 +117,41 @@ public:
   }
 
   // after round k
-  const Whole_level& operator[](unsigned k) const { return levels_[k - base_round_]; }
-  const Whole_level& back() const { return levels_.back(); }
+  const Global_level& operator[](unsigned k) const { return levels_[k - base_round_]; }
+  const Global_level& back() const { return levels_.back(); }
 
 private:
   unsigned base_round_;
-  std::vector<Whole_level> levels_;
+  std::vector<Global_level> levels_;
 };
 
 // What pieces are asked for, whatever the scheme.
 template <class Average>
-class Kept_pieces
+class Abstract_pieces
 {
 public:
   using Index = Level_connectivity::Index;
   using Value = typename Average::Value;
-  using Attributes = Carried_attributes<typename Average::FT>;
+  using Attributes = Control_attributes<typename Average::FT>;
 
   // takes (connectivity, its vertices, its faces), to be moved, once and then (vertex, value), of different
   // vertices from different threads; at last (half-edge, wedge, value) for the corners of vertices with several
   // wedges, in increasing order
   struct Output
   {
-    Function_ref<void(Level_connectivity&, Numbered_elements&, Numbered_elements&)> begin;
+    Function_ref<void(Level_connectivity&, Global_ids&, Global_ids&)> begin;
     Function_ref<void(Index, const Value&)> put;
     Function_ref<void(Index, Index, const Value&)> put_corner;
     Function_ref<void(Attributes&)> put_attributes; // if there are any, before the end
   };
 
-  Kept_pieces() = default;
-  Kept_pieces(const Kept_pieces&) = delete;
-  Kept_pieces& operator=(const Kept_pieces&) = delete;
-  virtual ~Kept_pieces() = default;
+  Abstract_pieces() = default;
+  Abstract_pieces(const Abstract_pieces&) = delete;
+  Abstract_pieces& operator=(const Abstract_pieces&) = delete;
+  virtual ~Abstract_pieces() = default;
 
   // after all rounds
-  virtual const Whole_level& result() const = 0;
+  virtual const Global_level& result() const = 0;
   // the level that is divided
   virtual const Level_connectivity& base() const = 0;
   // the degree of all faces that a round makes
@@ -172,28 +171,28 @@ inline Face_marks owned_with_rings(const Level_connectivity& level, const Piece_
 
 // What a piece keeps of its last level: faces, their vertices, and the corners of vertices with several wedges.
 template <class Average, class Level_creases>
-class Kept_level
+class Last_level_of_piece
 {
 public:
   using FT = typename Average::FT;
   using Value = typename Average::Value;
   using Index = Level_connectivity::Index;
-  using Output = typename Kept_pieces<Average>::Output;
+  using Output = typename Abstract_pieces<Average>::Output;
   using Slot_value = std::pair<Index, Value>;
 
   // Puts the connectivity of the faces that are owned and of the rings around them, and their attributes.
-  template <class Carried, class Any_output>
-  Kept_level(const Level_connectivity& level, const Piece_elements& elements,
-             [[maybe_unused]] const Level_creases& creases, bool has_isolated, unsigned rings,
-             const Carried& attributes, const Any_output& out)
+  template <class Attribute_rounds, class Any_output>
+  Last_level_of_piece(const Level_connectivity& level, const Piece_elements& elements,
+                      [[maybe_unused]] const Level_creases& creases, bool has_isolated,
+                      unsigned rings, const Attribute_rounds& attributes, const Any_output& out)
   {
     const Face_marks kept = owned_with_rings(level, elements, rings);
     const All_candidates candidates(level, kept);
     Extraction extraction(level, candidates, has_isolated);
-    Numbered_elements vertices = elements_of_part(extraction.old_vertices(), elements.vertices);
-    Numbered_elements faces = elements_of_part(extraction.old_faces(), elements.faces);
+    Global_ids vertices = elements_of_part(extraction.old_vertices(), elements.vertices);
+    Global_ids faces = elements_of_part(extraction.old_faces(), elements.faces);
     Level_part part(extraction, bool(attributes));
-    if constexpr (!std::is_empty_v<Carried>)
+    if constexpr (!std::is_empty_v<Attribute_rounds>)
       if (attributes)
         out.put_attributes(
           attributes.part(part, part.creases_and_slots(level, creases).second, level)

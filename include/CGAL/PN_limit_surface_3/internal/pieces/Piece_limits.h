@@ -8,13 +8,13 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_LIMITS_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_LIMITS_H
 
+#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_writer.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_limit_surface_3/internal/pieces/Piece_refiner.h>
 #include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
-#include <CGAL/PN_subdivision_3/internal/own_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/package_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 
 #include <cstddef>
@@ -32,13 +32,13 @@ public:
   using Index = Level_connectivity::Index;
   using Limit = Limit_result<Average>;
 
-  // that of Kept_pieces, with what the rounds have given besides
+  // that of Abstract_pieces, with what the rounds have given besides
   struct Limit_output
   {
-    Function_ref<void(Level_connectivity&, Numbered_elements&, Numbered_elements&)> begin;
+    Function_ref<void(Level_connectivity&, Global_ids&, Global_ids&)> begin;
     Function_ref<void(Index, const Limit&, const typename Average::Value&)> put;
     Function_ref<void(Index, Index, const Limit&)> put_corner;
-    Function_ref<void(Carried_attributes<typename Average::FT>&)> put_attributes;
+    Function_ref<void(Control_attributes<typename Average::FT>&)> put_attributes;
   };
 
   virtual ~Pieces_at_limit() = default;
@@ -48,15 +48,15 @@ public:
 };
 
 // Refines pieces, and puts their vertices on the limit surface.
-template <class Scheme, class Average, class Level_creases, bool carries>
-class Piece_limits final : public Piece_refiner<Scheme, Average, Level_creases, carries>,
+template <class Scheme, class Average, class Level_creases, bool has_attributes>
+class Piece_limits final : public Piece_refiner<Scheme, Average, Level_creases, has_attributes>,
                            public Pieces_at_limit<Average>
 {
-  using Base = Piece_refiner<Scheme, Average, Level_creases, carries>;
-  using typename Base::Carried;
+  using Base = Piece_refiner<Scheme, Average, Level_creases, has_attributes>;
+  using typename Base::Attribute_rounds;
   using typename Base::FT;
   using Index = typename Base::Index;
-  using typename Base::Kept;
+  using typename Base::Last_level;
   using typename Base::Part;
   using typename Base::Value;
   using typename Base::Values;
@@ -65,8 +65,8 @@ class Piece_limits final : public Piece_refiner<Scheme, Average, Level_creases, 
 
 public:
   Piece_limits(const Scheme& scheme, Level_connectivity&& control, Level_creases&& creases,
-               Values&& values, Carried&& attributes, unsigned rounds, std::size_t number_of_pieces,
-               unsigned rings, const For_chunks& for_chunks)
+               Values&& values, Attribute_rounds&& attributes, unsigned rounds,
+               std::size_t number_of_pieces, unsigned rings, const For_chunks& for_chunks)
     : Base(scheme, std::move(control), std::move(creases), std::move(values), std::move(attributes),
            rounds, number_of_pieces, rings, for_chunks, cut_rings(scheme) + more_rings)
   {}
@@ -83,13 +83,13 @@ public:
     Limit_demand here = demand;
     here.has_neighbors = true;
     auto limits = limits_at_slots<FT>(this->scheme(), here, this->for_chunks(), level, part.creases,
-                                      this->rounds() + 1, &some, classes_);
-    const Kept kept(level.level, part.elements, part.creases, has_isolated, rings, part.attributes,
-                    out);
-    kept.for_each_corner(
+                                      this->rounds() + 1, &some, rules_cache_);
+    const Last_level last_level(level.level, part.elements, part.creases, has_isolated, rings,
+                                part.attributes, out);
+    last_level.for_each_corner(
       [&](Index h, Index wedge, Index slot) { out.put_corner(h, wedge, limits[slot]); });
     put_mean_normals<Scheme>(part.creases, limits);
-    return put(kept, part.elements.vertices, level.values, limits, demand, out);
+    return put(last_level, part.elements.vertices, level.values, limits, demand, out);
   }
 
 private:
@@ -112,12 +112,12 @@ private:
     return vertices;
   }
 
-  static Limit_report put(const Kept& kept, const Numbered_elements& elements,
+  static Limit_report put(const Last_level& last_level, const Global_ids& elements,
                           const std::vector<Value>& values, const std::vector<Result>& limits,
                           const Limit_demand& demand, const Limit_output& out)
   {
     std::vector<Result> owned;
-    const auto& vertices = kept.vertices();
+    const auto& vertices = last_level.vertices();
     for (Index i = 0; i < vertices.size(); ++i) {
       const Index v = vertices[i];
       out.put(i, limits[v], values[v]);
@@ -128,8 +128,8 @@ private:
   }
 
   // for all pieces: rules of large valences take long to make
-  const std::shared_ptr<Limit_classes<Scheme, FT>> classes_ =
-    std::make_shared<Limit_classes<Scheme, FT>>(this->scheme());
+  const std::shared_ptr<Ring_rules_cache<Scheme, FT>> rules_cache_ =
+    std::make_shared<Ring_rules_cache<Scheme, FT>>(this->scheme());
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_limit_surface_3/internal/pieces/Divided_level.h>
 #include <CGAL/PN_limit_surface_3/internal/pieces/Piece_levels.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Carried_through.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Call_attribute_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
@@ -50,8 +50,9 @@ unsigned dividing_round(Level_size size, unsigned rounds, std::size_t number_of_
 // together with the rings of faces around these. The last rings go wrong in each round, since faces are
 // missing there, and are cut off. The rules of creases, too, know only what is near: a part of a level has its part of
 // the creases.
-template <class Scheme, class Average, class Level_creases = No_creases, bool carries = false>
-class Piece_refiner : public Kept_pieces<Average>
+template <class Scheme, class Average, class Level_creases = No_creases,
+          bool has_attributes = false>
+class Piece_refiner : public Abstract_pieces<Average>
 {
 public:
   using Host = typename Scheme::Host;
@@ -62,12 +63,13 @@ public:
   using Value = typename Refiner::Value;
   using Values = typename Refiner::Values;
 
-  using Output = typename Kept_pieces<Average>::Output;
-  using Carried = Carried_rounds<FT, Host, carries>; // of the control level
+  using Output = typename Abstract_pieces<Average>::Output;
+  using Attribute_rounds =
+    Optional_attribute_rounds<FT, Host, has_attributes>; // of the control level
 
   // `last_rings`: how many rings of faces the last level shall have right, at least
   Piece_refiner(const Scheme& scheme, Level_connectivity&& control, Level_creases&& creases,
-                Values&& values, Carried&& attributes, unsigned rounds,
+                Values&& values, Attribute_rounds&& attributes, unsigned rounds,
                 std::size_t number_of_pieces, unsigned rings, const For_chunks& for_chunks,
                 unsigned last_rings = 0)
     : scheme_(scheme)
@@ -91,7 +93,7 @@ public:
       if (!base_.creases().empty()) rings_ += more_rings;
       base_slots_.emplace(base_.level(), base_.creases());
     }
-    if constexpr (carries)
+    if constexpr (has_attributes)
       if (attributes_) {
         chart_slots_ = attributes_->slots_of_charts(base_.level());
         if (attributes_->has_charts() && base_.creases().empty()) ++rings_; // as around creases
@@ -102,10 +104,11 @@ public:
                 unsigned rounds, std::size_t number_of_pieces, unsigned rings,
                 const For_chunks& for_chunks)
     : Piece_refiner(scheme, std::move(control), No_creases(control.number_of_vertices()),
-                    std::move(values), Carried(), rounds, number_of_pieces, rings, for_chunks)
+                    std::move(values), Attribute_rounds(), rounds, number_of_pieces, rings,
+                    for_chunks)
   {}
 
-  const Whole_level& result() const override { return wholes_->back(); }
+  const Global_level& result() const override { return wholes_->back(); }
   const Level_connectivity& base() const override { return base_.level(); }
   Index refined_degree() const override { return Host::refined_degree; }
 
@@ -130,7 +133,7 @@ public:
 
 protected:
   static constexpr bool is_creased = are_creases_v<Level_creases>;
-  using Kept = Kept_level<Average, Level_creases>;
+  using Last_level = Last_level_of_piece<Average, Level_creases>;
 
   struct Part
   {
@@ -138,7 +141,7 @@ protected:
     Piece_elements elements;
     Level_creases creases;
     Values values; // of the slots
-    Carried attributes;
+    Attribute_rounds attributes;
   };
 
   // after all rounds
@@ -170,14 +173,14 @@ private:
   struct Nothing
   {};
   using Slots = std::conditional_t<is_creased, std::optional<Corner_slots<FT>>, Nothing>;
-  using Chart_slots = std::conditional_t<carries, std::vector<Corner_slots<FT>>, Nothing>;
+  using Chart_slots = std::conditional_t<has_attributes, std::vector<Corner_slots<FT>>, Nothing>;
 
   // Elements of the level that is divided, which keep their numbers.
   template <class Is_owned>
   struct Base_elements
   {
     Is_owned is_owned;
-    Numbered_elements::Number number(Index i) const { return i; }
+    Global_ids::Number number(Index i) const { return i; }
   };
   template <class Is_owned>
   static Base_elements<Is_owned> base_elements(const Is_owned& is_owned)
@@ -210,7 +213,7 @@ private:
 
   // `slots` and `chart_slots` belong to the level
   template <class Candidates>
-  static Part part_of(const Refiner& level, [[maybe_unused]] const Carried& attributes,
+  static Part part_of(const Refiner& level, [[maybe_unused]] const Attribute_rounds& attributes,
                       Piece_extraction<Candidates>& extraction, Piece_elements&& elements,
                       [[maybe_unused]] const Slots& slot_of,
                       [[maybe_unused]] const Chart_slots& chart_slots)
@@ -226,7 +229,7 @@ private:
       }
     const std::vector<Index>& origins = has_creases ? slots_of_part : cut.vertices;
     part.values = values_of_part(level.values(), origins);
-    if constexpr (carries)
+    if constexpr (has_attributes)
       if (attributes) part.attributes = attributes.part(cut, origins, chart_slots);
     part.level = std::move(cut.level);
     return part;
@@ -241,8 +244,8 @@ private:
   }
 
   // what is owned, and the rings around it
-  Part with_rings(const Refiner& level, const Carried& attributes, const Piece_elements& elements,
-                  bool has_isolated) const
+  Part with_rings(const Refiner& level, const Attribute_rounds& attributes,
+                  const Piece_elements& elements, bool has_isolated) const
   {
     const Face_marks kept =
       owned_with_rings(level.level(), elements, rings_after(level.rounds_done()));
@@ -251,7 +254,7 @@ private:
     Slots slot_of;
     if constexpr (is_creased) slot_of.emplace(level.level(), level.creases());
     Chart_slots chart_slots;
-    if constexpr (carries)
+    if constexpr (has_attributes)
       if (attributes) chart_slots = attributes->slots_of_charts(level.level());
     return part_of(level, attributes, extraction,
                    {elements_of_part(extraction.old_vertices(), elements.vertices),
@@ -298,22 +301,22 @@ private:
     if constexpr (is_creased) {
       const Level_size size = Host::refined_size(level.level().size(), rounds_);
       const auto vertices = static_cast<Index>(size.vertices);
-      const Kept kept =
+      const Last_level last_level =
         put_connectivity(Host(level.level(), rounds_),
                          Refined_creases<FT>(level.creases(), level.level(), vertices).creases);
       One_round one = level.next_round();
-      put_values(level, one.round(), kept, out);
-      kept.put_on_creases(one.crease_values(for_chunks_), vertices, out);
+      put_values(level, one.round(), last_level, out);
+      last_level.put_on_creases(one.crease_values(for_chunks_), vertices, out);
     } else {
       One_round one = level.next_round();
       put_values(level, one, put_connectivity(one.host(), one.refined_creases()), out);
     }
   }
 
-  void put_values(const Refiner& level, const typename Refiner::Rows& rows, const Kept& kept,
-                  const Output& out) const
+  void put_values(const Refiner& level, const typename Refiner::Rows& rows,
+                  const Last_level& last_level, const Output& out) const
   {
-    const auto& vertices = kept.vertices();
+    const auto& vertices = last_level.vertices();
     const auto put = [&](const Index* vertex, const Value* values, Index n) {
       for (Index i = 0; i < n; ++i)
         out.put(static_cast<Index>(vertex + i - vertices.data()), values[i]);
@@ -330,34 +333,35 @@ private:
       level.evaluate(rows, vertices.data(), static_cast<Index>(vertices.size()), put);
   }
 
-  Kept put_connectivity(const Refiner& level, const Host& host, const Piece_elements& elements,
-                        const Level_creases& creases, bool has_isolated, unsigned rings,
-                        const Output& out) const
+  Last_level put_connectivity(const Refiner& level, const Host& host,
+                              const Piece_elements& elements, const Level_creases& creases,
+                              bool has_isolated, unsigned rings, const Output& out) const
   {
     const Child_elements<Host> children(elements, host, (*wholes_)[rounds_ - 1], for_chunks_);
     const Level_size size = Host::refined_size(level.level().size(), rounds_);
     const Level_connectivity child = child_level(host, size, size, for_chunks_);
-    const Piece_elements all{children.vertices(child.size().vertices), Numbered_elements(),
+    const Piece_elements all{children.vertices(child.size().vertices), Global_ids(),
                              children.faces(child.size().faces)};
-    return Kept(child, all, creases, has_isolated, rings, Carried_rounds<FT, Host, false>(), out);
+    return Last_level(child, all, creases, has_isolated, rings,
+                      Optional_attribute_rounds<FT, Host, false>(), out);
   }
 
   // without a round
   static void put(const Part& part, bool has_isolated, unsigned rings, const Output& out)
   {
-    const Kept kept(part.level, part.elements, part.creases, has_isolated, rings, part.attributes,
-                    out);
-    const auto& vertices = kept.vertices();
+    const Last_level last_level(part.level, part.elements, part.creases, has_isolated, rings,
+                                part.attributes, out);
+    const auto& vertices = last_level.vertices();
     for (Index v = 0; v < vertices.size(); ++v) {
       const Value value = part.values[vertices[v]];
       out.put(v, value);
     }
     if constexpr (is_creased) {
-      std::vector<typename Kept::Slot_value> on_creases;
+      std::vector<typename Last_level::Slot_value> on_creases;
       for (const Crease_star& star : part.creases.stars)
         for (Index w = 0; w < star.number_of_wedges; ++w)
           on_creases.emplace_back(star.slot(w), part.values[star.slot(w)]);
-      kept.put_on_creases(std::move(on_creases), part.level.number_of_vertices(), out);
+      last_level.put_on_creases(std::move(on_creases), part.level.number_of_vertices(), out);
     }
   }
 
@@ -365,8 +369,8 @@ private:
   unsigned rings_, more_last_rings_ = 0, rounds_, base_round_;
   For_chunks for_chunks_;
   Refiner base_;
-  Carried attributes_;
-  std::optional<Whole_levels<Host>> wholes_;
+  Attribute_rounds attributes_;
+  std::optional<Global_levels<Host>> wholes_;
   // of the level that is divided
   Slots base_slots_;
   Chart_slots chart_slots_;

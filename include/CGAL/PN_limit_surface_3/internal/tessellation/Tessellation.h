@@ -19,7 +19,7 @@
 #include <CGAL/PN_limit_surface_3/tessellation/Tessellation_result.h>
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>

@@ -69,7 +69,7 @@ struct Corner_attribute_values
 };
 
 // The attributes of a call that are copied without rows; all parts of a level share them.
-struct Carried_copies
+struct Copied_attributes
 {
   template <class T>
   using List = std::vector<std::unique_ptr<T>>;
@@ -77,7 +77,7 @@ struct Carried_copies
   List<Copied_values> edges, faces;
   List<Origin_values> vertex_origins, edge_origins, face_origins;
 
-  void take_parts_of_copied(const Carried_copies& whole)
+  void take_parts_of_copied(const Copied_attributes& whole)
   {
     const auto take = [](auto& parts, const auto& list) {
       for (const auto& values : list) parts.push_back(values->part());
@@ -109,7 +109,7 @@ struct Carried_copies
 
 // The attributes of a call, read from the mesh and its maps before the first round.
 template <class FT>
-struct Carried_attributes : Carried_copies
+struct Control_attributes : Copied_attributes
 {
   List<Row_values<FT>> vertices;
   std::vector<Corner_attribute_values<FT>> corners;
@@ -118,7 +118,7 @@ struct Carried_attributes : Carried_copies
   {
     for (auto& values : vertices) values->keep();
     for (auto& corner : corners) corner.values->keep();
-    Carried_copies::keep();
+    Copied_attributes::keep();
   }
 };
 

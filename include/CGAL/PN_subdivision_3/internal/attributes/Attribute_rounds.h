@@ -57,9 +57,10 @@ public:
 
   // `extra_slots` has the vertices of the further slots, see Creases; `visited` the origins
   // that a visitor asks for
-  Attribute_rounds(Carried_attributes<FT>&& carried, Kinds visited, const Level_connectivity& level,
-                   const std::vector<Index>& extra_slots, const Control_sharpness& sharpness,
-                   const Element_names& names, const For_chunks& for_chunks);
+  Attribute_rounds(Control_attributes<FT>&& attributes, Kinds visited,
+                   const Level_connectivity& level, const std::vector<Index>& extra_slots,
+                   const Control_sharpness& sharpness, const Element_names& names,
+                   const For_chunks& for_chunks);
   // The attributes of a part of a level between two rounds, whose slots in the whole are given. `whole` must stay, and so must
   // `chart_slots`, see slots_of_charts().
   Attribute_rounds(const Attribute_rounds& whole, const Level_part& part, const Indices& slot_ids,
@@ -86,7 +87,7 @@ public:
     return linear_.empty() && smooth_.empty() ? nullptr : &child_sink_;
   }
   // whether put() needs the refined level
-  bool needs_refined_level() const { return !carried_.corners.empty(); }
+  bool needs_refined_level() const { return !attributes_.corners.empty(); }
 
   void end_round();
 
@@ -101,14 +102,14 @@ public:
   template <class Origin_of_element>
   void put(const Level_size& size, const Level_connectivity* refined,
            const Origin_of_element& rules);
-  void keep() noexcept { carried_.keep(); }
+  void keep() noexcept { attributes_.keep(); }
 
   // puts the attributes of a part after all rounds; what has been put is taken from the result
-  Carried_attributes<FT>& put_part(const Level_part& part)
+  Control_attributes<FT>& put_part(const Level_part& part)
   {
     put(part.level.size(), &part.level, Own_origins{origins_});
     keep();
-    return carried_;
+    return attributes_;
   }
   // whether charts are cut, so that their rules look at more faces than the rules of the scheme
   bool has_charts() const { return !smooth_.empty(); }
@@ -277,17 +278,17 @@ private:
       const Origin origin = rules.edge(e);
       sources[e] = origin.kind == Origin::Kind::edge ? origin.index : null;
     }
-    for (auto& values : carried_.edges) values->put(sources);
+    for (auto& values : attributes_.edges) values->put(sources);
   }
   template <class Origin_of_element>
   void put_faces(const Level_size& size, const Origin_of_element& rules)
   {
     std::vector<Index> sources(size.faces);
     for (Index f = 0; f < sources.size(); ++f) sources[f] = control_face(rules.face(f));
-    for (auto& values : carried_.faces) values->put(sources);
+    for (auto& values : attributes_.faces) values->put(sources);
   }
   template <class Origin_of>
-  void put_origins(typename Carried_attributes<FT>::template List<Origin_values>& list,
+  void put_origins(typename Control_attributes<FT>::template List<Origin_values>& list,
                    std::uint64_t number, const Origin_of& origin_of)
   {
     for (auto& values : list) {
@@ -306,7 +307,7 @@ private:
 
   enum class Corner_kind { by_rows, smooth, linear };
 
-  Carried_attributes<FT> carried_;
+  Control_attributes<FT> attributes_;
   const For_chunks for_chunks_;
   Kinds wanted_;
   std::shared_ptr<const Control_faces> control_faces_; // where faces do not come from faces alone
@@ -330,29 +331,29 @@ private:
 };
 
 template <class FT, class Host>
-Attribute_rounds<FT, Host>::Attribute_rounds(Carried_attributes<FT>&& carried, Kinds visited,
+Attribute_rounds<FT, Host>::Attribute_rounds(Control_attributes<FT>&& attributes, Kinds visited,
                                              const Level_connectivity& level,
                                              const std::vector<Index>& extra_slots,
                                              const Control_sharpness& sharpness,
                                              const Element_names& names,
                                              const For_chunks& for_chunks)
-  : carried_(std::move(carried))
+  : attributes_(std::move(attributes))
   , for_chunks_(for_chunks)
 {
   std::vector<Index> slot_vertices = first_indices(level.number_of_vertices());
   slot_vertices.insert(slot_vertices.end(), extra_slots.begin(), extra_slots.end());
-  for (auto& values : carried_.vertices) {
+  for (auto& values : attributes_.vertices) {
     values->begin(slot_vertices);
     by_rows_.push_back({values.get(), {}, true});
   }
-  for (auto& corner : carried_.corners)
+  for (auto& corner : attributes_.corners)
     begin_corners(corner, level, slot_vertices, sharpness, names);
-  wanted_ = carried_.needed_origins();
+  wanted_ = attributes_.needed_origins();
   wanted_.vertices = wanted_.vertices || visited.vertices;
   wanted_.edges = wanted_.edges || visited.edges;
   wanted_.faces = wanted_.faces || visited.faces;
   if constexpr (!Splits_edges<Host>::value) {
-    if (!carried_.edges.empty()) refuse("there is an attribute of edges, but the");
+    if (!attributes_.edges.empty()) refuse("there is an attribute of edges, but the");
     if (wanted_.faces) control_faces_ = std::make_shared<Control_faces>(level);
   }
 }
@@ -365,17 +366,17 @@ Attribute_rounds<FT, Host>::Attribute_rounds(const Attribute_rounds& whole, cons
   , wanted_(whole.wanted_)
   , control_faces_(whole.control_faces_)
 {
-  for (const auto& values : whole.carried_.vertices) {
-    carried_.vertices.push_back(values->part(slot_ids));
-    by_rows_.push_back({carried_.vertices.back().get(), {}, true});
+  for (const auto& values : whole.attributes_.vertices) {
+    attributes_.vertices.push_back(values->part(slot_ids));
+    by_rows_.push_back({attributes_.vertices.back().get(), {}, true});
   }
-  std::size_t rank_by_rows = whole.carried_.vertices.size();
-  for (std::size_t i = 0; i < whole.carried_.corners.size(); ++i) {
-    const auto& corner = whole.carried_.corners[i];
+  std::size_t rank_by_rows = whole.attributes_.vertices.size();
+  for (std::size_t i = 0; i < whole.attributes_.corners.size(); ++i) {
+    const auto& corner = whole.attributes_.corners[i];
     const auto [kind, rank] = whole.corner_kinds_[i];
     const auto add = [&](const Indices& sources) -> Row_values<FT>& {
-      carried_.corners.push_back({corner.values->part(sources), corner.rule});
-      return *carried_.corners.back().values;
+      attributes_.corners.push_back({corner.values->part(sources), corner.rule});
+      return *attributes_.corners.back().values;
     };
     corner_kinds_.push_back({kind, rank});
     if (kind == Corner_kind::linear)
@@ -390,7 +391,7 @@ Attribute_rounds<FT, Host>::Attribute_rounds(const Attribute_rounds& whole, cons
       smooth_.emplace_back(values, std::move(creases), smooth);
     }
   }
-  carried_.take_parts_of_copied(whole.carried_);
+  attributes_.take_parts_of_copied(whole.attributes_);
   if (wanted_.any())
     origins_ = Level_origins::of_child(Origins_of_part{whole.origins_, part}, part.level.size(),
                                        Level_origins::needed<Host>(wanted_), for_chunks_);
@@ -456,14 +457,14 @@ template <class Origin_of_element>
 void Attribute_rounds<FT, Host>::put(const Level_size& size, const Level_connectivity* refined,
                                      const Origin_of_element& rules)
 {
-  for (auto& values : carried_.vertices) values->put_all(static_cast<Index>(size.vertices));
-  for (std::size_t i = 0; i < carried_.corners.size(); ++i)
-    carried_.corners[i].values->put(values_of_corners(i, *refined));
-  if (!carried_.edges.empty()) put_edges(size, rules);
-  if (!carried_.faces.empty()) put_faces(size, rules);
-  put_origins(carried_.vertex_origins, size.vertices, [&](Index v) { return rules.vertex(v); });
-  put_origins(carried_.edge_origins, size.edges, [&](Index e) { return rules.edge(e); });
-  put_origins(carried_.face_origins, size.faces, [&](Index f) { return rules.face(f); });
+  for (auto& values : attributes_.vertices) values->put_all(static_cast<Index>(size.vertices));
+  for (std::size_t i = 0; i < attributes_.corners.size(); ++i)
+    attributes_.corners[i].values->put(values_of_corners(i, *refined));
+  if (!attributes_.edges.empty()) put_edges(size, rules);
+  if (!attributes_.faces.empty()) put_faces(size, rules);
+  put_origins(attributes_.vertex_origins, size.vertices, [&](Index v) { return rules.vertex(v); });
+  put_origins(attributes_.edge_origins, size.edges, [&](Index e) { return rules.edge(e); });
+  put_origins(attributes_.face_origins, size.faces, [&](Index f) { return rules.face(f); });
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -69,7 +69,8 @@ private:
   {
     const Crease_star& star = creases_.stars[i];
     const bool is_on_seam = charts_ != nullptr && charts_->is_on_seam(creases_, star);
-    const Wedge_join join = keep(creases_, star, [&](const Crease_end& e) { return remains(e); });
+    const Wedge_join join =
+      join_wedges(creases_, star, [&](const Crease_end& e) { return remains(e); });
     const Index new_star = refined_.star[i];
     const Index wedges = new_star == null ? 1 : refined_.creases.stars[new_star].number_of_wedges;
     for (Index w = 0; w < wedges; ++w) {

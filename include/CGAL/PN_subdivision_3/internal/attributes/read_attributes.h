@@ -128,12 +128,12 @@ struct Vertex_attribute_by
   using Keys = Vertex_of_mesh;
 
   template <class FT>
-  static auto& list(Carried_attributes<FT>& c)
+  static auto& list(Control_attributes<FT>& c)
   {
     return c.vertices;
   }
   template <class FT, class Access>
-  void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
+  void read(const Access& access, const Level_connectivity& level, Control_attributes<FT>& c) const
   {
     using T = std::decay_t<typename boost::property_traits<Map>::value_type>;
     constexpr Attribute_rule rule = Rule::template of<T, FT>;
@@ -167,12 +167,12 @@ struct Corner_attribute
   using Keys = Halfedge_of_mesh;
 
   template <class FT>
-  static auto& list(Carried_attributes<FT>& c)
+  static auto& list(Control_attributes<FT>& c)
   {
     return c.corners;
   }
   template <class FT, class Access>
-  void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
+  void read(const Access& access, const Level_connectivity& level, Control_attributes<FT>& c) const
   {
     if constexpr (check_attribute_values<Map, Keys, FT>()) {
       using Values = Row_map<Access, Map, Keys, FT>;
@@ -190,12 +190,12 @@ struct Item_without_rows
   using Keys = Keys_;
 
   template <class FT>
-  static auto& list(Carried_attributes<FT>& c)
+  static auto& list(Control_attributes<FT>& c)
   {
     return c.*copies;
   }
   template <class FT, class Access>
-  void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
+  void read(const Access& access, const Level_connectivity& level, Control_attributes<FT>& c) const
   {
     list(c).push_back(
       std::make_unique<Values<Access, Map, Keys>>(access, map, Keys::number(level.size())));
@@ -204,22 +204,22 @@ struct Item_without_rows
 };
 
 template <class Map>
-struct Edge_attribute : Item_without_rows<Map, Edge_of_mesh, Copied_map, &Carried_copies::edges>
+struct Edge_attribute : Item_without_rows<Map, Edge_of_mesh, Copied_map, &Copied_attributes::edges>
 {};
 template <class Map>
-struct Face_attribute : Item_without_rows<Map, Face_of_mesh, Copied_map, &Carried_copies::faces>
+struct Face_attribute : Item_without_rows<Map, Face_of_mesh, Copied_map, &Copied_attributes::faces>
 {};
 template <class Map>
 struct Face_parents
-  : Item_without_rows<Map, Face_of_mesh, Origin_map, &Carried_copies::face_origins>
+  : Item_without_rows<Map, Face_of_mesh, Origin_map, &Copied_attributes::face_origins>
 {};
 template <class Map>
 struct Vertex_parents
-  : Item_without_rows<Map, Vertex_of_mesh, Origin_map, &Carried_copies::vertex_origins>
+  : Item_without_rows<Map, Vertex_of_mesh, Origin_map, &Copied_attributes::vertex_origins>
 {};
 template <class Map>
 struct Edge_parents
-  : Item_without_rows<Map, Edge_of_mesh, Origin_map, &Carried_copies::edge_origins>
+  : Item_without_rows<Map, Edge_of_mesh, Origin_map, &Copied_attributes::edge_origins>
 {};
 
 // the result of attributes()
@@ -254,27 +254,27 @@ inline bool is_empty(const Attribute_table& table)
 }
 
 template <class FT, class Access>
-Carried_attributes<FT> read_attributes(const Access&, const Level_connectivity&,
+Control_attributes<FT> read_attributes(const Access&, const Level_connectivity&,
                                        const No_attributes&)
 {
   return {};
 }
 
 template <class FT, class Access, class... Items>
-Carried_attributes<FT> read_attributes(const Access& access, const Level_connectivity& level,
+Control_attributes<FT> read_attributes(const Access& access, const Level_connectivity& level,
                                        const Attributes<Items...>& attributes)
 {
-  Carried_attributes<FT> carried;
-  std::apply([&](const Items&... items) { (items.read(access, level, carried), ...); },
+  Control_attributes<FT> result;
+  std::apply([&](const Items&... items) { (items.read(access, level, result), ...); },
              attributes.items);
-  return carried;
+  return result;
 }
 
 template <class FT, class Access>
-Carried_attributes<FT> read_attributes(const Access&, const Level_connectivity& level,
+Control_attributes<FT> read_attributes(const Access&, const Level_connectivity& level,
                                        Attribute_table& table)
 {
-  Carried_attributes<FT> c;
+  Control_attributes<FT> c;
   for (Attribute_array& array : table.vertices) {
     const std::size_t n = level.number_of_vertices();
     if (array.rule_of_vertices == Attribute_rule::nearest)

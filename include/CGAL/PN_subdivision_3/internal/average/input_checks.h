@@ -234,7 +234,7 @@ template <class FT, int dimension>
 bool scale_to_about_one(Coordinates<FT, dimension>& n)
 {
   if constexpr (is_interval_v<FT>) {
-    scale_harmlessly(n);
+    scale_to_one(n);
     return FT(0) < dot(n, n);
   } else {
     FT largest(0);

@@ -113,7 +113,7 @@ template <class FT, std::size_t dimension>
 FT length_of(std::array<FT, dimension> v)
 {
   if constexpr (is_interval_v<FT>) {
-    const int exponent = scale_harmlessly(v);
+    const int exponent = scale_to_one(v);
     return times_power_of_two(root_of_square<FT>(dot(v, v)), -exponent);
   } else {
     FT largest(0);
@@ -154,7 +154,7 @@ FT smoothstep(const FT& x)
 
 // the number type in which normals are estimated: float is widened
 template <class FT>
-using Wide_number = std::conditional_t<std::is_same_v<FT, float>, double, FT>;
+using At_least_double = std::conditional_t<std::is_same_v<FT, float>, double, FT>;
 
 // a sum of vectors that are as exact as double or FT, whichever is less, vanishes if it is shorter
 // than this times the sum of their lengths

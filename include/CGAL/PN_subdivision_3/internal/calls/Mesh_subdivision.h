@@ -10,12 +10,12 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CALLS_MESH_SUBDIVISION_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Kept_attributes.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Refined_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
@@ -66,16 +66,16 @@ public:
 
   // a linear scheme has no use for normals
   template <class Access, class Point_map, class Normal_map, class Roundness_map, class Edge_map,
-            class Vertex_map, class Carry>
+            class Vertex_map, class Attributes>
   void operator()(Access& access, Point_map points, Normal_map normals, Roundness_map roundness,
-                  Edge_map edge_map, Vertex_map vertex_map, const Carry& carry) const
+                  Edge_map edge_map, Vertex_map vertex_map, const Attributes& attributes) const
   {
     if constexpr (!is_pn_v<Scheme> && (!std::is_same_v<Normal_map, No_normal_map> ||
                                        is_given_roundness_v<Roundness_map>))
-      (*this)(access, points, No_normal_map(), No_roundness(), edge_map, vertex_map, carry);
+      (*this)(access, points, No_normal_map(), No_roundness(), edge_map, vertex_map, attributes);
     else if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
       require_crease_rules(scheme_, access, normals, edge_map, vertex_map);
-      subdivide(access, points, normals, roundness, edge_map, vertex_map, carry);
+      subdivide(access, points, normals, roundness, edge_map, vertex_map, attributes);
     }
   }
 
@@ -164,13 +164,13 @@ private:
   }
 
   template <class Access, class Point_map, class Normal_map, class Roundness_map, class Edge_map,
-            class Vertex_map, class Carry>
+            class Vertex_map, class Attributes>
   void subdivide(Access& access, Point_map points, Normal_map normals, Roundness_map roundness,
-                 Edge_map edge_map, Vertex_map vertex_map, const Carry& carry) const
+                 Edge_map edge_map, Vertex_map vertex_map, const Attributes& attributes) const
   {
     Level_connectivity level = checked_level(access);
     check_scheme<Scheme, Element_names>(scheme_, level, access);
-    Mesh_creases_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
+    Mesh_values_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
       scheme_, access, level, edge_map, vertex_map);
     auto creases = of_mesh.creases(level);
     of_mesh.read_tangents(creases);
@@ -184,20 +184,21 @@ private:
     Writer writer(access, points, Writers::vertex_map(normals), is_any_near_overflow(values),
                   roundness);
     typename Writers::Corner_writer corners(access, level, normals);
-    Carried_through<FT, Host, Carry> carried(
-      carry, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()),
-      Carry::is_empty ? Control_sharpness() : of_mesh.sharpness(level), for_chunks_);
+    Call_attribute_rounds<FT, Host, Attributes> attribute_rounds(
+      attributes, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()),
+      Attributes::is_empty ? Control_sharpness() : of_mesh.sharpness(level), for_chunks_);
     const Rules& rules = rules_of(scheme_);
     Level_refiner<Rules, Average, decltype(creases)> refiner(
       rules, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
     std::vector<Value>().swap(values);
 
-    grow_and_refine<Writer>(access, size, refiner, rounds, [&] { carried.refine(rules, refiner); });
-    carried.before_cut(refiner);
+    grow_and_refine<Writer>(access, size, refiner, rounds,
+                            [&] { attribute_rounds.refine(rules, refiner); });
+    attribute_rounds.before_cut(refiner);
     auto last = refiner.next_round();
-    carried.begin_round(rules, refiner, last, Kind_of_round::last_put_at_once);
-    put_last_round(access, size, refiner, last, writer, corners, carried.rows());
-    carried.put(refiner, last.round());
+    attribute_rounds.begin_round(rules, refiner, last, Kind_of_round::last_put_at_once);
+    put_last_round(access, size, refiner, last, writer, corners, attribute_rounds.rows());
+    attribute_rounds.put(refiner, last.round());
     of_mesh.put_sharpness(last.refined_creases(), size, rounds);
     of_mesh.put_tangents(last.refined_creases(), size);
     report_last_round(round_done_, rounds, rounds_, size);
@@ -205,9 +206,9 @@ private:
       writer.keep();
       corners.keep();
       of_mesh.keep();
-      carried.keep();
+      attribute_rounds.keep();
     });
-    carried.visit(access, refiner, last.round());
+    attribute_rounds.visit(access, refiner, last.round());
     if constexpr (!Host::keeps_vertices) access.trim(size, writer.has_own_maps);
   }
 

@@ -121,9 +121,9 @@ private:
   {
     const Creases<FT>& creases = data_.creases;
     const Crease_star& star = creases.stars[i];
-    const Wedge_join all = keep(creases, star, [](const Crease_end&) { return true; });
-    const Wedge_join join =
-      keep(creases, star, [&](const Crease_end& e) { return refined_.rank[e.crease] != null; });
+    const Wedge_join all = join_wedges(creases, star, [](const Crease_end&) { return true; });
+    const Wedge_join join = join_wedges(
+      creases, star, [&](const Crease_end& e) { return refined_.rank[e.crease] != null; });
     const Vertex_rule parent = creases.rule(star);
     const Vertex_rule child = vertex_rule(refined_sharpness(star.sharpness), join.ends.size(),
                                           star.is_border && join.has_inner_end);

@@ -11,8 +11,8 @@
 
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_pass.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases_without_fractions.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Gone_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
@@ -46,7 +46,7 @@ values_of_rows(const One_round& round, const std::vector<Level_connectivity::Ind
 }
 
 template <class Scheme, class Average>
-class Gone_round;
+class Round_without_fractions;
 
 // One round of a scheme on a level with creases.
 //
@@ -56,7 +56,7 @@ class Gone_round;
 //
 // With point-normal schemes edges that end in the round join their wedges, and the faces of the refined level that touch
 // these edges get the roundness 0. Edges of the sharpness 0 < s < 1 are sharp in this round as a whole. Another round is made
-// without them, and rows that reach them are blended, see Gone_round.
+// without them, and rows that reach them are blended, see Round_without_fractions.
 //
 // Where nothing can be sharp it is an ordinary round. What is defined behind the class may be compiled once.
 template <class Scheme, class Average, class Level_creases>
@@ -151,8 +151,8 @@ private:
     std::vector<Index> all(ended_.begin(),
                            std::lower_bound(ended_.begin(), ended_.end(), number_of_vertices()));
     if constexpr (may_end)
-      if (gone_) {
-        const std::vector<Index> blended = gone_->vertices();
+      if (smooth_round_) {
+        const std::vector<Index> blended = smooth_round_->vertices();
         all.insert(all.end(), blended.begin(), blended.end());
       }
     std::sort(all.begin(), all.end());
@@ -217,7 +217,9 @@ private:
   std::optional<One_round> round_;
   std::vector<Index> ended_;  // new slots that are not round, by their numbers
   std::vector<Index> others_; // new vertices, by their numbers
-  std::conditional_t<may_end, std::unique_ptr<Gone_round<Scheme, Average>>, std::nullptr_t> gone_{};
+  std::conditional_t<may_end, std::unique_ptr<Round_without_fractions<Scheme, Average>>,
+                     std::nullptr_t>
+    smooth_round_{};
 };
 
 template <class Scheme, class Average, class Level_creases>
@@ -236,12 +238,13 @@ Crease_round<Scheme, Average, Level_creases>::Crease_round(const Scheme& scheme,
     if (std::any_of(creases.edges.begin(), creases.edges.end(), ends))
       ended_ = slots_at_ended(Host(level, number), level, creases, refined_);
     if (has_fractions(creases))
-      gone_ = std::make_unique<Gone_round<Scheme, Average>>(scheme, level, creases, number);
+      smooth_round_ =
+        std::make_unique<Round_without_fractions<Scheme, Average>>(scheme, level, creases, number);
   }
   round_.emplace(scheme, level, number, [&] { cut_.emplace(level, creases); });
   const std::vector<Index> on_creases = vertices_on_creases();
   if constexpr (may_end) find_others(on_creases);
-  if constexpr (!std::is_floating_point_v<FT>) round_->set_vertices_of_others(on_creases);
+  if constexpr (!std::is_floating_point_v<FT>) round_->set_vertices_on_creases(on_creases);
 }
 
 template <class Scheme, class Average, class Level_creases>
@@ -258,7 +261,7 @@ auto Crease_round<Scheme, Average, Level_creases>::crease_values(const For_chunk
     if (!ended_.empty())
       for (Slot_value& v : values)
         if (std::binary_search(ended_.begin(), ended_.end(), v.first)) v.second.roundness = FT(0);
-    if (gone_) gone_->blend(creases_, old_, refined_, values, for_chunks);
+    if (smooth_round_) smooth_round_->blend(creases_, old_, refined_, values, for_chunks);
   }
   return values;
 }
@@ -297,6 +300,6 @@ private:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#include <CGAL/PN_subdivision_3/internal/creases/Gone_round.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Round_without_fractions.h>
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASE_ROUND_H

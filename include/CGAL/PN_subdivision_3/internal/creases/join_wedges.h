@@ -71,7 +71,7 @@ struct Wedge_join
 
 // numbers the wedges as Creases::add_star() does for the ends that remain(end)
 template <class FT, class Remains>
-Wedge_join keep(const Creases<FT>& creases, const Crease_star& star, const Remains& remains)
+Wedge_join join_wedges(const Creases<FT>& creases, const Crease_star& star, const Remains& remains)
 {
   using Index = Level_connectivity::Index;
   Wedge_join join;

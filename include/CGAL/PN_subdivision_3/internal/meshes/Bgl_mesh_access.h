@@ -63,18 +63,18 @@ constexpr std::uint64_t index_limit()
 
 // A mesh that keeps its elements in arrays (Surface_mesh, those of OpenMesh) loses the last ones
 // again by a resize(), without a trace and without an exception. Removing them would leave removed
-// slots.
+// places.
 template <class Mesh, bool = Refinable_mesh_traits<Mesh>::has_resize>
-struct Slots
+struct Places
 {
   static constexpr bool exist = false;
-  explicit Slots(const Mesh&) {}
+  explicit Places(const Mesh&) {}
 };
 template <class Mesh>
-struct Slots<Mesh, true>
+struct Places<Mesh, true>
 {
   static constexpr bool exist = true;
-  explicit Slots(const Mesh& mesh) // BGL counts removed elements too
+  explicit Places(const Mesh& mesh) // BGL counts removed elements too
     : vertices(num_vertices(mesh))
     , edges(num_edges(mesh))
     , faces(num_faces(mesh))
@@ -89,7 +89,7 @@ struct Slots<Mesh, true>
 };
 
 // While elements are added to a mesh that recycles removed ones, it must not: the order of vertices
-// would be lost, and if the copy of a property's default value fails while a slot is recycled,
+// would be lost, and if the copy of a property's default value fails while a place is recycled,
 // Surface_mesh counts its removed elements wrongly. Meshes that do not recycle need nothing.
 template <class Mesh, bool = Refinable_mesh_traits<Mesh>::recycles>
 struct Recycling_pause
@@ -129,7 +129,7 @@ public:
 
   explicit Bgl_mesh_access(Graph& graph)
     : graph_(graph)
-    , old_slots_(graph)
+    , old_places_(graph)
   {
     for (Vertex v : vertices(graph_)) vertices_.push_back(v);
     for (auto e : edges(graph_)) edges_.push_back(halfedge(e, graph_));
@@ -204,8 +204,8 @@ public:
   }
   void shrink()
   {
-    if constexpr (Slots<std::remove_const_t<Graph>>::exist)
-      old_slots_.restore(graph_);
+    if constexpr (Places<std::remove_const_t<Graph>>::exist)
+      old_places_.restore(graph_);
     else
       remove_beyond(old_size_);
   }
@@ -214,9 +214,9 @@ public:
   // nothing may fail any more.
   void trim(const Level_size& size, bool collect)
   {
-    if constexpr (Slots<std::remove_const_t<Graph>>::exist)
-      if (old_slots_.number() == old_size_.vertices + old_size_.edges + old_size_.faces)
-        return old_slots_.resize(graph_, size.vertices, size.edges, size.faces);
+    if constexpr (Places<std::remove_const_t<Graph>>::exist)
+      if (old_places_.number() == old_size_.vertices + old_size_.edges + old_size_.faces)
+        return old_places_.resize(graph_, size.vertices, size.edges, size.faces);
     remove_beyond(size);
     if constexpr (Mesh_traits::has_collect_garbage) try {
         if (collect && graph_.has_garbage()) graph_.collect_garbage();
@@ -288,7 +288,7 @@ private:
   }
 
   Graph& graph_;
-  Slots<std::remove_const_t<Graph>> old_slots_;
+  Places<std::remove_const_t<Graph>> old_places_;
   std::vector<Vertex> vertices_;
   std::vector<Halfedge> edges_;
   std::vector<Face> faces_;

@@ -51,10 +51,10 @@ using Usual_edge_map = typename Mesh::template Property_map<SM_Edge_index, bool>
 
 // A scheme of CGAL's own functions, one thread, the mesh's own points, given normals or estimated ones, edges that are
 // sharp for ever or none, and nothing else.
-template <class Concurrency_tag, class Mesh, class Scheme, class Parameters, class Carry>
+template <class Concurrency_tag, class Mesh, class Scheme, class Parameters, class Attributes>
 constexpr bool is_compiled_call()
 {
-  if constexpr (!is_linked_to_library || is_parallel_v<Concurrency_tag> || !Carry::is_empty ||
+  if constexpr (!is_linked_to_library || is_parallel_v<Concurrency_tag> || !Attributes::is_empty ||
                 !is_usual_mesh_v<Mesh>)
     return false;
   else {

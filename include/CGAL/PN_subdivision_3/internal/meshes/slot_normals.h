@@ -31,7 +31,7 @@ namespace CGAL::PN_subdivision_3::internal {
 
 // whether the map has a normal for every corner: at the target of a half-edge in its face
 template <class Access, class Map>
-constexpr bool is_of_halfedges_v =
+constexpr bool has_corner_normals_v =
   std::is_same_v<std::decay_t<Key_of_map<Map>>,
                  std::decay_t<decltype(std::declval<const Access&>().halfedge_at(0))>>;
 
@@ -125,7 +125,7 @@ struct Nothing_of_corners
 };
 
 // the map of vertices that takes the normals of a map, and the object that takes the normals of its corners
-template <class Access, class Map, bool is_of_halfedges = is_of_halfedges_v<Access, Map>>
+template <class Access, class Map, bool is_of_halfedges = has_corner_normals_v<Access, Map>>
 struct Normal_writers
 {
   using Vertex_map = Map;

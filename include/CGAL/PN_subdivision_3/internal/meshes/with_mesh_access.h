@@ -33,42 +33,42 @@ class Property_map_base;
 namespace PN_subdivision_3 {
 namespace internal {
 
-// The numbers of the elements of a Surface_mesh: their slots or, where some are removed, their positions among the
-// others; new elements come behind all slots.
-class Slot_numbers
+// The numbers of the elements of a Surface_mesh: their places or, where some are removed, their positions among the
+// others; new elements come behind all places.
+class Place_numbers
 {
 public:
   using Index = Level_connectivity::Index;
 
   template <class Is_removed>
-  Slot_numbers(std::uint64_t slot_count, std::uint64_t number, const Is_removed& is_removed)
+  Place_numbers(std::uint64_t place_count, std::uint64_t number, const Is_removed& is_removed)
     : number_(static_cast<Index>(number))
-    , removed_(static_cast<Index>(slot_count - number))
+    , removed_(static_cast<Index>(place_count - number))
   {
     if (removed_ == 0) return;
-    slots_.reserve(number_);
-    for (Index i = 0; i < slot_count; ++i)
-      if (!is_removed(i)) slots_.push_back(i);
+    places_.reserve(number_);
+    for (Index i = 0; i < place_count; ++i)
+      if (!is_removed(i)) places_.push_back(i);
   }
 
-  bool are_slots() const { return removed_ == 0; }
+  bool are_places() const { return removed_ == 0; }
   Index number() const { return number_; } // of elements that are not removed
-  Index slot(Index i) const { return i < slots_.size() ? slots_[i] : i + removed_; }
-  std::uint64_t slots_for(std::uint64_t n) const { return n + removed_; }
+  Index place(Index i) const { return i < places_.size() ? places_[i] : i + removed_; }
+  std::uint64_t places_for(std::uint64_t n) const { return n + removed_; }
 
-  // from slots to numbers; null for slots of removed elements, or beyond the last
+  // from places to numbers; null for places of removed elements, or beyond the last
   class Inverse
   {
   public:
-    explicit Inverse(const Slot_numbers& numbers)
-      : numbers_(numbers.slots_.size() + numbers.removed_, Level_connectivity::null)
+    explicit Inverse(const Place_numbers& numbers)
+      : numbers_(numbers.places_.size() + numbers.removed_, Level_connectivity::null)
     {
-      for (Index i = 0; i < numbers.slots_.size(); ++i) numbers_[numbers.slots_[i]] = i;
+      for (Index i = 0; i < numbers.places_.size(); ++i) numbers_[numbers.places_[i]] = i;
     }
-    Index operator()(Index slot) const
+    Index operator()(Index place) const
     {
-      if (numbers_.empty()) return slot;
-      return slot < numbers_.size() ? numbers_[slot] : Level_connectivity::null;
+      if (numbers_.empty()) return place;
+      return place < numbers_.size() ? numbers_[place] : Level_connectivity::null;
     }
 
   private:
@@ -77,7 +77,7 @@ public:
 
 private:
   Index number_, removed_;
-  std::vector<Index> slots_; // empty if none is removed
+  std::vector<Index> places_; // empty if none is removed
 };
 
 // A Surface_mesh, or one of its like. It grows by one resize() into fresh memory. (A reserve() before it would make the resize() ten
@@ -108,21 +108,21 @@ public:
     old_size_.faces = faces_.number();
   }
 
-  // the last round of a host writes the mesh itself, if numbers are slots
+  // the last round of a host writes the mesh itself, if numbers are places
   static constexpr bool may_be_child_of_hosts = true;
   bool is_child_of_hosts() const
   {
-    return vertices_.are_slots() && edges_.are_slots() && faces_.are_slots();
+    return vertices_.are_places() && edges_.are_places() && faces_.are_places();
   }
   static constexpr bool has_concurrent_connectivity = true;
 
   static constexpr std::uint64_t index_limit() { return Level_connectivity::null; }
 
   Level_size size() const { return old_size_; }
-  Vertex vertex(Index v) const { return Vertex(vertices_.slot(v)); }
-  Halfedge halfedge_at(Index h) const { return Halfedge(2 * edges_.slot(h >> 1) + (h & 1u)); }
-  Edge edge_at(Index e) const { return Edge(edges_.slot(e)); }
-  Face face_at(Index f) const { return Face(faces_.slot(f)); }
+  Vertex vertex(Index v) const { return Vertex(vertices_.place(v)); }
+  Halfedge halfedge_at(Index h) const { return Halfedge(2 * edges_.place(h >> 1) + (h & 1u)); }
+  Edge edge_at(Index e) const { return Edge(edges_.place(e)); }
+  Face face_at(Index f) const { return Face(faces_.place(f)); }
 
   std::string vertex_name(Index v) const override { return name("vertex ", vertices_, v); }
   std::string halfedge_name(Index h) const override
@@ -134,7 +134,7 @@ public:
   // an element that does not belong to the mesh becomes an invalid index
   void read(Level_connectivity& level) const
   {
-    const Slot_numbers::Inverse vertices(vertices_), edges(edges_), faces(faces_);
+    const Place_numbers::Inverse vertices(vertices_), edges(edges_), faces(faces_);
     const auto halfedge = [&](Halfedge h) {
       const Index e = edges(static_cast<Index>(h) >> 1);
       return e < edges_.number() ? 2 * e + (static_cast<Index>(h) & 1u) : invalid(h);
@@ -181,7 +181,7 @@ public:
       remove_beyond(size, collect);
   }
 
-  // the child of a host, if numbers are slots
+  // the child of a host, if numbers are places
   void set_target(Index h, Index v) { mesh_.set_target(Halfedge(h), Vertex(v)); }
   void set_next(Index h, Index n) { mesh_.set_next(Halfedge(h), Halfedge(n)); }
   void set_face(Index h, Index f) { mesh_.set_face(Halfedge(h), Face(f)); }
@@ -212,11 +212,11 @@ public:
 private:
   void remove_beyond(const Level_size& size, bool collect)
   {
-    for (auto f = number_of_slots(mesh_.num_faces(), faces_); f > size.faces;)
+    for (auto f = number_of_places(mesh_.num_faces(), faces_); f > size.faces;)
       mesh_.remove_face(face_at(--f));
-    for (auto e = number_of_slots(mesh_.num_edges(), edges_); e > size.edges;)
+    for (auto e = number_of_places(mesh_.num_edges(), edges_); e > size.edges;)
       mesh_.remove_edge(edge_at(--e));
-    for (auto v = number_of_slots(mesh_.num_vertices(), vertices_); v > size.vertices;)
+    for (auto v = number_of_places(mesh_.num_vertices(), vertices_); v > size.vertices;)
       mesh_.remove_vertex(vertex(--v));
     try {
       if (collect) mesh_.collect_garbage();
@@ -224,31 +224,31 @@ private:
     }
   }
 
-  static std::string name(const char* kind, const Slot_numbers& numbers, Index i)
+  static std::string name(const char* kind, const Place_numbers& numbers, Index i)
   {
-    return kind + std::to_string(numbers.slot(i));
+    return kind + std::to_string(numbers.place(i));
   }
   // null stays null, and others are beyond all that are there
   Index invalid(Halfedge h) const
   {
     return h == Mesh::null_halfedge() ? Level_connectivity::null : 2 * edges_.number();
   }
-  // how many numbers have slots in the mesh as it is
-  static Index number_of_slots(std::uint64_t slot_count, const Slot_numbers& numbers)
+  // how many numbers have places in the mesh as it is
+  static Index number_of_places(std::uint64_t place_count, const Place_numbers& numbers)
   {
-    return static_cast<Index>(slot_count - numbers.slots_for(0));
+    return static_cast<Index>(place_count - numbers.places_for(0));
   }
 
   void resize(const Level_size& size)
   {
     using Size = typename Mesh::size_type;
-    mesh_.resize(static_cast<Size>(vertices_.slots_for(size.vertices)),
-                 static_cast<Size>(edges_.slots_for(size.edges)),
-                 static_cast<Size>(faces_.slots_for(size.faces)));
+    mesh_.resize(static_cast<Size>(vertices_.places_for(size.vertices)),
+                 static_cast<Size>(edges_.places_for(size.edges)),
+                 static_cast<Size>(faces_.places_for(size.faces)));
   }
 
   Mesh& mesh_;
-  Slot_numbers vertices_, edges_, faces_;
+  Place_numbers vertices_, edges_, faces_;
   Level_size old_size_;
 };
 

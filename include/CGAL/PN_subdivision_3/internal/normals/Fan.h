@@ -109,7 +109,7 @@ public:
   bool has_ends() const { return has_ends_; }
 
 private:
-  using T = Wide_number<FT>;
+  using T = At_least_double<FT>;
 
   template <class Point_of>
   void collect(const Level_connectivity& level, const Fan& fan, const Point_of& point)

@@ -95,7 +95,7 @@ public:
   // the reciprocal normal of a closed fan: in the number type, if that has more to tell than double
   Coordinates<FT, 3> exact_normal(const Fan& fan, const Vector& normal) const
   {
-    using T = Wide_number<FT>;
+    using T = At_least_double<FT>;
     if constexpr (!std::is_same_v<T, double>) {
       Coordinates<T, 3> n = reciprocal_sum<T>(level_, fan, point_);
       if (is_finite_number(T(n[0] + n[1] + n[2])) && length(to_double_3<T>(n)) > 0) {

@@ -51,7 +51,7 @@ public:
 
   Vector operator()(Index v, Index origin) const
   {
-    using T = Wide_number<FT>;
+    using T = At_least_double<FT>;
     const auto &p = point_(v), &q = point_(origin);
     Vector d = to_double_3<T>({T(p[0]) - T(q[0]), T(p[1]) - T(q[1]), T(p[2]) - T(q[2])});
     if (exponent_ != 0)
@@ -132,7 +132,7 @@ class Angle_weighted_normals
 {
 public:
   using Index = Level_connectivity::Index;
-  using T = Wide_number<FT>;
+  using T = At_least_double<FT>;
   // of angles: double, unless the number type rounds and has angles of its own
   static constexpr bool has_own_angles =
     !std::is_floating_point_v<T> && std::is_same_v<Rooted_number<T>, T> && Has_own_angle<T>::value;
@@ -274,7 +274,7 @@ public:
   }
 
 private:
-  using T = Wide_number<FT>;
+  using T = At_least_double<FT>;
 
   Vector normal(Index first) const
   {

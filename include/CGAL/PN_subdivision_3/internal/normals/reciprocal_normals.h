@@ -69,7 +69,7 @@ template <class FT, class Point_of>
 Coordinates<double, 3> reciprocal_normal(const Level_connectivity& level, const Fan& fan,
                                          const Point_of& point, const Inverted_fan<FT>& inverted)
 {
-  using T = Wide_number<FT>;
+  using T = At_least_double<FT>;
   Coordinates<double, 3> sum{0, 0, 0};
   double size = 0; // at least the sum of all |W||W'|
   for (const auto& ray : inverted.rays()) size += ray.squared;

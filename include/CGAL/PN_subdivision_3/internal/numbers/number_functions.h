@@ -156,7 +156,7 @@ FT times_power_of_two(const FT& x, int exponent)
 // Multiplies by the power of two that makes the squares of components harmless, and returns its exponent. Of intervals
 // it is not asked which component is the largest, which they need not decide.
 template <class FT, std::size_t dimension>
-int scale_harmlessly(std::array<FT, dimension>& v)
+int scale_to_one(std::array<FT, dimension>& v)
 {
   double largest = 0;
   for (const FT& x : v)

@@ -15,7 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
-#include <CGAL/PN_subdivision_3/internal/own_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/package_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/boost/graph/helpers.h>

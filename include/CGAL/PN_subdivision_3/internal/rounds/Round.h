@@ -77,7 +77,7 @@ public:
 
   // The rows of these vertices, in increasing order, are not needed: their values are set by others.
   // An undecided comparison in them is no error.
-  void set_vertices_of_others(std::vector<Index> vertices) { of_others_ = std::move(vertices); }
+  void set_vertices_on_creases(std::vector<Index> vertices) { on_creases_ = std::move(vertices); }
 
   // What stands in place of the normals of the rows, where the scheme transfers curvature; found from
   // the old values, before the round is evaluated.
@@ -210,7 +210,7 @@ private:
   template <class Average_row>
   void compute_alone(Index vertex, const Average_row& average_row, Value& result) const
   {
-    if (std::binary_search(of_others_.begin(), of_others_.end(), vertex)) {
+    if (std::binary_search(on_creases_.begin(), on_creases_.end(), vertex)) {
       result = Value{};
       return;
     }
@@ -228,7 +228,7 @@ private:
   bool has_own_normals_;
   Average average_;
   unsigned number_;
-  std::vector<Index> of_others_;
+  std::vector<Index> on_creases_;
 };
 
 template <class Scheme, class Average>

@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
-#include <CGAL/PN_subdivision_3/internal/rows/Wide_PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/rows/Vectorized_PN_average.h>
 
 #include <boost/config.hpp>
 
@@ -67,7 +67,7 @@ private:
 // PN_average itself. Rows of the same length are averaged several at once, where the processor has the
 // registers for it, which changes no bit of the result.
 template <class Average_, int dimension,
-          class Wide = Wide_PN_average<typename Average_::FT, dimension>>
+          class Vectorized = Vectorized_PN_average<typename Average_::FT, dimension>>
 class Staged_PN_average_block
 {
 public:
@@ -83,8 +83,8 @@ public:
   void operator()(const Stencil_block<FT>& rows, const Value* old, Value* result) const
   {
     if (rows.uniform_length() == 1) return copy(rows, old, result);
-    if constexpr (Wide::maximum_length != 0)
-      if (Wide::is_available()) return wide(rows, old, result);
+    if constexpr (Vectorized::maximum_length != 0)
+      if (Vectorized::is_available()) return vectorized(rows, old, result);
     staged(rows, rows, 0, rows.number_of_rows(), old, result);
   }
 
@@ -109,19 +109,19 @@ private:
     for (std::size_t r = 0; r < rows.number_of_rows(); ++r) result[r] = old[rows.begin(r)->vertex];
   }
 
-  void wide(const Stencil_block<FT>& rows, const Value* old, Value* result) const
+  void vectorized(const Stencil_block<FT>& rows, const Value* old, Value* result) const
   {
     for (std::size_t first = 0, end; first < rows.number_of_rows(); first = end) {
       const std::size_t n = length(rows, first);
       end = end_of_run(rows, first);
       // one or two rows fill too little of the registers
-      if (end - first < 3 || n == 1 || n > Wide::maximum_length) {
+      if (end - first < 3 || n == 1 || n > Vectorized::maximum_length) {
         staged(rows, rows, first, end, old, result);
         continue;
       }
       std::uint32_t fails =
-        Wide::average(rows.begin(first), n, end - first, old,
-                      average_.roundness ? &*average_.roundness : nullptr, result + first);
+        Vectorized::average(rows.begin(first), n, end - first, old,
+                            average_.roundness ? &*average_.roundness : nullptr, result + first);
       for (std::size_t r = first; r < end && fails != 0; ++r, fails >>= 1)
         if ((fails & 1) != 0) result[r] = careful_row(rows, rows, r, old);
     }
@@ -131,7 +131,7 @@ private:
   static std::size_t end_of_run(const Rows& rows, std::size_t first)
   {
     const std::size_t most =
-      (std::min)(rows.number_of_rows(), first + Wide::maximum_number_of_rows);
+      (std::min)(rows.number_of_rows(), first + Vectorized::maximum_number_of_rows);
     std::size_t end = first + 1;
     while (end < most && length(rows, end) == length(rows, first)) ++end;
     return end;

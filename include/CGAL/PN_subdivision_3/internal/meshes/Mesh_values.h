@@ -6,14 +6,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_CREASES_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_CREASES_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_VALUES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_VALUES_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Gone_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases_without_fractions.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
@@ -85,7 +85,7 @@ void refuse_crease_borders(const Scheme& scheme, const Access& access,
 template <class Scheme, class Access, class Normal_map, class Edge_map, class Vertex_map>
 constexpr bool may_be_sharp_v =
   is_constraint_map_v<Edge_map> || is_constraint_map_v<Vertex_map> || Border_of<Scheme>::is_given ||
-  has_crease_tangents_v<Scheme> || is_of_halfedges_v<Access, Normal_map>;
+  has_crease_tangents_v<Scheme> || has_corner_normals_v<Access, Normal_map>;
 
 // whether creases are looked for; a scheme without rules for creases refuses sharp edges and vertices
 template <class Scheme, class Access, class Normal_map, class Edge_map, class Vertex_map>
@@ -96,7 +96,7 @@ template <class Scheme, class Access, class Normal_map>
 constexpr bool check_corner_normals()
 {
   constexpr bool are_taken =
-    Has_crease_rules<Scheme>::value || !is_of_halfedges_v<Access, Normal_map>;
+    Has_crease_rules<Scheme>::value || !has_corner_normals_v<Access, Normal_map>;
   static_assert(are_taken, "PN_subdivision_3: the scheme has no rules for creases and takes a "
                            "normal per vertex, not per half-edge");
   return are_taken;
@@ -111,7 +111,7 @@ void require_crease_rules([[maybe_unused]] const Scheme& scheme,
 {
   if constexpr (may_be_sharp_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>) {
     if (has_crease_rules(scheme)) return;
-    if constexpr (is_of_halfedges_v<Access, Normal_map>)
+    if constexpr (has_corner_normals_v<Access, Normal_map>)
       throw std::invalid_argument("PN_subdivision_3: " + name_in_message(scheme) +
                                   " has no rules for creases and takes a normal per vertex, not "
                                   "per half-edge");
@@ -123,15 +123,15 @@ void require_crease_rules([[maybe_unused]] const Scheme& scheme,
 // What the maps of a mesh tell of its creases: read before the first round, written for the refined elements, and
 // put back unless that is kept. If nothing can be sharp, there are No_creases.
 template <class Scheme, class FT, class Access, class Edge_map, class Vertex_map, bool may_have_any>
-class Mesh_creases
+class Mesh_values
 {
 public:
   using Index = Level_connectivity::Index;
   using Average = Average_of_scheme<Scheme, FT>;
   using Value = typename Average::Value;
 
-  Mesh_creases(const Scheme& scheme, const Access& access, const Level_connectivity& level,
-               Edge_map edge_map, Vertex_map vertex_map)
+  Mesh_values(const Scheme& scheme, const Access& access, const Level_connectivity& level,
+              Edge_map edge_map, Vertex_map vertex_map)
     : scheme_(scheme)
     , access_(access)
     , edges_(access, edge_map, level.number_of_edges())
@@ -155,7 +155,7 @@ public:
                             Creases<FT>& creases) const
   {
     if constexpr (is_pn_v<Scheme> && creases_may_end_v<Scheme>)
-      if (!is_of_halfedges_v<Access, Normal_map> || !goes_on(creases))
+      if (!has_corner_normals_v<Access, Normal_map> || !goes_on(creases))
         keep_without_fractions<FT>(level, creases, [&](Creases<FT>& others) {
           return values_of_slots(level, points, normals_without_fractions(normals), others);
         });
@@ -243,7 +243,7 @@ private:
     if constexpr (is_pn_v<Scheme>) {
       std::vector<bool> is_given(values.size(), false);
       for (Value& value : values) value.normal = zero_vector<FT, 3>();
-      if constexpr (is_of_halfedges_v<Access, Normal_map>) {
+      if constexpr (has_corner_normals_v<Access, Normal_map>) {
         read_corner_normals<FT>(access_, level, creases, normals, values, &is_given);
         if constexpr (is_of_estimate_v<Normal_map>)
           make_control_tangents(level, creases, values, is_given,
@@ -280,14 +280,14 @@ private:
 };
 
 template <class Scheme, class FT, class Access, class Edge_map, class Vertex_map>
-class Mesh_creases<Scheme, FT, Access, Edge_map, Vertex_map, false>
+class Mesh_values<Scheme, FT, Access, Edge_map, Vertex_map, false>
 {
 public:
   using Index = Level_connectivity::Index;
   using Average = Average_of_scheme<Scheme, FT>;
 
-  Mesh_creases(const Scheme& scheme, const Access& access, const Level_connectivity&, Edge_map,
-               Vertex_map)
+  Mesh_values(const Scheme& scheme, const Access& access, const Level_connectivity&, Edge_map,
+              Vertex_map)
     : scheme_(scheme)
     , access_(access)
   {}
@@ -317,10 +317,10 @@ private:
 
 // the creases that a call has, or may have
 template <class Scheme, class FT, class Access, class Normal_map, class Edge_map, class Vertex_map>
-using Mesh_creases_of_call =
-  Mesh_creases<Scheme, FT, Access, Edge_map, Vertex_map,
-               may_have_creases_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>>;
+using Mesh_values_of_call =
+  Mesh_values<Scheme, FT, Access, Edge_map, Vertex_map,
+              may_have_creases_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>>;
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_CREASES_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_VALUES_H

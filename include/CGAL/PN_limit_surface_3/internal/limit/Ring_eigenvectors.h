@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_MASKS_H
-#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_MASKS_H
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_EIGENVECTORS_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_EIGENVECTORS_H
 
 #include <algorithm>
 #include <array>
@@ -41,13 +41,13 @@ struct Ring_layout
 // iteration starts with the sine and cosine of the angle of the neighbors. About an interior vertex
 // it then stays among the vectors of that frequency, and ends after some fifty steps for any valence.
 // On the border the next two may belong to a net that folds: the right eigenvectors tell.
-class Ring_masks
+class Ring_eigenvectors
 {
 public:
   using Real = long double;
   using Vector = std::vector<Real>;
 
-  Ring_masks(const Ring_matrix<Real>& matrix, const Ring_layout& layout)
+  Ring_eigenvectors(const Ring_matrix<Real>& matrix, const Ring_layout& layout)
     : matrix_(matrix)
   {
     find_limit();
@@ -322,4 +322,4 @@ private:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_MASKS_H
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_EIGENVECTORS_H

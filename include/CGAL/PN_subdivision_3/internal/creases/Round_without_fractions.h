@@ -6,14 +6,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_ROUND_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_ROUND_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_ROUND_WITHOUT_FRACTIONS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_ROUND_WITHOUT_FRACTIONS_H
 
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases_without_fractions.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Gone_creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
@@ -30,13 +30,13 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// The other half of a round with edges of which less than a round is left, 0 < s < 1: the round in which they are gone.
+// The other half of a round with edges of which less than a round is left, 0 < s < 1: the round in which they are smooth.
 //
 // The result of the round is phi times that in which they are sharp and 1 - phi times this one, normals then unit. An edge's
 // own point has phi = s, a vertex on such edges the mean of their s, and any other new vertex the least s of such edges at
 // the faces that its row touches: 1 almost everywhere.
 template <class Scheme, class Average>
-class Gone_round
+class Round_without_fractions
 {
 public:
   using One_round = Crease_round<Scheme, Average, Creases<typename Average::FT>>;
@@ -46,17 +46,18 @@ public:
   using Slot_value = typename One_round::Slot_value;
 
   // `level` is whole; it is copied
-  Gone_round(const Scheme& scheme, const Level_connectivity& level, const Creases<FT>& creases,
-             unsigned number)
-    : gone_(level, creases)
-    , level_(level, size_when_cut(level.size(), gone_.creases))
+  Round_without_fractions(const Scheme& scheme, const Level_connectivity& level,
+                          const Creases<FT>& creases, unsigned number)
+    : creases_(level, creases)
+    , level_(level, size_when_cut(level.size(), creases_.creases))
   {
     level_.set_size(level.size());
-    round_.emplace(scheme, level_, gone_.creases, number);
-    find_parts_on_creases();
-    find_parts_of_rows(level);
-    find_parts_of_ended(creases);
-    for (auto it = part_.begin(); it != part_.end();) it = it->second < 1 ? ++it : part_.erase(it);
+    round_.emplace(scheme, level_, creases_.creases, number);
+    find_shares_on_creases();
+    find_shares_of_rows(level);
+    find_shares_of_ended(creases);
+    for (auto it = share_.begin(); it != share_.end();)
+      it = it->second < 1 ? ++it : share_.erase(it);
     const std::vector<Index> all = vertices(), of_values = round_->vertices_of_values();
     std::set_difference(all.begin(), all.end(), of_values.begin(), of_values.end(),
                         std::back_inserter(rows_));
@@ -66,7 +67,7 @@ public:
   std::vector<Index> vertices() const
   {
     std::vector<Index> result;
-    for (const auto& part : part_) result.push_back(part.first);
+    for (const auto& share : share_) result.push_back(share.first);
     return result;
   }
 
@@ -74,64 +75,66 @@ public:
   void blend(const Creases<FT>& creases, const Value* old, Refined_creases<FT>& refined,
              std::vector<Slot_value>& values, const For_chunks& for_chunks)
   {
-    const std::vector<Slot_value> gone = gone_values(creases, old, for_chunks);
-    auto part = part_.end();
+    const std::vector<Slot_value> smooth = smooth_values(creases, old, for_chunks);
+    auto share = share_.end();
     for (Slot_value& value : values) {
-      if (value.first < round_->number_of_vertices()) part = part_.find(value.first);
-      if (part == part_.end()) continue;
-      const auto other = std::lower_bound(gone.begin(), gone.end(), value.first,
+      if (value.first < round_->number_of_vertices()) share = share_.find(value.first);
+      if (share == share_.end()) continue;
+      const auto other = std::lower_bound(smooth.begin(), smooth.end(), value.first,
                                           [](const Slot_value& v, Index s) { return v.first < s; });
-      decide(part->first, [&] { mix(value.second, other->second, FT(part->second)); });
+      decide(share->first, [&] { mix(value.second, other->second, FT(share->second)); });
     }
     for (const Crease_star& star : refined.creases.stars)
-      if ((part = part_.find(star.vertex)) != part_.end())
-        decide(star.vertex, [&] { mix_tangents(star, FT(part->second), refined.creases); });
+      if ((share = share_.find(star.vertex)) != share_.end())
+        decide(star.vertex, [&] { mix_tangents(star, FT(share->second), refined.creases); });
   }
 
 private:
-  // \name Parts of the sharp round
+  // \name Shares of the sharp round
   // by the numbers of the new vertices
 
-  void find_parts_on_creases()
+  void find_shares_on_creases()
   {
-    const Creases<FT>& creases = gone_.creases;
-    const auto grow = [&](double& part, Index slot) { part = (std::min)(part, gone_.reach[slot]); };
-    const auto grow_by_edge = [&](double& part, const Crease_edge<FT>& e) {
+    const Creases<FT>& creases = creases_.creases;
+    const auto grow = [&](double& share, Index slot) {
+      share = (std::min)(share, creases_.reach[slot]);
+    };
+    const auto grow_by_edge = [&](double& share, const Crease_edge<FT>& e) {
       for (const Index side : {0u, 1u}) {
-        if (e.has_after(side)) grow(part, e.after[side]);
-        if (e.has_before(side)) grow(part, e.before[side]);
+        if (e.has_after(side)) grow(share, e.after[side]);
+        if (e.has_before(side)) grow(share, e.before[side]);
       }
     };
     for (const Crease_star& star : creases.stars) {
-      double& part = part_.emplace(star.vertex, 1).first->second;
+      double& share = share_.emplace(star.vertex, 1).first->second;
       const Vertex_rule rule = creases.rule(star);
-      for (Index w = 0; w < star.number_of_wedges; ++w) grow(part, star.slot(w));
+      for (Index w = 0; w < star.number_of_wedges; ++w) grow(share, star.slot(w));
       if (rule == Vertex_rule::crease)
-        for (Index i = 0; i < 2; ++i) grow_by_edge(part, creases.edge(creases.end(star, i)));
+        for (Index i = 0; i < 2; ++i) grow_by_edge(share, creases.edge(creases.end(star, i)));
       else if (rule == Vertex_rule::dart)
-        round_->for_each_smooth_entry(star, [&](Index slot) { grow(part, slot); });
+        round_->for_each_smooth_entry(star, [&](Index slot) { grow(share, slot); });
     }
     for (const Crease_edge<FT>& e : creases.edges)
-      grow_by_edge(part_.emplace(round_->round().host().vertex_of_edge(e.edge), 1).first->second,
+      grow_by_edge(share_.emplace(round_->round().host().vertex_of_edge(e.edge), 1).first->second,
                    e);
   }
 
-  void find_parts_of_rows(const Level_connectivity& level)
+  void find_shares_of_rows(const Level_connectivity& level)
   {
     std::vector<bool> is_near(level.number_of_vertices(), false);
     const std::vector<Index> extra =
-      vertices_of_extra_slots(gone_.creases, level.number_of_vertices());
-    for (std::size_t s = 0; s < gone_.reach.size(); ++s)
-      if (gone_.reach[s] < 1) is_near[s < is_near.size() ? s : extra[s - is_near.size()]] = true;
+      vertices_of_extra_slots(creases_.creases, level.number_of_vertices());
+    for (std::size_t s = 0; s < creases_.reach.size(); ++s)
+      if (creases_.reach[s] < 1) is_near[s < is_near.size() ? s : extra[s - is_near.size()]] = true;
     constexpr int rings = 2; // a row reads no vertex farther off
     for (int i = 0; i < rings; ++i) grow_by_ring(level, is_near);
     Stencil_block<FT> buffer;
     const auto add = [&](Index v) {
-      if (part_.count(v) != 0) return;
-      double part = 1;
+      if (share_.count(v) != 0) return;
+      double share = 1;
       round_->round().for_each_entry(
-        v, buffer, [&](Index slot) { part = (std::min)(part, gone_.reach[slot]); });
-      if (part < 1) part_.emplace(v, part);
+        v, buffer, [&](Index slot) { share = (std::min)(share, creases_.reach[slot]); });
+      if (share < 1) share_.emplace(v, share);
     };
     const auto& host = round_->round().host();
     for (Index v = 0; v < level.number_of_vertices(); ++v)
@@ -155,31 +158,31 @@ private:
     }
   }
 
-  void find_parts_of_ended(const Creases<FT>& creases)
+  void find_shares_of_ended(const Creases<FT>& creases)
   {
     for (const Crease_star& star : creases.stars) {
-      const double part = mean_sharpness(creases, star, is_fraction);
-      if (part < 1) part_[star.vertex] = part;
+      const double share = mean_sharpness(creases, star, is_fraction);
+      if (share < 1) share_[star.vertex] = share;
     }
     for (const Crease_edge<FT>& e : creases.edges)
       if (is_fraction(e.sharpness))
-        part_[round_->round().host().vertex_of_edge(e.edge)] = e.sharpness;
+        share_[round_->round().host().vertex_of_edge(e.edge)] = e.sharpness;
   }
 
   // \name Values
   // by their slots
-  std::vector<Slot_value> gone_values(const Creases<FT>& creases, const Value* old,
-                                      const For_chunks& for_chunks)
+  std::vector<Slot_value> smooth_values(const Creases<FT>& creases, const Value* old,
+                                        const For_chunks& for_chunks)
   {
     std::vector<Value> values;
     if (const auto& without = creases.without_fractions) {
       values.assign(without->values.begin(), without->values.end());
-      for (std::size_t i = 0; i < gone_.creases.edges.size(); ++i)
-        gone_.creases.edges[i].tangent_from = without->creases.edges[i].tangent_from;
+      for (std::size_t i = 0; i < creases_.creases.edges.size(); ++i)
+        creases_.creases.edges[i].tangent_from = without->creases.edges[i].tangent_from;
     } else {
-      gone_.take_tangents(creases);
+      creases_.take_tangents(creases);
       decide(Level_connectivity::null, [&] {
-        values = gone_.template joined<Value>(creases, [&](Index slot) { return old[slot]; });
+        values = creases_.template joined<Value>(creases, [&](Index slot) { return old[slot]; });
       });
     }
     round_->read(values.data());
@@ -192,19 +195,19 @@ private:
     return result;
   }
 
-  static void mix(Value& value, const Value& other, const FT& part)
+  static void mix(Value& value, const Value& other, const FT& share)
   {
-    value.point = mixed<FT>(value.point, other.point, part);
-    value.normal = unit_or_zero(mixed<FT>(value.normal, other.normal, part), FT(1));
-    value.roundness = part * value.roundness + (FT(1) - part) * other.roundness;
+    value.point = mixed<FT>(value.point, other.point, share);
+    value.normal = unit_or_zero(mixed<FT>(value.normal, other.normal, share), FT(1));
+    value.roundness = share * value.roundness + (FT(1) - share) * other.roundness;
   }
 
-  void mix_tangents(const Crease_star& star, const FT& part, Creases<FT>& refined) const
+  void mix_tangents(const Crease_star& star, const FT& share, Creases<FT>& refined) const
   {
-    const Creases<FT>& gone = round_->refined().creases;
+    const Creases<FT>& smooth = round_->refined().creases;
     for (const Crease_end& e : refined.ends_of(star)) {
       Coordinates<FT, 3>& t = refined.tangent_from(e);
-      t = unit_or_zero(mixed<FT>(t, gone.tangent_from(e), part), FT(1));
+      t = unit_or_zero(mixed<FT>(t, smooth.tangent_from(e), share), FT(1));
     }
   }
 
@@ -218,13 +221,13 @@ private:
     });
   }
 
-  Gone_creases<FT> gone_;
+  Creases_without_fractions<FT> creases_;
   Level_connectivity level_; // cut open
   std::optional<One_round> round_;
-  std::map<Index, double> part_;
+  std::map<Index, double> share_;
   std::vector<Index> rows_; // blended vertices whose values in round_ come from their rows
 };
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_ROUND_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_ROUND_WITHOUT_FRACTIONS_H

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_WIDE_PN_AVERAGE_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_WIDE_PN_AVERAGE_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_VECTORIZED_PN_AVERAGE_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_VECTORIZED_PN_AVERAGE_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
@@ -56,7 +56,7 @@ constexpr FT least_squared_length() // of a normal that is too short
 // The PN averages of rows of the same length side by side in the lanes of wide registers. For this
 // number type and compiler there are none.
 template <class FT, int dimension, bool has_lanes = (number_of_lanes_v<FT> > 0)>
-struct Wide_PN_average
+struct Vectorized_PN_average
 {
   static constexpr std::size_t maximum_length = 0;
 };
@@ -67,7 +67,7 @@ struct Wide_PN_average
 // bit, unless the whole program is built for processors with FMA and the compiler fuses operations as
 // it likes.
 template <class FT, int dimension>
-struct Wide_PN_average<FT, dimension, true>
+struct Vectorized_PN_average<FT, dimension, true>
 {
   using Entry = typename Stencil_block<FT>::Entry;
   using Value = Point_normal<FT, dimension>;
@@ -203,13 +203,13 @@ class Avx2_PN_average
   using Packed = typename Lanes::Packed;
   static constexpr std::size_t width = Lanes::width;
 
-  using Wide = Wide_PN_average<FT, dimension>;
-  static constexpr std::size_t maximum_length = Wide::maximum_length;
-  static constexpr std::size_t maximum_number_of_rows = Wide::maximum_number_of_rows;
+  using Vectorized = Vectorized_PN_average<FT, dimension>;
+  static constexpr std::size_t maximum_length = Vectorized::maximum_length;
+  static constexpr std::size_t maximum_number_of_rows = Vectorized::maximum_number_of_rows;
 
 public:
-  using Entry = typename Wide::Entry;
-  using Value = typename Wide::Value;
+  using Entry = typename Vectorized::Entry;
+  using Value = typename Vectorized::Value;
 
   [[gnu::target("avx2")]] static std::uint32_t average(const Entry* rows, std::size_t length,
                                                        std::size_t number, const Value* old,
@@ -348,9 +348,10 @@ private:
 };
 
 template <class FT, int dimension>
-std::uint32_t Wide_PN_average<FT, dimension, true>::average(const Entry* rows, std::size_t length,
-                                                            std::size_t number, const Value* old,
-                                                            const FT* roundness, Value* result)
+std::uint32_t
+Vectorized_PN_average<FT, dimension, true>::average(const Entry* rows, std::size_t length,
+                                                    std::size_t number, const Value* old,
+                                                    const FT* roundness, Value* result)
 {
   return Avx2_PN_average<FT, dimension>::average(rows, length, number, old, roundness, result);
 }
@@ -359,4 +360,4 @@ std::uint32_t Wide_PN_average<FT, dimension, true>::average(const Entry* rows, s
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_WIDE_PN_AVERAGE_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_VECTORIZED_PN_AVERAGE_H

@@ -6,12 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_KEPT_ATTRIBUTES_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_KEPT_ATTRIBUTES_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_REFINED_ATTRIBUTES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_REFINED_ATTRIBUTES_H
 
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Carried_through.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Call_attribute_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
@@ -43,12 +43,12 @@ namespace CGAL::PN_subdivision_3::internal {
 
 // The attributes of a refined mesh that nobody holds: read from the control mesh, refined once, and put into the maps
 // of meshes that are made later.
-class Kept_attributes
+class Refined_attributes
 {
   using Index = Level_connectivity::Index;
 
 public:
-  Kept_attributes() = default;
+  Refined_attributes() = default;
 
   std::size_t memory() const { return memory_; }
 
@@ -62,7 +62,7 @@ public:
     auto kept = read(access, level, refined_size, attributes);
     if (rounds > 0)
       refine_kept<FT>(linear(scheme), access, level, creases, sharpness, rounds,
-                      Carry<decltype(kept)>{kept}, for_chunks);
+                      Attributes_of_call<decltype(kept)>{kept}, for_chunks);
     if constexpr (std::is_same_v<Attributes, Attribute_table>) {
       for (const auto* arrays : {&kept.vertices, &kept.corners, &kept.edges})
         for (const Attribute_array& array : *arrays)
@@ -74,20 +74,20 @@ public:
   // Begins to refine the attributes of a control mesh for parts of it. The function that is returned takes the attributes of a
   // part whose values have been put, and keeps the values of the mesh.
   template <class FT, class Host, class Access, class Level_creases, class Attributes>
-  static auto carry(const Access& access, const Level_connectivity& level,
-                    const Level_creases& creases, const Control_sharpness& sharpness,
-                    const Attributes& attributes, const For_chunks& for_chunks)
+  static auto for_pieces(const Access& access, const Level_connectivity& level,
+                         const Level_creases& creases, const Control_sharpness& sharpness,
+                         const Attributes& attributes, const For_chunks& for_chunks)
   {
-    Kept_attributes lists; // of the control mesh
+    Refined_attributes lists; // of the control mesh
     auto kept = std::make_shared<decltype(lists.read(access, level, level.size(), attributes))>(
       lists.read(access, level, level.size(), attributes));
     static constexpr Numbers_as_elements numbers{};
     auto rounds = std::make_unique<Attribute_rounds<FT, Host>>(
       read_attributes<FT>(numbers, level, *kept), Level_origins::Kinds(), level,
       vertices_of_extra_slots(creases, level.number_of_vertices()), sharpness, access, for_chunks);
-    const std::function<Kept_attributes(Carried_attributes<FT>&)> of_part =
-      [kept](Carried_attributes<FT>& put) {
-        Kept_attributes part;
+    const std::function<Refined_attributes(Control_attributes<FT>&)> of_part =
+      [kept](Control_attributes<FT>& put) {
+        Refined_attributes part;
         part.take(put, *kept);
         return part;
       };
@@ -124,29 +124,30 @@ public:
 
 private:
   // the points of the linear twin are all 0: only its rows count
-  template <class FT, class Scheme, class Access, class Level_creases, class Carry>
+  template <class FT, class Scheme, class Access, class Level_creases, class Attributes_of_call>
   static void refine_kept(const Scheme& scheme, const Access& access, Level_connectivity level,
                           Level_creases creases, const Control_sharpness& sharpness,
-                          unsigned rounds, const Carry& carry, const For_chunks& for_chunks)
+                          unsigned rounds, const Attributes_of_call& attributes_of_call,
+                          const For_chunks& for_chunks)
   {
     using Average = Average_of_scheme<Scheme, FT>;
     using Refiner = Level_refiner<Scheme, Average, Level_creases>;
-    Carried_through<FT, typename Scheme::Host, Carry> carried(
-      carry, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()), sharpness,
-      for_chunks);
+    Call_attribute_rounds<FT, typename Scheme::Host, Attributes_of_call> attribute_rounds(
+      attributes_of_call, access, level,
+      vertices_of_extra_slots(creases, level.number_of_vertices()), sharpness, for_chunks);
     typename Refiner::Values points(creases.number_of_slots, zero_vector<FT, 3>());
     Refiner refiner(scheme, std::move(level), std::move(creases), std::move(points), for_chunks);
-    for (unsigned k = 1; k < rounds; ++k) carried.refine(scheme, refiner);
-    carried.before_cut(refiner);
+    for (unsigned k = 1; k < rounds; ++k) attribute_rounds.refine(scheme, refiner);
+    attribute_rounds.before_cut(refiner);
     auto last = refiner.next_round();
-    carried.begin_round(scheme, refiner, last, Kind_of_round::last_put_later);
-    refiner.refined_values(last, carried.rows());
-    carried.put(refiner, last.round());
-    carried.keep();
+    attribute_rounds.begin_round(scheme, refiner, last, Kind_of_round::last_put_later);
+    refiner.refined_values(last, attribute_rounds.rows());
+    attribute_rounds.put(refiner, last.round());
+    attribute_rounds.keep();
   }
 
   template <class FT>
-  void take(Carried_attributes<FT>& put, const Attribute_table& control)
+  void take(Control_attributes<FT>& put, const Attribute_table& control)
   {
     Attribute_table table;
     const auto take = [](auto& arrays, const auto& list) {
@@ -162,7 +163,7 @@ private:
     lists_.emplace_back(std::move(table));
   }
   template <class FT, class... Items>
-  void take(Carried_attributes<FT>& put, const Attributes<Items...>&)
+  void take(Control_attributes<FT>& put, const Attributes<Items...>&)
   {
     // attributes of a kind are in the order in which the call names them
     (lists_.push_back(take_first(Items::list(put))), ...);
@@ -186,13 +187,13 @@ private:
   }
 
   template <class Attributes>
-  struct Carry
+  struct Attributes_of_call
   {
     static constexpr bool is_empty = false;
     static constexpr Level_origins::Kinds visited{};
 
     template <class FT, class Access>
-    Carried_attributes<FT> read(const Access&, const Level_connectivity& level) const
+    Control_attributes<FT> read(const Access&, const Level_connectivity& level) const
     {
       static constexpr Numbers_as_elements numbers{};
       return read_attributes<FT>(numbers, level, attributes);
@@ -231,19 +232,19 @@ private:
                  const Level_size& refined_size, const Item<Map>& item)
   {
     using Keys = typename Item<Map>::Keys;
-    using Kept = Map_of_numbers<Value_of<Map>, Keys>;
+    using Refined_map = Map_of_numbers<Value_of<Map>, Keys>;
     const std::size_t n = Keys::number(level.size());
-    const Kept map{std::make_shared<typename Kept::List>((std::max)(n, Keys::number(refined_size)),
-                                                         Value_of<Map>())};
+    const Refined_map map{std::make_shared<typename Refined_map::List>(
+      (std::max)(n, Keys::number(refined_size)), Value_of<Map>())};
     if constexpr (is_readable_v<Map>)
       for (Index i = 0; i < n; ++i)
         if (has_value<Keys>(level, i)) put(map, i, get(item.map, Keys::at(access, i)));
     lists_.emplace_back(map);
     memory_ += map.list->size() * sizeof(Value_of<Map>);
     if constexpr (std::is_same_v<Item<Map>, Corner_attribute<Map>>)
-      return Corner_attribute<Kept>{map, item.rule};
+      return Corner_attribute<Refined_map>{map, item.rule};
     else
-      return Item<Kept>{{map}};
+      return Item<Refined_map>{{map}};
   }
 
   template <class Access, class Item>
@@ -251,8 +252,8 @@ private:
                        const std::any& kept)
   {
     using Keys = typename Item::Keys;
-    using Kept = Map_of_numbers<Value_of<decltype(item.map)>, Keys>;
-    const Kept* map = std::any_cast<Kept>(&kept);
+    using Refined_map = Map_of_numbers<Value_of<decltype(item.map)>, Keys>;
+    const Refined_map* map = std::any_cast<Refined_map>(&kept);
     require(map != nullptr);
     for (Index i = 0; i < Keys::number(refined.size()); ++i)
       if (has_value<Keys>(refined, i)) put(item.map, Keys::at(access, i), get(*map, i));
@@ -281,4 +282,4 @@ private:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_KEPT_ATTRIBUTES_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_REFINED_ATTRIBUTES_H

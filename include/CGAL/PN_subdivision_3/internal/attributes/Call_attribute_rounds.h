@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIED_THROUGH_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIED_THROUGH_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CALL_ATTRIBUTE_ROUNDS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CALL_ATTRIBUTE_ROUNDS_H
 
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
@@ -29,13 +29,13 @@ namespace CGAL::PN_subdivision_3::internal {
 
 // Attribute_rounds, if there are any, and the steps of a round of a Level_refiner that serve them.
 template <class FT, class Host, bool may_be_any = true>
-class Carried_rounds
+class Optional_attribute_rounds
 {
 public:
   using Rounds = Attribute_rounds<FT, Host>;
 
-  Carried_rounds() = default;
-  explicit Carried_rounds(std::unique_ptr<Rounds> rounds)
+  Optional_attribute_rounds() = default;
+  explicit Optional_attribute_rounds(std::unique_ptr<Rounds> rounds)
     : rounds_(std::move(rounds))
   {}
   Rounds* operator->() const { return rounds_.get(); }
@@ -78,13 +78,16 @@ public:
   }
 
   // The attributes of a part of the level, given its slots in the level.
-  Carried_rounds part(const Level_part& part, const std::vector<Level_part::Index>& slot_ids,
-                      const typename Rounds::Chart_slots& chart_slots) const
+  Optional_attribute_rounds part(const Level_part& part,
+                                 const std::vector<Level_part::Index>& slot_ids,
+                                 const typename Rounds::Chart_slots& chart_slots) const
   {
-    return Carried_rounds(std::make_unique<Rounds>(*rounds_, part, slot_ids, chart_slots));
+    return Optional_attribute_rounds(
+      std::make_unique<Rounds>(*rounds_, part, slot_ids, chart_slots));
   }
-  Carried_rounds part(const Level_part& part, const std::vector<Level_part::Index>& slot_ids,
-                      const Level_connectivity& level) const
+  Optional_attribute_rounds part(const Level_part& part,
+                                 const std::vector<Level_part::Index>& slot_ids,
+                                 const Level_connectivity& level) const
   {
     return this->part(part, slot_ids, rounds_->slots_of_charts(level));
   }
@@ -99,7 +102,7 @@ private:
 
 // Without attributes there is nothing to do.
 template <class FT, class Host>
-class Carried_rounds<FT, Host, false>
+class Optional_attribute_rounds<FT, Host, false>
 {
 public:
   explicit constexpr operator bool() const { return false; }
@@ -123,10 +126,10 @@ public:
 };
 
 // The attributes of a call in its rounds.
-template <class FT, class Host, class Carry, bool = Carry::is_empty>
-class Carried_through : public Carried_rounds<FT, Host>
+template <class FT, class Host, class Attributes, bool = Attributes::is_empty>
+class Call_attribute_rounds : public Optional_attribute_rounds<FT, Host>
 {
-  using Base = Carried_rounds<FT, Host>;
+  using Base = Optional_attribute_rounds<FT, Host>;
   using typename Base::Rounds;
 
 public:
@@ -134,12 +137,13 @@ public:
 
   // `extra_slots` has the vertices of the further slots, see Creases
   template <class Access>
-  Carried_through(const Carry& carry, const Access& access, const Level_connectivity& level,
-                  const std::vector<Index>& extra_slots, const Control_sharpness& sharpness,
-                  const For_chunks& for_chunks)
-    : Base(std::make_unique<Rounds>(carry.template read<FT>(access, level), Carry::visited, level,
-                                    extra_slots, sharpness, access, for_chunks))
-    , carry_(carry)
+  Call_attribute_rounds(const Attributes& attributes, const Access& access,
+                        const Level_connectivity& level, const std::vector<Index>& extra_slots,
+                        const Control_sharpness& sharpness, const For_chunks& for_chunks)
+    : Base(std::make_unique<Rounds>(attributes.template read<FT>(access, level),
+                                    Attributes::visited, level, extra_slots, sharpness, access,
+                                    for_chunks))
+    , attributes_(attributes)
     , for_chunks_(for_chunks)
   {}
 
@@ -162,20 +166,21 @@ public:
   template <class Access, class Refiner, class One_round>
   void visit(const Access& access, const Refiner& refiner, const One_round& last) const
   {
-    carry_.visit(access, last.refined_size(), (*this)->rules(last, refiner.level()));
+    attributes_.visit(access, last.refined_size(), (*this)->rules(last, refiner.level()));
   }
 
 private:
-  const Carry& carry_;
+  const Attributes& attributes_;
   const For_chunks for_chunks_;
 };
 
-template <class FT, class Host, class Carry>
-class Carried_through<FT, Host, Carry, true> : public Carried_rounds<FT, Host, false>
+template <class FT, class Host, class Attributes>
+class Call_attribute_rounds<FT, Host, Attributes, true>
+  : public Optional_attribute_rounds<FT, Host, false>
 {
 public:
   template <class... Arguments>
-  explicit Carried_through(const Carry&, const Arguments&...)
+  explicit Call_attribute_rounds(const Attributes&, const Arguments&...)
   {}
   template <class... Arguments>
   void put(const Arguments&...) const
@@ -188,4 +193,4 @@ public:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIED_THROUGH_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CALL_ATTRIBUTE_ROUNDS_H

@@ -6,12 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_CLASSES_H
-#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_CLASSES_H
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_RULES_CACHE_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_RULES_CACHE_H
 
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_class.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
@@ -35,23 +35,23 @@ namespace CGAL::PN_subdivision_3::internal {
 // the border. A kind is made where it occurs first, from the scheme itself at work around the vertex.
 // On borders of sqrt(3), which are refined in every other round, two rounds make a step.
 template <class Scheme, class FT>
-class Limit_classes
+class Ring_rules_cache
 {
   using Key =
     std::tuple<bool, bool, Level_connectivity::Index>; // on the border, next round is odd, valence
 
 public:
   using Index = Level_connectivity::Index;
-  using Class = Ring_class<Scheme, FT>;
+  using Rules = Ring_rules<Scheme, FT>;
   using Host = typename Scheme::Host;
 
   struct Kind
   {
-    std::unique_ptr<Class> ring_class;
+    std::unique_ptr<Rules> ring_rules;
     unsigned rings = 1; // how many the class takes
   };
 
-  explicit Limit_classes(const Scheme& scheme)
+  explicit Ring_rules_cache(const Scheme& scheme)
     : scheme_(scheme)
     , any_round_((std::max)(101u, first_tuned_round(scheme) | 1u))
   {}
@@ -66,23 +66,23 @@ public:
   class Recent
   {
   public:
-    Recent(Limit_classes& classes, const Level_connectivity& level, unsigned next_round)
-      : classes_(classes)
+    Recent(Ring_rules_cache& rules_cache, const Level_connectivity& level, unsigned next_round)
+      : rules_cache_(rules_cache)
       , level_(level)
       , next_round_(next_round)
     {}
     const Kind& operator()(Index v, Index valence)
     {
-      const Key key = Limit_classes::key(level_, v, valence, next_round_);
+      const Key key = Ring_rules_cache::key(level_, v, valence, next_round_);
       if (kind_ == nullptr || key != key_) {
-        kind_ = &classes_.at(level_, v, key);
+        kind_ = &rules_cache_.at(level_, v, key);
         key_ = key;
       }
       return *kind_;
     }
 
   private:
-    Limit_classes& classes_;
+    Ring_rules_cache& rules_cache_;
     const Level_connectivity& level_;
     const unsigned next_round_;
     Key key_{};
@@ -110,7 +110,7 @@ private:
     const auto [at_border, is_odd, valence] = key;
     const std::lock_guard<std::mutex> lock(mutex_);
     Kind& kind = kinds_[key];
-    if (!kind.ring_class)
+    if (!kind.ring_rules)
       kind = is_sqrt3 && at_border ? make_sqrt3_border(valence, is_odd) : make(level, v);
     return kind;
   }
@@ -143,9 +143,9 @@ private:
       layout.number = cut.level.valence(c);
       layout.at_border = at_border;
       layout.has_diagonals = Host::refined_degree == 4;
-      kind.ring_class = std::make_unique<Class>(
+      kind.ring_rules = std::make_unique<Rules>(
         scheme_, std::vector<Ring_round>{{cut.level, any_round_, rings}}, layout);
-      if (kind.ring_class->is_valid()) return kind;
+      if (kind.ring_rules->is_valid()) return kind;
     }
     throw std::invalid_argument("PN_subdivision_3: the scheme has no limit mask on " +
                                 std::to_string(most_rings) + " rings about a vertex of valence " +
@@ -162,7 +162,7 @@ private:
       throw std::invalid_argument(
         "PN_subdivision_3: a face has two border edges, as none has after "
         "an odd round of sqrt(3): `rounds_done` cannot be right");
-    std::vector<Level_connectivity> levels = {fan(triangles)};
+    std::vector<Level_connectivity> levels = {fan_of_triangles(triangles)};
     const unsigned first = is_odd ? any_round_ : any_round_ + 1;
     if (!is_odd) levels.front() = refined(levels.front(), any_round_);
     for (unsigned r = 0; r < 2; ++r) levels.push_back(refined(levels.back(), first + r));
@@ -176,13 +176,13 @@ private:
     Ring_layout layout;
     layout.number = valence;
     layout.at_border = true;
-    kind.ring_class = std::make_unique<Class>(scheme_, rounds, layout);
+    kind.ring_rules = std::make_unique<Rules>(scheme_, rounds, layout);
     return kind;
   }
 
   // Triangles about vertex 0, which is on the border. Edge i leads to it from neighbor i, which is
   // vertex 1 + i, and then come the edges opposite to vertex 0.
-  static Level_connectivity fan(Index triangles)
+  static Level_connectivity fan_of_triangles(Index triangles)
   {
     const Index spokes = triangles + 1;
     Level_size size;
@@ -227,4 +227,4 @@ private:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_CLASSES_H
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_RULES_CACHE_H

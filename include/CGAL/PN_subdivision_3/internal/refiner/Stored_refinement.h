@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_REFINEMENT_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_REFINEMENT_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_STORED_REFINEMENT_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_STORED_REFINEMENT_H
 
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Control_values.h>
@@ -24,7 +24,7 @@ namespace CGAL::PN_subdivision_3::internal {
 // What a refiner keeps of a control mesh, a scheme and a number of rounds, so that other control values
 // are refined without anything of the connectivity.
 template <class Average>
-class Kept_refinement
+class Stored_refinement
 {
 public:
   using Index = Level_connectivity::Index;
@@ -35,9 +35,9 @@ public:
   // takes (corner of the refined level, its value; none if it is that of the vertex)
   using Corner_sink = Function_ref<void(Index, const Value*)>;
 
-  Kept_refinement(const Kept_refinement&) = delete;
-  Kept_refinement& operator=(const Kept_refinement&) = delete;
-  virtual ~Kept_refinement() = default;
+  Stored_refinement(const Stored_refinement&) = delete;
+  Stored_refinement& operator=(const Stored_refinement&) = delete;
+  virtual ~Stored_refinement() = default;
 
   virtual Level_size refined_size() const = 0;
   virtual Level_connectivity refined_level() const = 0;
@@ -56,7 +56,7 @@ public:
   virtual std::size_t memory() const = 0;
 
 protected:
-  explicit Kept_refinement(const For_chunks& for_chunks)
+  explicit Stored_refinement(const For_chunks& for_chunks)
     : for_chunks_(for_chunks)
   {}
 
@@ -141,4 +141,4 @@ private:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_REFINEMENT_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_STORED_REFINEMENT_H

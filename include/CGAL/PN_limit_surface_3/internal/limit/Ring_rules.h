@@ -6,13 +6,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_CLASS_H
-#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_CLASS_H
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_RULES_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_RULES_H
 
+#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_weights.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_masks.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Settled_neighborhood.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_eigenvectors.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
@@ -136,7 +136,7 @@ private:
 // All that rings of one kind share, made of the rows of the scheme's own mask: their matrix, the limit
 // mask, the tangent masks.
 template <class Scheme, class FT>
-class Ring_class
+class Ring_rules
 {
 public:
   using Average = Average_of_scheme<Scheme, FT>;
@@ -145,7 +145,7 @@ public:
 
   // Of the scheme in some rounds, each on the level that the one before makes; not valid if the rows leave
   // the ring, or if the limit mask does not exist.
-  Ring_class(const Scheme& scheme, const std::vector<Ring_round>& rounds, const Ring_layout& layout)
+  Ring_rules(const Scheme& scheme, const std::vector<Ring_round>& rounds, const Ring_layout& layout)
     : block_(average_of<Average>(scheme))
     , size_(rounds.front().rings.ring.size())
   {
@@ -255,7 +255,7 @@ private:
   static constexpr bool may_have_normal_rows = Has_normal_mask<Scheme>::value;
 
   // of points, or of normals
-  struct Rules
+  struct Weights
   {
     std::vector<Ring_rows<FT>> rows; // of each round
     Ring_rows<FT> limit;
@@ -273,9 +273,9 @@ private:
   template <class Matrix_of>
   std::optional<Tangents> set_rules(const std::vector<Ring_round>& rounds,
                                     const Ring_layout& layout, const Matrix_of& matrix_of,
-                                    Rules& rules) const
+                                    Weights& rules) const
   {
-    using Real = Ring_masks::Real;
+    using Real = Ring_eigenvectors::Real;
     Ring_matrix<Real> real_matrix;
     for (const Ring_round& r : rounds) {
       const auto rows = matrix_of(FT(), r);
@@ -285,7 +285,7 @@ private:
       real_matrix = rules.rows.empty() ? *real_rows : product(*real_rows, real_matrix);
       rules.rows.emplace_back(*rows, copies_);
     }
-    const Ring_masks masks(real_matrix, layout);
+    const Ring_eigenvectors masks(real_matrix, layout);
     if (masks.limit().empty()) return std::nullopt;
     rules.limit_row = limit_weights(masks.limit(), rules.matrix);
     rules.limit = Ring_rows<FT>({rules.limit_row}, copies_);
@@ -319,7 +319,7 @@ private:
   std::size_t size_, largest_size_ = 0, copies_ = 1, number_of_neighbors_ = 0;
   bool is_valid_ = false, is_interpolating_ = false, is_at_border_ = false;
   bool has_normal_rows_ = false; // otherwise the normals are refined by the rows of the points
-  Rules points_, normals_;
+  Weights points_, normals_;
   std::array<std::vector<double>, 2> tangents_;
   double lambda_ = 0, normal_ratio_ = 0, largest_other_ = 0;
   Level_connectivity::Index transfer_valence_ = 0;
@@ -327,4 +327,4 @@ private:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_CLASS_H
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_RULES_H

@@ -24,20 +24,20 @@ namespace PN = CGAL::PN_subdivision_3;
 
 // a mesh with values of all kinds of elements; those of the corners of every other face are a chart
 template <class Mesh, class Number = double>
-struct Carrying
+struct Mesh_with_attributes
 {
   template <class Tag>
   using Map = typename boost::property_map<Mesh, Tag>::type;
 
-  Carrying()
+  Mesh_with_attributes()
   {
     of_vertices = get(CGAL::dynamic_vertex_property_t<Number>(), mesh);
     of_corners = get(CGAL::dynamic_halfedge_property_t<Number>(), mesh);
     of_edges = get(CGAL::dynamic_edge_property_t<int>(), mesh);
     of_faces = get(CGAL::dynamic_face_property_t<int>(), mesh);
   }
-  explicit Carrying(const mesh_cases::Soup& soup)
-    : Carrying()
+  explicit Mesh_with_attributes(const mesh_cases::Soup& soup)
+    : Mesh_with_attributes()
   {
     mesh_cases::build(soup, mesh);
     int i = 0, j = 0, k = 0;

@@ -6,13 +6,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_TOWER_H
-#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_TOWER_H
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_LIMITS_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_LIMITS_H
 
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_class.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_planes.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
@@ -45,30 +45,30 @@ struct Limit_result
 // over it converge, and their differences tell how far they have come. Rings of one class are refined
 // side by side, which changes nothing of their results.
 template <class Scheme, class FT, bool points_alone = false>
-class Limit_tower
+class Ring_limits
 {
 public:
-  using Class = Ring_class<Scheme, FT>;
-  using Average = typename Class::Average;
-  using Value = typename Class::Value;
+  using Rules = Ring_rules<Scheme, FT>;
+  using Average = typename Rules::Average;
+  using Value = typename Rules::Value;
   using Result = Limit_result<Average>;
 
   // is_spline: whether the surface is a regular piece of a spline about the vertices
-  Limit_tower(const Class& ring_class, const Limit_demand& demand, bool is_spline)
-    : class_(ring_class)
+  Ring_limits(const Rules& ring_rules, const Limit_demand& demand, bool is_spline)
+    : rules_(ring_rules)
     , demand_(demand)
     , is_spline_(is_spline)
-    , copies_(ring_class.copies())
-    , rings_(ring_class.largest_size() * copies_)
+    , copies_(ring_rules.copies())
+    , rings_(ring_rules.largest_size() * copies_)
     , next_(rings_.size())
     , limits_(copies_)
     , states_(copies_)
-    , planes_(ring_class)
+    , planes_(ring_rules)
   {
-    if (is_pn_v<Scheme> && !class_.is_interpolating()) refuse_intervals<FT>();
+    if (is_pn_v<Scheme> && !rules_.is_interpolating()) refuse_intervals<FT>();
     if constexpr (has_transfers)
-      if (class_.transfer_valence() != 0)
-        transfer_.emplace(Scheme::Host::refined_degree, class_.transfer_valence());
+      if (rules_.transfer_valence() != 0)
+        transfer_.emplace(Scheme::Host::refined_degree, rules_.transfer_valence());
   }
 
   bool is_full() const { return count_ == copies_; }
@@ -82,7 +82,7 @@ public:
     state = State();
     state.result = &result;
     state.center = point_of(value(0));
-    for (std::size_t p = 0; p < class_.size(); ++p)
+    for (std::size_t p = 0; p < rules_.size(); ++p)
       rings_[p * copies_ + count_] = relative(value(p), state.center, FT(-1));
     ++count_;
   }
@@ -93,17 +93,17 @@ public:
     if (count_ == 0) return;
     // what is not used has to be finite, no more
     for (std::size_t c = count_; c < copies_; ++c)
-      for (std::size_t p = 0; p < class_.size(); ++p) rings_[p * copies_ + c] = rings_[p * copies_];
+      for (std::size_t p = 0; p < rules_.size(); ++p) rings_[p * copies_ + c] = rings_[p * copies_];
     std::size_t left = count_;
     for (unsigned depth = 0; left != 0; ++depth) {
       if (depth != 0) {
-        class_.refine(rings_.data(), next_.data());
+        rules_.refine(rings_.data(), next_.data());
         if constexpr (has_transfers) transfer_curvature();
         std::copy(next_.begin(), next_.end(), rings_.begin());
       }
-      class_.limit(rings_.data(), limits_.data());
+      rules_.limit(rings_.data(), limits_.data());
       if constexpr (!points_alone)
-        if (demand_.surface_normals && class_.has_tangents())
+        if (demand_.surface_normals && rules_.has_tangents())
           planes_.find(rings_.data(), limits_.data(), count_,
                        [&](std::size_t c) { return states_[c].is_done; });
       for (std::size_t c = 0; c < count_; ++c)
@@ -135,7 +135,7 @@ private:
   // neighbor with its number, and there behind it.
   std::size_t place(std::size_t j) const
   {
-    const std::size_t n = class_.transfer_valence();
+    const std::size_t n = rules_.transfer_valence();
     return j <= n ? j : 1 + n + (j - n) % n;
   }
 
@@ -168,13 +168,13 @@ private:
     State& state = states_[c];
     Result& result = *state.result;
     const Coordinates<FT, 3>& point = point_of(limits_[c]);
-    const bool is_exact = class_.is_interpolating() || !is_pn_v<Scheme>;
+    const bool is_exact = rules_.is_interpolating() || !is_pn_v<Scheme>;
     if (depth != 0 && !is_exact)
-      result.error = limit_error(class_.error_factor(), class_.error_ratio(),
+      result.error = limit_error(rules_.error_factor(), rules_.error_ratio(),
                                  distance(point, state.last_limit), state.last_step);
     bool is_last = (is_exact || depth != 0) && result.error <= demand_.tolerance;
     if constexpr (!points_alone) {
-      if (demand_.surface_normals && class_.has_tangents()) {
+      if (demand_.surface_normals && rules_.has_tangents()) {
         const bool is_normal_found = note_normal(c, depth);
         // stand-ins for normals are as exact as points
         const bool has_to_be_close = demand_.points || !planes_[c].exists;
@@ -183,7 +183,7 @@ private:
       if (demand_.curvatures && settles() && !is_spline_ && depth < curvature_depth)
         is_last = false;
     }
-    is_last = is_last || depth * class_.rounds() >= demand_.max_depth;
+    is_last = is_last || depth * rules_.rounds() >= demand_.max_depth;
     if constexpr (!points_alone)
       if (demand_.curvatures &&
           (is_last ? depth <= most_curvature_depth : depth == most_curvature_depth))
@@ -195,7 +195,7 @@ private:
     if (!demand_.points && result.has_surface_normal)
       result.error = std::numeric_limits<double>::infinity();
     result.value = relative(limits_[c], state.center, FT(1));
-    result.depth += depth * class_.rounds();
+    result.depth += depth * rules_.rounds();
     state.is_done = true;
     return true;
   }
@@ -221,7 +221,7 @@ private:
     double error = is_found_at_once ? (std::max)(plane.error, plane.rounding) : plane.rounding;
     if (is_pn_v<Scheme> && depth != 0 && had_normal) {
       // a turn may be small by chance, two in a row hardly are
-      const double ratio = class_.normal_ratio();
+      const double ratio = rules_.normal_ratio();
       const double turn = quick_length({n[0] - last[0], n[1] - last[1], n[2] - last[2]});
       error =
         (std::max)(error, 1.5 * ratio / (1 - ratio) * (std::max)(turn, ratio * state.last_turn));
@@ -242,9 +242,9 @@ private:
   // whether the ring matrix has no part of second order that would last
   bool settles() const
   {
-    const double lambda2 = class_.lambda() * class_.lambda();
-    return is_pn_v<Scheme> && class_.has_tangents() && !class_.is_at_border() &&
-           (transfer_ || class_.largest_other() < 0.9 * lambda2);
+    const double lambda2 = rules_.lambda() * rules_.lambda();
+    return is_pn_v<Scheme> && rules_.has_tangents() && !rules_.is_at_border() &&
+           (transfer_ || rules_.largest_other() < 0.9 * lambda2);
   }
 
   // where curvature settles, or at regular vertices of splines
@@ -257,7 +257,7 @@ private:
     add_multiple<FT, 3>(center, FT(1), origin(c));
     const auto part = remaining_part(planes_.divided(to_double_3(center)));
     Curvatures<double> k =
-      is_spline_ ? spline_curvatures(class_.roundness_at(limits_[c]))
+      is_spline_ ? spline_curvatures(rules_.roundness_at(limits_[c]))
                  : g.extraordinary_curvatures(transfer_.has_value(), part ? &*part : nullptr);
     k.gaussian = std::ldexp(k.gaussian, -2 * planes_.exponent());
     k.mean = std::ldexp(k.mean, -planes_.exponent());
@@ -277,7 +277,7 @@ private:
         std::vector<Point_normal<double, 3>> ring(planes_.ring().size());
         for (std::size_t j = 0; j < ring.size(); ++j) ring[j] = planes_.ring()[place(j)];
         const auto degree = static_cast<Level_connectivity::Index>(Scheme::Host::refined_degree);
-        return Normal_transfer<double>(degree, class_.transfer_valence())(ring, origin_of_ring);
+        return Normal_transfer<double>(degree, rules_.transfer_valence())(ring, origin_of_ring);
       }
     return std::nullopt;
   }
@@ -293,7 +293,7 @@ private:
                                                  planes_.ring().data(), roundness);
   }
 
-  const Class& class_;
+  const Rules& rules_;
   const Limit_demand& demand_;
   const bool is_spline_;
   const std::size_t copies_;
@@ -306,4 +306,4 @@ private:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_TOWER_H
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_LIMITS_H

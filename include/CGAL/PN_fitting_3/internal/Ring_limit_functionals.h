@@ -6,11 +6,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_FITTING_3_INTERNAL_FUNCTIONAL_TOWER_H
-#define CGAL_PN_FITTING_3_INTERNAL_FUNCTIONAL_TOWER_H
+#ifndef CGAL_PN_FITTING_3_INTERNAL_RING_LIMIT_FUNCTIONALS_H
+#define CGAL_PN_FITTING_3_INTERNAL_RING_LIMIT_FUNCTIONALS_H
 
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_masks.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_eigenvectors.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
 
@@ -92,7 +92,7 @@ private:
 };
 
 // What is done to the rings of a kind in every round, in double.
-struct Ring_rule
+struct Ring_averages
 {
   using Entry = Stencil<double>::Entry;
   using Row = std::vector<Entry>;
@@ -113,7 +113,7 @@ struct Ring_rule
   std::vector<Row> rows_of_points, rows_of_normals;
   Row limit, normal_limit;
   std::vector<std::vector<double>> tangents; // over all places; none if there is no tangent plane
-  double error_factor = 1, error_ratio = 0;  // see Ring_class
+  double error_factor = 1, error_ratio = 0;  // see Ring_rules
 
   std::size_t size() const { return rows_of_points.size(); }
 };
@@ -136,7 +136,7 @@ struct Limit_precision
 // the rows of the vectors t_a = sum T_aj [(1 - N N^T)(p_j - o) + N (n_j + N).(p_j - o) / ((n_j + N).N)], whatever the
 // roundness: with any multiple of the difference from p_j - o these vectors tend to the tangents.
 template <int dimension, int tangents>
-class Functional_tower
+class Ring_limit_functionals
 {
 public:
   using Value = Point_normal<double, dimension>;
@@ -147,7 +147,8 @@ public:
 
   // Refines the ring until the limit is estimated to be known to the tolerance; `ring` is best given
   // relative to its center. Blocks are only made if they are wanted.
-  void run(const Ring_rule& rule, const std::vector<Value>& ring, const Limit_precision& precision)
+  void run(const Ring_averages& rule, const std::vector<Value>& ring,
+           const Limit_precision& precision)
   {
     rule_ = &rule;
     if (levels_.empty()) levels_.resize(1);
@@ -188,7 +189,8 @@ private:
                        [](const Value& v) { return Average::is_zero(v.normal); });
   }
 
-  Value average(const Ring_rule::Row& row, const Ring_rule::Row& normal_row, unsigned depth) const
+  Value average(const Ring_averages::Row& row, const Ring_averages::Row& normal_row,
+                unsigned depth) const
   {
     const Value* old = levels_[depth].data();
     return average_(row.data(), row.data() + row.size(), normal_row.data(),
@@ -214,7 +216,7 @@ private:
   {
     const std::vector<Value>& ring = levels_[depth_];
     blocks_.assign(rule_->size(), Block::Zero());
-    const Ring_rule::Row& row = rule_->limit;
+    const Ring_averages::Row& row = rule_->limit;
     row_blocks_.assign(row.data(), row.data() + row.size(), ring, limit_);
     const Vector& n = row_blocks_.normal();
     for (std::size_t j = 0; j < row.size(); ++j) {
@@ -267,7 +269,7 @@ private:
     next_.swap(blocks_);
     blocks_.assign(rule_->size(), Block::Zero());
     for (std::size_t p = 0; p < rule_->size(); ++p) {
-      const Ring_rule::Row& row = rule_->rows_of_points[p];
+      const Ring_averages::Row& row = rule_->rows_of_points[p];
       row_blocks_.assign(row.data(), row.data() + row.size(), levels_[depth],
                          levels_[depth + 1][p]);
       const Eigen::Matrix<double, rows, 1> x = next_[p] * row_blocks_.normal();
@@ -278,7 +280,7 @@ private:
   }
 
   Average average_;
-  const Ring_rule* rule_ = nullptr;
+  const Ring_averages* rule_ = nullptr;
   std::vector<std::vector<Value>> levels_;
   std::vector<Block> blocks_, next_;
   PN_row_blocks<dimension> row_blocks_;
@@ -289,4 +291,4 @@ private:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_FITTING_3_INTERNAL_FUNCTIONAL_TOWER_H
+#endif // CGAL_PN_FITTING_3_INTERNAL_RING_LIMIT_FUNCTIONALS_H

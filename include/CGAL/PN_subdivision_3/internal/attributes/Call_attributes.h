@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIER_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIER_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CALL_ATTRIBUTES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CALL_ATTRIBUTES_H
 
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
@@ -132,7 +132,7 @@ struct Call_round_done
 // What a call refines beside points and normals: its attributes, and what its
 // visitor asks for.
 template <class Mesh, class Visitor, class Attributes>
-struct Carrier
+struct Call_attributes
 {
   using Size = Level_size;
   using Index = Level_connectivity::Index;
@@ -145,7 +145,7 @@ struct Carrier
                                    !visited.vertices && !visited.edges && !visited.faces;
 
   template <class FT, class Access>
-  Carried_attributes<FT> read(const Access& access, const Level_connectivity& level) const
+  Control_attributes<FT> read(const Access& access, const Level_connectivity& level) const
   {
     return read_attributes<FT>(access, level, attributes);
   }
@@ -172,4 +172,4 @@ struct Carrier
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIER_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CALL_ATTRIBUTES_H

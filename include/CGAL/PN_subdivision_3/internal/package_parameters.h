@@ -5,8 +5,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_OWN_PARAMETERS_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_OWN_PARAMETERS_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_PACKAGE_PARAMETERS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_PACKAGE_PARAMETERS_H
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -63,7 +63,7 @@ struct Attributes;
 
 // the tag of a parameter of this package
 template <class Name>
-struct Own_parameter
+struct Package_parameter
 {};
 
 // with what the compiler says where a function does not read it, once for each kind of function
@@ -79,14 +79,14 @@ struct Own_parameter
       return is_read;                                                                              \
     }                                                                                              \
   };                                                                                               \
-  using X##_t = Own_parameter<Name_of_##X>;
+  using X##_t = Package_parameter<Name_of_##X>;
 CGAL_PN_SUBDIVISION_3_OWN_PARAMETERS(CGAL_PN_SUBDIVISION_3_TAG)
 CGAL_PN_SUBDIVISION_3_TAG(attributes)
 #undef CGAL_PN_SUBDIVISION_3_TAG
 
 // marks of a pack: the user's, that no function need read it whole; and that a function has looked at it, see scheme_of_call.h
-using is_shared_t = Own_parameter<struct Name_of_is_shared>;
-using scheme_is_adapted_t = Own_parameter<struct Name_of_scheme_is_adapted>;
+using is_shared_t = Package_parameter<struct Name_of_is_shared>;
+using scheme_is_adapted_t = Package_parameter<struct Name_of_scheme_is_adapted>;
 
 template <class Tag, class K, class T, class Own, class Base>
 auto with_parameter_below(const K& value, const Named_function_parameters<T, Own, Base>& np);
@@ -99,10 +99,10 @@ auto with_parameter_below(const K& value, const Named_function_parameters<T, Own
 // A pack whose outermost parameter is one of this package. Its members add this package's own parameters, and those of CGAL,
 // which are put below: around them the members of this class would be inherited, and leave them out.
 template <class T, class Name, class Base>
-struct Named_function_parameters<T, PN_subdivision_3::internal::Own_parameter<Name>, Base>
-  : internal_np::Named_params_impl<T, PN_subdivision_3::internal::Own_parameter<Name>, Base>
+struct Named_function_parameters<T, PN_subdivision_3::internal::Package_parameter<Name>, Base>
+  : internal_np::Named_params_impl<T, PN_subdivision_3::internal::Package_parameter<Name>, Base>
 {
-  using Own = PN_subdivision_3::internal::Own_parameter<Name>;
+  using Own = PN_subdivision_3::internal::Package_parameter<Name>;
   using base = internal_np::Named_params_impl<T, Own, Base>;
   using self = Named_function_parameters<T, Own, Base>;
   using CGAL_Named_function_parameters_class = int;
@@ -207,7 +207,7 @@ Named_function_parameters<T, Tag> with_parameter(const T& value)
 template <class Tag>
 constexpr bool is_own_v = false;
 template <class Name>
-inline constexpr bool is_own_v<Own_parameter<Name>> = true;
+inline constexpr bool is_own_v<Package_parameter<Name>> = true;
 
 // The pack `np` with one parameter more, which is what counts if it is there already. This package's own ones stay outside.
 template <class Tag, class K, class T, class Outermost, class Base>
@@ -263,9 +263,10 @@ template <class Read, class T, class Tag, class Base>
 inline constexpr bool are_read_v<Read, Named_function_parameters<T, Tag, Base>> =
   are_read_v<Read, Base>;
 template <class Read, class T, class Name, class Base>
-inline constexpr bool are_read_v<Read, Named_function_parameters<T, Own_parameter<Name>, Base>> =
-  Name::template check<std::is_base_of_v<Own_parameter<Name>, Read>, Read>() &&
-  are_read_v<Read, Base>;
+inline constexpr bool
+  are_read_v<Read, Named_function_parameters<T, Package_parameter<Name>, Base>> =
+    Name::template check<std::is_base_of_v<Package_parameter<Name>, Read>, Read>() &&
+    are_read_v<Read, Base>;
 template <class Read, class T, class Base>
 inline constexpr bool are_read_v<Read, Named_function_parameters<T, scheme_is_adapted_t, Base>> =
   true;
@@ -286,4 +287,4 @@ constexpr bool check_are_read()
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_OWN_PARAMETERS_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_PACKAGE_PARAMETERS_H

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_CREASES_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_CREASES_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASES_WITHOUT_FRACTIONS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASES_WITHOUT_FRACTIONS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
@@ -72,7 +72,8 @@ void for_each_corner_at_ended(const Level_connectivity& level, const Creases<FT>
   const auto is_ended = [&](const Crease_end& e) {
     return creases.is_inner(e) && ends(creases.edge(e).sharpness);
   };
-  const Wedge_join join = keep(creases, star, [&](const Crease_end& e) { return !is_ended(e); });
+  const Wedge_join join =
+    join_wedges(creases, star, [&](const Crease_end& e) { return !is_ended(e); });
   if (join.ends.size() == star.number_of_ends) return;
   Short_vector<double> least(join.number_of_wedges, infinite_sharpness);
   for (const Crease_end& e : creases.ends_of(star)) {
@@ -126,7 +127,7 @@ slots_at_ended(const Host& host, const Level_connectivity& level, const Creases<
 
 // The creases of a level without edges and vertices whose sharpness is less than 1.
 template <class FT>
-struct Gone_creases
+struct Creases_without_fractions
 {
   using Index = Level_connectivity::Index;
 
@@ -135,7 +136,7 @@ struct Gone_creases
     reach; // of each slot: the least sharpness of fractional edges that touch a face at the slot, or 1
 
   // `level` is whole
-  Gone_creases(const Level_connectivity& level, const Creases<FT>& old)
+  Creases_without_fractions(const Level_connectivity& level, const Creases<FT>& old)
     : creases(level.number_of_vertices())
   {
     creases.has_fixed_border = old.has_fixed_border;
@@ -151,9 +152,9 @@ struct Gone_creases
   // the tangents that the old creases have now; a corner that becomes a crease vertex passes on one direction of travel
   void take_tangents(const Creases<FT>& old)
   {
-    auto gone = creases.edges.begin();
+    auto remaining = creases.edges.begin();
     for (const Crease_edge<FT>& e : old.edges)
-      if (!is_fraction(e.sharpness)) (gone++)->tangent_from = e.tangent_from;
+      if (!is_fraction(e.sharpness)) (remaining++)->tangent_from = e.tangent_from;
     for (std::size_t i = 0; i < star_.size(); ++i) {
       if (star_[i] == Level_connectivity::null) continue;
       const Crease_star& star = creases.stars[star_[i]];
@@ -193,8 +194,8 @@ struct Gone_creases
 private:
   static Wedge_join remaining(const Creases<FT>& old, const Crease_star& star)
   {
-    return keep(old, star,
-                [&](const Crease_end& e) { return !is_fraction(old.edge(e).sharpness); });
+    return join_wedges(old, star,
+                       [&](const Crease_end& e) { return !is_fraction(old.edge(e).sharpness); });
   }
   static std::size_t extra_slots(const Creases<FT>& old)
   {
@@ -242,11 +243,11 @@ void keep_without_fractions(const Level_connectivity& level, Creases<FT>& crease
 {
   if (!has_fractions(creases)) return;
   auto without = std::make_shared<Control_without_fractions<FT>>();
-  without->creases = Gone_creases<FT>(level, creases).creases;
+  without->creases = Creases_without_fractions<FT>(level, creases).creases;
   without->values = values(without->creases);
   creases.without_fractions = std::move(without);
 }
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_CREASES_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASES_WITHOUT_FRACTIONS_H

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SETTLED_NEIGHBORHOOD_H
-#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SETTLED_NEIGHBORHOOD_H
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_HAS_FINAL_RULES_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_HAS_FINAL_RULES_H
 
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
@@ -36,7 +36,7 @@ unsigned cut_rings(const Scheme& scheme)
 // Tells whether the neighborhood of a vertex of a level is settled, or will be once the rules are those
 // of all later rounds, too.
 template <class Scheme>
-class Settled_neighborhood
+class Has_final_rules
 {
 public:
   using Index = Level_connectivity::Index;
@@ -46,7 +46,7 @@ public:
   static constexpr Index regular_valence = degree == 4 ? 4 : 6;
 
   // rules_are_final: whether the next round has the rules that all later ones have
-  Settled_neighborhood(const Scheme& scheme, const Level_connectivity& level, bool rules_are_final)
+  Has_final_rules(const Scheme& scheme, const Level_connectivity& level, bool rules_are_final)
     : level_(level)
     , neighborhood_(limit_neighborhood(scheme))
     , has_next_ring_(may_have_next_ring && neighborhood_.regular_rings <= 1 &&
@@ -62,7 +62,7 @@ public:
     if (!rules_are_final_ && !at_border && !has_valence(v, regular_valence)) return false;
     Index h = first;
     do {
-      if (!level_.is_border(h) && !is_settled_face(h, at_border)) return false;
+      if (!level_.is_border(h) && !has_final_face(h, at_border)) return false;
       h = level_.next_around_target(h);
     } while (h != first);
     return neighborhood_.regular_rings < 2 || are_regular_beyond(first, at_border);
@@ -90,7 +90,7 @@ public:
 
 private:
   // h leads to the vertex
-  bool is_settled_face(Index h, bool at_border) const
+  bool has_final_face(Index h, bool at_border) const
   {
     if (!level_.has_degree(h, degree)) return false;
     if constexpr (std::is_same_v<Host, Sqrt3_host>)
@@ -154,4 +154,4 @@ private:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SETTLED_NEIGHBORHOOD_H
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_HAS_FINAL_RULES_H

@@ -6,12 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_TOWERS_H
-#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_TOWERS_H
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_LIMITS_BY_KIND_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_LIMITS_BY_KIND_H
 
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_classes.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_tower.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules_cache.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/creases/Crease_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
@@ -37,22 +37,22 @@ namespace CGAL::PN_subdivision_3::internal {
 
 // The limits of vertices of several kinds: rings are gathered until there are as many of a kind as are refined at once.
 template <class Scheme, class FT, bool points_alone = false>
-class Limit_towers
+class Ring_limits_by_kind
 {
 public:
   using Index = Level_connectivity::Index;
-  using Tower = Limit_tower<Scheme, FT, points_alone>;
-  using Kind = typename Limit_classes<Scheme, FT>::Kind;
+  using Limits = Ring_limits<Scheme, FT, points_alone>;
+  using Kind = typename Ring_rules_cache<Scheme, FT>::Kind;
 
   // what its limit is stored in, and of which kind its ring is
   struct Vertex
   {
     Index v;
-    typename Tower::Result* result;
+    typename Limits::Result* result;
     const Kind* kind;
   };
 
-  explicit Limit_towers(const Limit_demand& demand)
+  explicit Ring_limits_by_kind(const Limit_demand& demand)
     : demand_(demand)
   {}
 
@@ -61,9 +61,9 @@ public:
   void add(const Vertex& vertex, bool is_spline, const Value_of& value)
   {
     if (last_ == nullptr || vertex.kind != last_kind_ || is_spline != last_is_spline_) {
-      auto& slot = towers_[{vertex.kind, is_spline}];
-      if (!slot) slot = std::make_unique<Tower>(*vertex.kind->ring_class, demand_, is_spline);
-      last_ = slot.get();
+      auto& limits = limits_[{vertex.kind, is_spline}];
+      if (!limits) limits = std::make_unique<Limits>(*vertex.kind->ring_rules, demand_, is_spline);
+      last_ = limits.get();
       last_kind_ = vertex.kind;
       last_is_spline_ = is_spline;
     }
@@ -74,18 +74,18 @@ public:
   // the rest
   void finish()
   {
-    for (auto& entry : towers_) entry.second->evaluate();
+    for (auto& entry : limits_) entry.second->evaluate();
   }
 
 private:
   // of number types that may not decide a comparison one ring is refined at once
-  static void evaluate(Tower& tower, [[maybe_unused]] Index v)
+  static void evaluate(Limits& limits, [[maybe_unused]] Index v)
   {
     if constexpr (std::is_floating_point_v<FT>)
-      tower.evaluate();
+      limits.evaluate();
     else
       try {
-        tower.evaluate();
+        limits.evaluate();
       } catch (const Uncertain_conversion_exception&) {
         throw std::domain_error(
           "PN_subdivision_3: the precision of the number type does not decide whether a normal "
@@ -95,8 +95,8 @@ private:
   }
 
   const Limit_demand& demand_;
-  std::map<std::pair<const Kind*, bool>, std::unique_ptr<Tower>> towers_;
-  Tower* last_ = nullptr;
+  std::map<std::pair<const Kind*, bool>, std::unique_ptr<Limits>> limits_;
+  Limits* last_ = nullptr;
   const Kind* last_kind_ = nullptr;
   bool last_is_spline_ = false;
 };
@@ -143,7 +143,7 @@ public:
   boost::container::small_vector<std::array<FT, 3>, 2> roundness; // of each wedge with a normal
 
   // becomes the limit at the vertex, which is the first one of each three
-  void evaluate(const Crease_curve_weights<FT>& weights, Limit_steps<FT>& steps)
+  void evaluate(const Crease_curve_weights<FT>& weights, Convergence<FT>& steps)
   {
     const Vector center = points[0];
     if constexpr (std::is_floating_point_v<FT>)
@@ -206,4 +206,4 @@ private:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_TOWERS_H
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_LIMITS_BY_KIND_H

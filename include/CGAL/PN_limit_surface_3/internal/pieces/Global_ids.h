@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_WHOLE_LEVEL_H
-#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_WHOLE_LEVEL_H
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_GLOBAL_IDS_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_GLOBAL_IDS_H
 
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
@@ -25,13 +25,13 @@ namespace CGAL::PN_subdivision_3::internal {
 
 // Elements of one kind in a piece: their numbers in the whole level, and whether the piece owns them. Every
 // element of the whole level has one owner.
-class Numbered_elements
+class Global_ids
 {
 public:
   using Number = std::uint64_t;
 
-  Numbered_elements() = default;
-  explicit Numbered_elements(std::size_t size)
+  Global_ids() = default;
+  explicit Global_ids(std::size_t size)
     : number_(size, boost::container::default_init)
     , is_owned_(size, boost::container::default_init)
   {}
@@ -55,16 +55,16 @@ private:
 // The elements of a level of a piece, beside its connectivity. In all three kinds the numbers increase.
 struct Piece_elements
 {
-  Numbered_elements vertices, edges, faces;
+  Global_ids vertices, edges, faces;
 };
 
 // The elements of a part of a level, whose elements in the level are `origins`; of a vertex that is there several times the
 // first one may be owned.
 template <class Elements>
-Numbered_elements elements_of_part(const std::vector<Level_connectivity::Index>& origins,
-                                   const Elements& whole)
+Global_ids elements_of_part(const std::vector<Level_connectivity::Index>& origins,
+                            const Elements& whole)
 {
-  Numbered_elements part(origins.size());
+  Global_ids part(origins.size());
   for (std::size_t i = 0; i < origins.size(); ++i) {
     const bool is_first = i == 0 || origins[i - 1] != origins[i];
     part.set(i, whole.number(origins[i]), is_first && whole.is_owned(origins[i]));
@@ -73,7 +73,7 @@ Numbered_elements elements_of_part(const std::vector<Level_connectivity::Index>&
 }
 
 // What the numbers of the children of a level depend on, besides their parents.
-struct Whole_level
+struct Global_level
 {
   Level_size size;
   Face_corners<std::uint64_t> corners;
@@ -83,33 +83,33 @@ struct Whole_level
 // The formulas are the hosts' own, in 64 bits. Only hosts that split edges have one: the numbers of others depend on
 // the border of the whole level, too.
 template <class Host>
-class Whole_numbering;
+class Global_numbering;
 
-using Whole_parent = Basic_element_parent<std::uint64_t>;
+using Global_parent = Basic_element_parent<std::uint64_t>;
 
 template <>
-class Whole_numbering<PQQ_host>
+class Global_numbering<PQQ_host>
 {
 public:
   using Number = std::uint64_t;
 
-  explicit Whole_numbering(const Whole_level& level)
+  explicit Global_numbering(const Global_level& level)
     : numbering_(level.size, level.corners)
   {}
 
-  Number vertex(const Whole_parent& p) const
+  Number vertex(const Global_parent& p) const
   {
-    if (p.kind == Whole_parent::Kind::vertex) return p.index;
-    if (p.kind == Whole_parent::Kind::edge) return numbering_.halves().vertex_of_edge(p.index);
+    if (p.kind == Global_parent::Kind::vertex) return p.index;
+    if (p.kind == Global_parent::Kind::edge) return numbering_.halves().vertex_of_edge(p.index);
     return numbering_.vertex_of_face(p.index);
   }
-  Number edge(const Whole_parent& p) const
+  Number edge(const Global_parent& p) const
   {
-    if (p.kind == Whole_parent::Kind::edge)
+    if (p.kind == Global_parent::Kind::edge)
       return numbering_.halves().half_of_edge(p.index, p.ordinal);
     return numbering_.spoke(numbering_.first_corner(p.index), p.ordinal);
   }
-  Number face(const Whole_parent& p) const
+  Number face(const Global_parent& p) const
   {
     return numbering_.quad(p.index, numbering_.first_corner(p.index), p.ordinal);
   }
@@ -119,27 +119,27 @@ private:
 };
 
 template <>
-class Whole_numbering<PTQ_host>
+class Global_numbering<PTQ_host>
 {
 public:
   using Number = std::uint64_t;
 
-  explicit Whole_numbering(const Whole_level& level)
+  explicit Global_numbering(const Global_level& level)
     : numbering_(level.size)
   {}
 
-  Number vertex(const Whole_parent& p) const
+  Number vertex(const Global_parent& p) const
   {
-    if (p.kind == Whole_parent::Kind::vertex) return p.index;
+    if (p.kind == Global_parent::Kind::vertex) return p.index;
     return numbering_.halves().vertex_of_edge(p.index);
   }
-  Number edge(const Whole_parent& p) const
+  Number edge(const Global_parent& p) const
   {
-    if (p.kind == Whole_parent::Kind::edge)
+    if (p.kind == Global_parent::Kind::edge)
       return numbering_.halves().half_of_edge(p.index, p.ordinal);
     return numbering_.inner_edge(p.index, p.ordinal);
   }
-  Number face(const Whole_parent& p) const
+  Number face(const Global_parent& p) const
   {
     if (p.ordinal == 0) return numbering_.middle_triangle(p.index);
     return numbering_.corner_triangle(p.index, p.ordinal - 1);
@@ -151,4 +151,4 @@ private:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_WHOLE_LEVEL_H
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_GLOBAL_IDS_H

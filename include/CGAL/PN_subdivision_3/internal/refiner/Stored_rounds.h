@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_ROUNDS_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_ROUNDS_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_STORED_ROUNDS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_STORED_ROUNDS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
@@ -18,7 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Control_values.h>
-#include <CGAL/PN_subdivision_3/internal/refiner/Kept_refinement.h>
+#include <CGAL/PN_subdivision_3/internal/refiner/Stored_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -57,9 +57,9 @@ bool is_same_value(const Point_normal<FT, 3>& a, const Point_normal<FT, 3>& b)
 // round is its old level: its new values go to a sink. Levels with creases are kept cut open, with values
 // of slots. What lies on creases is evaluated as a whole in every call, and goes on from where it has changed.
 template <class Scheme, class Average, class Level_creases>
-class Kept_rounds final : public Kept_refinement<Average>
+class Stored_rounds final : public Stored_refinement<Average>
 {
-  using Base = Kept_refinement<Average>;
+  using Base = Stored_refinement<Average>;
   using FT = typename Average::FT;
   using Host = typename Scheme::Host;
 
@@ -72,8 +72,8 @@ public:
   using Control = Control_values<Average>;
   using One_round = Crease_round<Scheme, Average, Level_creases>;
 
-  Kept_rounds(const Scheme& scheme, Level_connectivity&& control, Level_creases&& creases,
-              unsigned number_of_rounds, Control& values, const For_chunks& for_chunks)
+  Stored_rounds(const Scheme& scheme, Level_connectivity&& control, Level_creases&& creases,
+                unsigned number_of_rounds, Control& values, const For_chunks& for_chunks)
     : Base(for_chunks)
     , scheme_(scheme)
     , creases_(std::move(creases))
@@ -395,4 +395,4 @@ private:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_KEPT_ROUNDS_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINER_STORED_ROUNDS_H
