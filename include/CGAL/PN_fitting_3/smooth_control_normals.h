@@ -234,7 +234,7 @@ smooth_control_normals(const PolygonMesh& mesh, NormalMap normals,
           values.push_back(values[v]);
         internal::read_corner_normals<FT>(access, level, creases, normals, values);
         const auto data = internal::data_in_double<FT>(values);
-        const internal::Cut_level<FT> cut(level, creases);
+        const internal::Cut_copy<FT> cut(level, creases);
         report = internal::smooth<3>(cut.connectivity(), data, smooth);
         write([&](const auto& f) { internal::for_each_corner(level, cut.connectivity(), f); },
               internal::Halfedge_of_mesh(), data);

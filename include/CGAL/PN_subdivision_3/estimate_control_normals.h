@@ -70,7 +70,7 @@ void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
     point_of(values[slot]) = checked_point<FT>(access, points, slot < n ? slot : extra[slot - n]);
   make_control_creases<FT>(level, creases, values, std::vector<bool>(values.size(), false),
                            estimate);
-  const Cut_level<FT> cut(level, creases);
+  const Cut_copy<FT> cut(level, creases);
   for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
     const Coordinates<FT, 3>& m = values[slot].normal;
     put(normals, access.halfedge_at(h), Normal(m[0], m[1], m[2]));
@@ -234,7 +234,7 @@ A vertex without faces, or one at which the sum vanishes, gets the zero vector, 
 takes for the wedges of vertices between sharp edges where none are given. The normals of a wedge are estimated from its
 faces alone, then made orthogonal to the tangents of the creases beside it, which come from the points along the creases.
 Corners of one wedge get the same normal. With all edges of a straight prism sharp but those along its sides, the normals
-are those of the cylinder through its points, and of its flat ends. Vertices on creases and corners are round.
+are those of the cylinder through its points, and of its flat ends. A wedge is at most as round as the creases beside it.
 
 <b>Number types.</b> In exact number types the reciprocal normals of interior vertices have their exact direction if s
 = 1 or \f$ \alpha \f$ is at most 40 degrees. In multiprecision types they are as precise as the type. So are

@@ -130,7 +130,7 @@ void expect_exact_round(const Exact_part& part, const Control& control,
       e.tangent_from[side] = {-sign * p[1], sign * p[0], Exact(0)};
     }
   typename Refiner::Values values(creases.number_of_slots);
-  const internal::Cut_level<Exact> cut(level, creases);
+  const internal::Cut_copy<Exact> cut(level, creases);
   internal::for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
     const Exact_vector p = exact(part.points[level.target(h)]);
     values[slot] = Point_normal<Exact, 3>{p, true_normal(part, group[level.face(h)], p)};
@@ -144,7 +144,7 @@ void expect_exact_round(const Exact_part& part, const Control& control,
   }
   Refiner refiner(scheme, std::move(level), std::move(creases), std::move(values));
   refiner.refine();
-  const internal::Cut_level<Exact> child(refiner.level(), refiner.creases());
+  const internal::Cut_copy<Exact> child(refiner.level(), refiner.creases());
   internal::for_each_corner(refiner.level(), child.connectivity(), [&](Index h, Index slot) {
     const Point_normal<Exact, 3> value = refiner.values()[slot];
     const std::size_t g = refined[refiner.level().face(h)];

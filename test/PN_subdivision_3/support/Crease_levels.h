@@ -180,7 +180,7 @@ public:
   template <class Function>
   void for_each_corner(const Function& f) const
   {
-    const internal::Cut_level<FT> cut(level(), creases());
+    const internal::Cut_copy<FT> cut(level(), creases());
     for_each_corner(level(), cut.connectivity(), f);
   }
 
@@ -249,7 +249,7 @@ private:
     if (is_pn) {
       std::vector<bool> is_given(values.size(), !control.normals.empty());
       if (!control.normals.empty()) {
-        const internal::Cut_level<FT> cut(level, creases);
+        const internal::Cut_copy<FT> cut(level, creases);
         for_each_corner(level, cut.connectivity(), [&](Index f, Index v, Index slot) {
           const Triple& m = control.normals.at({int(f), int(v)});
           values[slot].normal = {FT(m[0]), FT(m[1]), FT(m[2])};

@@ -174,7 +174,7 @@ private:
 
     Level_connectivity whole;
     const Creases<FT> creases;
-    const Cut_level<FT> cut;
+    const Cut_copy<FT> cut;
     const Host host;
     Ring_pair rings;
   };

@@ -427,7 +427,7 @@ void Attribute_rounds<FT, Host>::begin_creased_round(const Scheme& scheme,
   crease_rows_.clear();
   copies_.clear();
   if (by_rows_.empty()) return;
-  const Cut_level<FT> cut(level, creases);
+  const Cut_copy<FT> cut(level, creases);
   Crease_rows<FT, Mask> rows(level, cut, creases, refined, round.round().mask(), smooth_mask.get());
   rows.for_each([&](Index slot, const Entry_row<FT>& row) {
     if (slot < round.number_of_vertices()) crease_rows_.emplace_back(slot, row);

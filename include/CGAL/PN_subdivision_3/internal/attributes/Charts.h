@@ -273,7 +273,7 @@ public:
     std::vector<Index> corner(is_cut_ ? creases_.number_of_slots : level_.number_of_vertices(),
                               null);
     if (is_cut_)
-      for_each_corner(level_, Cut_level<FT>(level_, creases_).connectivity(),
+      for_each_corner(level_, Cut_copy<FT>(level_, creases_).connectivity(),
                       [&](Index h, Index slot) { corner[slot] = h; });
     else
       for (Index h = 0; h < level_.number_of_halfedges(); ++h)

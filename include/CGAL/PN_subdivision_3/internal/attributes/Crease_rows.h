@@ -38,7 +38,7 @@ public:
 
   // `mask` is that of the cut level, `smooth_mask` that of the uncut one, or null if no rule needs it. `charts` are
   // the rules of charts, or null if the values have none.
-  Crease_rows(const Level_connectivity& level, const Cut_level<FT>& cut, const Creases<FT>& creases,
+  Crease_rows(const Level_connectivity& level, const Cut_copy<FT>& cut, const Creases<FT>& creases,
               const Refined_creases<FT>& refined, const Mask& mask, const Mask* smooth_mask,
               const Chart_rules* charts = nullptr)
     : level_(level)
@@ -215,7 +215,7 @@ private:
   }
 
   const Level_connectivity& level_;
-  const Cut_level<FT>& cut_;
+  const Cut_copy<FT>& cut_;
   const Creases<FT>& creases_;
   const Refined_creases<FT>& refined_;
   const Mask& mask_;

@@ -164,7 +164,7 @@ public:
   void end_round(const Scheme& scheme, const One_round& round, const Level_connectivity& level,
                  const Mask* smooth_mask, const For_chunks& for_chunks)
   {
-    const Cut_level<FT> cut(level, creases_);
+    const Cut_copy<FT> cut(level, creases_);
     const Mask mask = scheme.template mask<FT>(cut.connectivity(), round.number());
     evaluate_own_rows(round.host(), mask, for_chunks);
     Crease_rows<FT, Mask> rows(level, cut, creases_, *refined_, mask, smooth_mask, rules_.get());

@@ -135,15 +135,15 @@ private:
 // and tell nothing: beside a corner tangents turn from edges as in a round fan, too; beside a dart none is round, between
 // two corners what is straight. What turns more, or moves by more than faces beside it are wide, needs exact arcs.
 template <class FT>
-class Crease_turns
+class Crease_roundness
 {
 public:
   using Value = Point_normal<FT, 3>;
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<double, 3>;
 
-  Crease_turns(const Level_connectivity& level, const Creases<FT>& creases,
-               const std::vector<Value>& values)
+  Crease_roundness(const Level_connectivity& level, const Creases<FT>& creases,
+                   const std::vector<Value>& values)
     : level_(level)
     , creases_(creases)
     , values_(values)
@@ -262,7 +262,7 @@ public:
     const bool has_joints = estimate_ == Control_normal_estimate::coherent;
     make_control_tangents(level_, creases_, values_, is_given_, has_joints);
     if (std::find(is_given_.begin(), is_given_.end(), false) == is_given_.end()) return;
-    const Cut_level<FT> cut(level_, creases_);
+    const Cut_copy<FT> cut(level_, creases_);
     Wedge_sectors<FT> sectors(cut.connectivity(), slots_at_creases());
     if (has_joints) {
       sectors.add_area_normals(cut.connectivity(),
@@ -273,7 +273,7 @@ public:
     strip_all([&](Index slot) -> Vector& { return values_[slot].normal; });
     if (!has_joints) return;
     Wedge_joints<FT>(cut.connectivity(), sectors, values_)(is_given_);
-    const std::vector<double> shares = Crease_turns<FT>(level_, creases_, values_)();
+    const std::vector<double> shares = Crease_roundness<FT>(level_, creases_, values_)();
     for (Index slot = 0; slot < values_.size(); ++slot)
       if (!is_given_[slot]) values_[slot].roundness *= FT(shares[slot]);
   }

@@ -205,10 +205,10 @@ private:
 
 // A copy of a level, cut open.
 template <class FT>
-class Cut_level
+class Cut_copy
 {
 public:
-  Cut_level(const Level_connectivity& level, const Creases<FT>& creases)
+  Cut_copy(const Level_connectivity& level, const Creases<FT>& creases)
     : cut_(level, size_when_cut(level.size(), creases))
   {
     cut_.set_size(level.size());

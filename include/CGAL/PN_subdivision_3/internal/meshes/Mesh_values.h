@@ -120,8 +120,8 @@ void require_crease_rules([[maybe_unused]] const Scheme& scheme,
   }
 }
 
-// What the maps of a mesh tell of its creases: read before the first round, written for the refined elements, and
-// put back unless that is kept. If nothing can be sharp, there are No_creases.
+// Points, normals and creases of a mesh. Maps of creases are written for the refined elements, and put back unless keep()
+// is called. If nothing can be sharp, there are No_creases.
 template <class Scheme, class FT, class Access, class Edge_map, class Vertex_map, bool may_have_any>
 class Mesh_values
 {
@@ -315,7 +315,7 @@ private:
   const Access& access_;
 };
 
-// the creases that a call has, or may have
+// as the creases that a call has, or may have, demand
 template <class Scheme, class FT, class Access, class Normal_map, class Edge_map, class Vertex_map>
 using Mesh_values_of_call =
   Mesh_values<Scheme, FT, Access, Edge_map, Vertex_map,

@@ -44,7 +44,7 @@ void read_corner_normals(const Access& access, const Level_connectivity& level,
 {
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<FT, 3>;
-  const Cut_level<FT> cut(level, creases);
+  const Cut_copy<FT> cut(level, creases);
   std::vector<Vector> sum(values.size(), zero_vector<FT, 3>());
   std::vector<int> count(values.size(), 0);
   std::vector<bool> differ(values.size(), false);
@@ -91,7 +91,7 @@ public:
   void put_all(const Level_connectivity& level, const Creases<FT>& creases, const Values& values)
   {
     map_.begin();
-    const Cut_level<FT> cut(level, creases);
+    const Cut_copy<FT> cut(level, creases);
     for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
       const auto& value = values[slot];
       if constexpr (!has_normal_v<std::decay_t<decltype(value)>>)

@@ -178,7 +178,7 @@ public:
         const Creases<FT>& creases = levels_.back().round->refined().creases;
         std::vector<const Value*> of_slots(creases.number_of_slots, nullptr);
         for (const auto& [slot, value] : last_on_creases_) of_slots[slot] = &value;
-        const Cut_level<FT> cut(refined, creases);
+        const Cut_copy<FT> cut(refined, creases);
         internal::for_each_corner(refined, cut.connectivity(),
                                   [&](Index h, Index slot) { sink(h, of_slots[slot]); });
         return;

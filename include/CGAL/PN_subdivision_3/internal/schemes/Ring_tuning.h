@@ -89,7 +89,7 @@ public:
   static constexpr Limit_neighborhood limit_neighborhood{1, true, true, false};
   static constexpr const char* parameter_name() { return "cap"; }
   static constexpr double default_parameter() { return 0.5; }
-  static constexpr bool has_crease_rules = true;
+  static constexpr bool has_crease_rules = Scheme::has_crease_rules;
 
   explicit Tuned_scheme(const Scheme_parameter& cap = default_parameter(), unsigned first_round = 1,
                         Tuned_valences valences = Tuned_valences::all)
