@@ -81,18 +81,26 @@ TEST(LimitSurfaceQueries, SpheresOfTriangles)
 }
 
 // From inside, a large face may be the nearest though its triangles are not: those of small ones may be wholly nearer than what is
-// found there, and over one of them several places be nearer than its neighbors.
-TEST(LimitSurfaceQueries, SpheresOfUnequalQuadsFromInside)
+// found there, and over one of them several places be nearer than its neighbors. Near the middle not all can be looked at: what is
+// claimed holds.
+TEST(LimitSurfaceQueries, SpheresOfUnequalFacesFromInside)
 {
-  Control_mesh shape = named_shapes::cube();
-  for (auto& p : shape.points) p = test_meshes::unit({0.3 * p[0] + 0.2, p[1] + 0.3, p[2]});
-  shape.normals = shape.points;
-  Surface_mesh mesh = to_surface_mesh(shape);
-  const PN::Limit_surface surface(
-    mesh, PN::CatmullClark_scheme(),
-    PN::parameters::tolerance(5e-6).vertex_normal_map(normal_map(mesh)));
-  const Point p = CGAL::ORIGIN + 0.2 * directions().back();
-  EXPECT_NEAR(Queries(surface, 2).closest_point(p).distance, 0.8, 1e-6);
+  const auto expect = [](Control_mesh shape, const auto& scheme, const Vector& v, double claimed) {
+    for (auto& p : shape.points) p = test_meshes::unit(p);
+    shape.normals = shape.points;
+    Surface_mesh mesh = to_surface_mesh(shape);
+    const PN::Limit_surface surface(
+      mesh, scheme, PN::parameters::tolerance(5e-6).vertex_normal_map(normal_map(mesh)));
+    const auto hit = Queries(surface, 2).closest_point(CGAL::ORIGIN + v);
+    EXPECT_LE(hit.error, claimed);
+    EXPECT_NEAR(hit.distance, 1 - length(v), hit.error + 1e-6);
+  };
+  Control_mesh narrow = named_shapes::cube();
+  for (auto& p : narrow.points) p = {0.3 * p[0] + 0.2, p[1] + 0.3, p[2]};
+  expect(narrow, PN::CatmullClark_scheme(), 0.2 * directions().back(), 1e-5);
+  Control_mesh flat = test_meshes::bipyramid(5);
+  for (auto& p : flat.points) p[0] = 0.6 * p[0] + 0.2;
+  expect(flat, PN::Loop_scheme(), {0.007543998, -0.026169655, -0.012579239}, 0.1);
 }
 
 // Faces of three corners become three pieces, and Newton's method ends at their sides.
