@@ -43,6 +43,7 @@ export function readPly(bytes) {
 /** The file that a button saves: its name and bytes. Of those of Firefox Playwright is not told. */
 export async function saved(page, button) {
   if (!isFirefox) {
+    await page.waitForTimeout(110); // Chromium drops the eleventh of a second
     const [item] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
     return { name: item.suggestedFilename(), bytes: await readFile(await item.path()) };
   }
