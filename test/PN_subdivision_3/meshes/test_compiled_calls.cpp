@@ -33,6 +33,8 @@
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
 
+std::vector<mesh_cases::Triple> limits_of_headers(bool is_cube); // compiled_calls_alone.cpp
+
 namespace {
 
 // asks for what the library does not have, and so is compiled from the headers
@@ -258,6 +260,14 @@ std::vector<mesh_cases::Triple> limits_of(const mesh_cases::Soup& soup, const Sc
   PN::limit_points(mesh, scheme,
                    PN::parameters::limit_point_map(limits).edge_is_constrained_map(sharp));
   return mesh_cases::values(mesh, limits);
+}
+
+TEST(Compiled_limits, SourcesThatAreLinkedAndOthersAreOneProgram)
+{
+  EXPECT_EQ(limits_of(mesh_cases::cube(), PN::CatmullClark_scheme(), false),
+            limits_of_headers(true));
+  EXPECT_EQ(limits_of(mesh_cases::tetrahedron(), PN::Loop_scheme(), false),
+            limits_of_headers(false));
 }
 
 // the control values of a level with sharp edges about its first face, of which make() makes normals and tangents

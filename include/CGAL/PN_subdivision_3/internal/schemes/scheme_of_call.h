@@ -211,9 +211,18 @@ struct Given_roundness
   }
 };
 
+// what is linked to the library CGAL::PN_subdivision_3_double has this macro
+#ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
+constexpr bool is_linked_to_library = true;
+#else
+constexpr bool is_linked_to_library = false;
+#endif
+
 // A scheme with a roundness, which is put around the user's scheme as the outermost adaptor. It varies in the calls that
-// estimate normals, that are given a map, or in which sharp edges end.
-template <class Scheme, class FT, bool creases_may_end = true>
+// estimate normals, that are given a map, or in which sharp edges end. What is linked to a library and what is not have types of their
+// own, as rules_of() differs: a program may have both.
+template <class Scheme, class FT, bool creases_may_end = true,
+          bool is_linked = is_linked_to_library>
 struct With_roundness : Scheme_adaptor<Scheme>
 {
   const Given_roundness<FT>* given = nullptr; // none is given
@@ -230,48 +239,42 @@ struct With_roundness : Scheme_adaptor<Scheme>
 template <class Scheme>
 struct Is_with_roundness : std::false_type
 {};
-template <class Scheme, class FT, bool creases_may_end>
-struct Is_with_roundness<With_roundness<Scheme, FT, creases_may_end>> : std::true_type
+template <class Scheme, class FT, bool creases_may_end, bool is_linked>
+struct Is_with_roundness<With_roundness<Scheme, FT, creases_may_end, is_linked>> : std::true_type
 {};
 
 // Whether sharpness may be used up. It is not where maps tell by bool what is sharp, and what blends wedges is not compiled then.
 template <class Scheme>
 constexpr bool creases_may_end_v = true;
-template <class Scheme, class FT, bool creases_may_end>
-constexpr bool creases_may_end_v<With_roundness<Scheme, FT, creases_may_end>> = creases_may_end;
-
-// what is linked to the library CGAL::PN_subdivision_3_double has this macro
-#ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
-constexpr bool is_linked_to_library = true;
-#else
-constexpr bool is_linked_to_library = false;
-#endif
+template <class Scheme, class FT, bool creases_may_end, bool is_linked>
+constexpr bool creases_may_end_v<With_roundness<Scheme, FT, creases_may_end, is_linked>> =
+  creases_may_end;
 
 template <class T, class... Others>
 constexpr bool is_one_of_v = (std::is_same_v<T, Others> || ...);
 
 // What rounds and limits ask of a scheme. What a call says of the border, the tangents of creases and the estimate of normals is
 // known when the mesh has been read, and such calls share what follows. Libraries have Catmull-Clark and Loop as an Any_scheme.
-template <class Scheme, class FT = double>
+template <bool is_linked = is_linked_to_library, class Scheme, class FT = double>
 decltype(auto) rules_of(const Scheme& scheme, FT = FT())
 {
   if constexpr (Is_said_by_call<Scheme>::value)
-    return rules_of(scheme.scheme, FT());
-  else if constexpr (is_linked_to_library && std::is_same_v<FT, double> &&
+    return rules_of<is_linked>(scheme.scheme, FT());
+  else if constexpr (is_linked && std::is_same_v<FT, double> &&
                      is_one_of_v<Scheme, CatmullClark_scheme, Loop_scheme>)
     return Scheme_on_host<typename Scheme::Host, FT>(scheme);
   else
     return (scheme);
 }
-template <class Scheme, class FT, bool creases_may_end>
-auto rules_of(const With_roundness<Scheme, FT, creases_may_end>& scheme)
+template <class Scheme, class FT, bool creases_may_end, bool is_linked>
+auto rules_of(const With_roundness<Scheme, FT, creases_may_end, is_linked>& scheme)
 {
-  using Rules = std::decay_t<decltype(rules_of(scheme.scheme, FT()))>;
+  using Rules = std::decay_t<decltype(rules_of<is_linked>(scheme.scheme, FT()))>;
   if constexpr (Is_linear<Rules>::value)
-    return rules_of(scheme.scheme, FT());
+    return rules_of<is_linked>(scheme.scheme, FT());
   else
-    return With_roundness<Rules, FT, creases_may_end>{
-      {rules_of(scheme.scheme, FT())}, scheme.given, scheme.varies};
+    return With_roundness<Rules, FT, creases_may_end, is_linked>{
+      {rules_of<is_linked>(scheme.scheme, FT())}, scheme.given, scheme.varies};
 }
 template <class Scheme>
 using Rules_of = std::decay_t<decltype(rules_of(std::declval<const Scheme&>()))>;
