@@ -26,7 +26,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -147,14 +146,10 @@ public:
     const Kernel::Point_3 q = Places::in_double(p);
     const Triangle& nearest = *tree_.closest_point_and_primitive(q).second;
     Place best = descend(start(nearest, q), q);
-    const double reach = best.distance + distance_;
-    std::vector<typename Primitive::Id> around;
-    // no sphere, which for CGAL has nothing inside
-    tree_.all_intersected_primitives(Bbox_3(q.x() - reach, q.y() - reach, q.z() - reach,
-                                            q.x() + reach, q.y() + reach, q.z() + reach),
-                                     std::back_inserter(around));
+    Within_reach near_point{best.distance + distance_, {}};
+    tree_.traversal(q, near_point);
     Parts parts;
-    for (const auto& t : around) add(parts, *t, q);
+    for (const auto& t : near_point.found) add(parts, *t, q);
     const double rest = (std::max)(0., search(best, parts, q));
     return hit(
       best, (std::max)((std::min)(best.gap + best.at.error, best.distance), best.distance - rest));
@@ -174,7 +169,7 @@ public:
       throw std::invalid_argument("PN_subdivision_3: the direction of a ray is zero");
     d = d / length;
     const Kernel::Point_3 o = Places::in_double(source);
-    Near_ray near_ray{distance_, {}};
+    Within_reach near_ray{distance_, {}};
     tree_.traversal(Kernel::Ray_3(o, d), near_ray);
     internal::Ray_search<Surface> search(places_, o, d);
     std::multimap<double, typename Primitive::Id> sorted;
@@ -191,26 +186,37 @@ private:
   using Place = typename Places::Place;
   using Primitive = internal::Query_primitive<typename Surface::Face>;
 
-  // Collects the triangles whose boxes, grown, a ray meets.
-  struct Near_ray
+  // Collects the triangles whose boxes are within reach of a ray (grown boxes meet it) or of a point.
+  struct Within_reach
   {
     double reach;
     std::vector<typename Primitive::Id> found;
 
     bool go_further() const { return true; }
-    void intersection(const Kernel::Ray_3& ray, const Primitive& p)
+    template <class Query>
+    void intersection(const Query& query, const Primitive& p)
     {
-      if (is_met(ray, p.datum().bbox())) found.push_back(p.id());
+      if (reaches(query, p.datum().bbox())) found.push_back(p.id());
     }
-    template <class Node>
-    bool do_intersect(const Kernel::Ray_3& ray, const Node& node) const
+    template <class Query, class Node>
+    bool do_intersect(const Query& query, const Node& node) const
     {
-      return is_met(ray, node.bbox());
+      return reaches(query, node.bbox());
     }
-    bool is_met(const Kernel::Ray_3& ray, const Bbox_3& b) const
+    bool reaches(const Kernel::Ray_3& ray, const Bbox_3& b) const
     {
       return CGAL::do_intersect(ray, Bbox_3(b.xmin() - reach, b.ymin() - reach, b.zmin() - reach,
                                             b.xmax() + reach, b.ymax() + reach, b.zmax() + reach));
+    }
+    // no Sphere_3, which for CGAL has nothing inside
+    bool reaches(const Kernel::Point_3& p, const Bbox_3& b) const
+    {
+      double sum = 0;
+      for (int k = 0; k < 3; ++k) {
+        const double off = (std::max)({b.min(k) - p[k], p[k] - b.max(k), 0.});
+        sum += off * off;
+      }
+      return sum <= reach * reach;
     }
   };
 
