@@ -63,7 +63,7 @@ times >build/tests/times
 
 say "building"
 scripts/build.sh --preset tests
-[[ $full == no ]] || scripts/build.sh --preset tests pn_long_tests
+[[ $full == no ]] || attempt "build of the long tests" scripts/build.sh --preset tests pn_long_tests
 
 say "running the tests"
 if [[ $full == no ]]; then
@@ -78,7 +78,7 @@ if [[ $full == no ]]; then
 else
   attempt "long tests" ctest --test-dir build/tests --output-on-failure --parallel "$(nproc)"
   say "building all by g++, optimized"
-  scripts/build.sh
+  attempt "build by g++" scripts/build.sh
   say "running its tests"
   presets+=(release)
   run_tests release

@@ -213,7 +213,7 @@ private:
     {
       double sum = 0;
       for (int k = 0; k < 3; ++k) {
-        const double off = (std::max)({(b.min)(k) - p[k], p[k] - (b.max)(k), 0.});
+        const double off = (std::max)({(b.min)(k)-p[k], p[k] - (b.max)(k), 0.});
         sum += off * off;
       }
       return sum <= reach * reach;
