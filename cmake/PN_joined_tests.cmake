@@ -61,8 +61,6 @@ function(pn_add_joined_tests name headers)
     get_filename_component(folder ${first} DIRECTORY)
     pn_add_test(${name}_${number} ${headers} ${joined})
     target_include_directories(${name}_${number} PRIVATE ${folder})
-    # g++ takes anonymous namespaces of included sources for those of headers
-    target_compile_options(${name}_${number} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endwhile()
 endfunction()
 

@@ -68,7 +68,9 @@ function(pn_test_settings target)
   if(PN_TEST_FULL)
     target_compile_definitions(${target} PRIVATE PN_TEST_FULL)
   endif()
-  target_compile_options(${target} PRIVATE ${PN_TEST_OPTIMIZATION})
+  # g++ takes anonymous namespaces of joined sources for those of headers, and GoogleTest's macros for an ambiguous `else`
+  target_compile_options(${target} PRIVATE ${PN_TEST_OPTIMIZATION}
+                         $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage -Wno-dangling-else>)
 endfunction()
 
 # What the programs share: the headers of the package and of others; those of the command see little of CGAL. Of the schemes only

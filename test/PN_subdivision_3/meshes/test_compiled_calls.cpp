@@ -193,13 +193,13 @@ TYPED_TEST(Compiled_calls, CallTheVisitorForRounds)
     std::vector<std::pair<unsigned, std::size_t>>* done;
   } visitor;
   visitor.done = &rounds;
-  using Mesh = typename TestFixture::Mesh;
   const auto np = params::number_of_iterations(2).visitor(visitor);
-  static_assert(is_compiled<typename TypeParam::Scheme, Mesh, std::decay_t<decltype(np)>>());
+  static_assert(is_compiled<typename TypeParam::Scheme, typename TestFixture::Mesh,
+                            std::decay_t<decltype(np)>>());
   std::string message;
   std::size_t faces = 0;
   this->result(
-    [&](Mesh& mesh, auto, auto) {
+    [&](auto& mesh, auto, auto) {
       PN::subdivide(mesh, typename TypeParam::Scheme(), np);
       faces = mesh.number_of_faces();
     },

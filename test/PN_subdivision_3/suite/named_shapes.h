@@ -16,6 +16,8 @@
 #include "Scheme_runs.h"
 #include "analysis/subdivision_matrix.h"
 
+#include <CGAL/PN_subdivision_3/hosts/DQQ_host.h>
+#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <functional>
