@@ -142,7 +142,7 @@ TEST(Attributes, OfEveryType)
   auto a = add<V, std::array<float, 2>>(mesh, "a");
   auto e = add<V, Eigen::Vector3d>(mesh, "e", Eigen::Vector3d(0, 0, 0));
   auto p = add<V, Kernel::Point_2>(mesh, "p");
-  auto w = add<V, Kernel::Vector_3>(mesh, "w");
+  auto w = add<V, Kernel::Vector_3>(mesh, "w", CGAL::NULL_VECTOR);
   auto l = add<V, Load>(mesh, "l");
   auto i = add<V, std::array<int, 1>>(mesh, "i");
   auto b = add<V, std::array<std::uint8_t, 1>>(mesh, "b");
@@ -549,7 +549,8 @@ TEST(Attributes, LabelsAreNeverBetweenOthers)
 TEST(Attributes, DirectionsAreUnitVectors)
 {
   Mesh mesh = make(mixed_with_border());
-  auto d = add<V, Kernel::Vector_3>(mesh, "d"), sum = add<V, Kernel::Vector_3>(mesh, "sum");
+  auto d = add<V, Kernel::Vector_3>(mesh, "d", CGAL::NULL_VECTOR);
+  auto sum = add<V, Kernel::Vector_3>(mesh, "sum", CGAL::NULL_VECTOR);
   PN::Attribute_table table;
   table.vertices.resize(1);
   table.vertices[0].dimension = 3;

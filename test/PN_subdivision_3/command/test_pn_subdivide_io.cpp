@@ -752,9 +752,9 @@ TEST_F(Mesh_io, StlDamage)
   }
   EXPECT_EQ(read("b.stl", binary).number_of_faces(), 2u);
   // attribute bytes that are the same everywhere are no colors
-  const auto dropped = [&](const char* first, const char* second) {
+  const auto dropped = [&](const char* one, const char* other) {
     std::string with_bytes = binary;
-    with_bytes.replace(84 + 48, 2, first, 2).replace(84 + 98, 2, second, 2);
+    with_bytes.replace(84 + 48, 2, one, 2).replace(84 + 98, 2, other, 2);
     return read("c.stl", with_bytes).dropped.size();
   };
   EXPECT_EQ(dropped("\xff\x7f", "\xff\x7f"), 0u);

@@ -242,6 +242,6 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Semi_sharp,
                                            Shape{"cube_of_triangles", cube, outside_cube, 1, true},
                                            Shape{"cylinder_of_triangles", cylinder,
                                                  outside_cylinder, 8, true}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& shape) { return std::string(shape.param.name); });
 
 } // namespace
