@@ -86,7 +86,7 @@ public:
   }
 
   // Another rank has said, or will say, why the work ends.
-  void leave_report_to_others() { is_reporter_ = false; }
+  void leave_report_to_others() { is_reporter_ = number_ == 1; }
   // To be called once by a rank that fails: is it the one to say so?
   virtual bool reports_failure() { return is_reporter_; }
   // To be called last. With a code other than 0 all ranks end.

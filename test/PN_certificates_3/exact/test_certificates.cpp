@@ -176,12 +176,11 @@ constexpr bool rows_are_checked = false;
 constexpr bool rows_are_checked = true;
 #endif
 
-// About the origin q is along n even if the weights do not sum to 1; where entries fade, and heights are divided by what is
-// left of the weights, such a sum is not seen. That is so at few vertices of few meshes.
+// Not about the origin, where q is along n even if the weights do not sum to 1: where entries fade, and heights are divided by
+// what is left of the weights, such a sum is not seen.
 TYPED_TEST(Certificate, FailsAtEveryVertexIfAWeightIsChanged)
 {
-  std::size_t rounds = 0, all_off = 0;
-  for (const Shape& shape : shapes())
+  for (const Shape& shape : {rational_shapes::sphere(), rational_shapes::cylinder()})
     for (const Control_mesh& control : small_meshes_for<TypeParam>()) {
       if (rows_are_checked) {
         EXPECT_THROW((Changed_round<TypeParam>(shape, control, tiny, 0)),
@@ -191,11 +190,8 @@ TYPED_TEST(Certificate, FailsAtEveryVertexIfAWeightIsChanged)
       }
       const Changed_round<TypeParam> round(shape, control, tiny, 0);
       EXPECT_GT(round.new_vertices, 0u) << control.name;
-      EXPECT_GE(3 * round.off, 2 * round.new_vertices) << control.name;
-      ++rounds;
-      all_off += round.off == round.new_vertices;
+      EXPECT_EQ(round.off, round.new_vertices) << control.name;
     }
-  EXPECT_GE(10 * all_off, 9 * rounds);
 }
 
 // It does not say that the weights are those of the scheme: any that sum to 1 keep the shapes.

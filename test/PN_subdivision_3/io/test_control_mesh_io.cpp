@@ -26,6 +26,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -311,8 +312,10 @@ TEST(Control_mesh_io, What_is_wrong_is_named_and_the_mesh_stays_empty)
                            {"the edge from vertex 0 to vertex 4 is negative"});
   messages::expect_refused(read("n.off", off("3 0 1 4\n3 2 3 4\n", 2)), {"bow-tie"});
   Mesh nowhere; // refused by the estimate, when the mesh is there
-  nowhere.add_face(nowhere.add_vertex({0, 0, 0}), nowhere.add_vertex({1, 0, 0}),
-                   nowhere.add_vertex({0, std::nan(""), 0}));
+  const std::array<Mesh::Vertex_index, 3> face{nowhere.add_vertex({0, 0, 0}),
+                                               nowhere.add_vertex({1, 0, 0}),
+                                               nowhere.add_vertex({0, std::nan(""), 0})};
+  nowhere.add_face(face);
   PN::write_refined_mesh(folder.file("o.ply"), nowhere);
   messages::expect_refused([&] { PN::read_control_mesh(folder.file("o.ply"), mesh); },
                            {"vertex 2"});
