@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_AVERAGE_PN_AVERAGE_H
 #define CGAL_PN_SUBDIVISION_3_AVERAGE_PN_AVERAGE_H
 
-#include <CGAL/PN_subdivision_3/internal/numbers/rational_unit_vector.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>

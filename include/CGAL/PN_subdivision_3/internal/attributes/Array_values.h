@@ -185,6 +185,7 @@ class Array_values : public Row_values<FT>
 public:
   using typename Row_values<FT>::Index;
   using typename Row_values<FT>::Entry;
+  using Row_values<FT>::evaluate;
   using Row_values<FT>::null;
 
   Array_values(Attribute_array& array, std::size_t number, const char* kind)
@@ -210,22 +211,11 @@ public:
       if (!(array_.values[a * dimension_ + c] == array_.values[b * dimension_ + c])) return false;
     return true;
   }
-  void begin(const std::vector<Index>& sources) override
-  {
-    old_.resize(sources.size() * dimension_);
-    for (std::size_t i = 0; i < sources.size(); ++i)
-      for (std::size_t c = 0; sources[i] != null && c < dimension_; ++c)
-        old_[i * dimension_ + c] = FT(array_.values[sources[i] * dimension_ + c]);
-  }
+  void begin(const std::vector<Index>& sources) override { take(array_.values, sources); }
 
   void begin_round(std::size_t number_of_values) override
   {
     new_.resize(number_of_values * dimension_, boost::container::default_init);
-  }
-  void evaluate(Index first, const Stencil_block<FT>& rows) override
-  {
-    for (std::size_t r = 0; r < rows.number_of_rows(); ++r)
-      Array_values::evaluate(first + Index(r), rows.begin(r), rows.end(r));
   }
   void evaluate(Index value, const Entry* begin, const Entry* end) override
   {
@@ -265,13 +255,13 @@ public:
 private:
   using Values = boost::container::vector<FT>;
 
-  void take(const Values& from, const std::vector<Index>& sources)
+  template <class Numbers>
+  void take(const Numbers& from, const std::vector<Index>& sources)
   {
-    const std::size_t first = old_.size();
-    old_.resize(first + sources.size() * dimension_);
+    old_.resize(sources.size() * dimension_);
     for (std::size_t i = 0; i < sources.size(); ++i)
       for (std::size_t c = 0; sources[i] != null && c < dimension_; ++c)
-        old_[first + i * dimension_ + c] = from[sources[i] * dimension_ + c];
+        old_[i * dimension_ + c] = FT(from[sources[i] * dimension_ + c]);
   }
 
   Attribute_array own_; // the values of a part

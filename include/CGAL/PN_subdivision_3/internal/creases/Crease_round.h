@@ -11,9 +11,9 @@
 
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_pass.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Creases_without_fractions.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
+#include <CGAL/PN_subdivision_3/internal/creases/ended_creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>

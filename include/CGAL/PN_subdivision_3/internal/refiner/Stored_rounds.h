@@ -17,7 +17,6 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
-#include <CGAL/PN_subdivision_3/internal/refiner/Control_values.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Stored_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
