@@ -405,7 +405,7 @@ private:
       if constexpr (internal::are_creases_v<Level_creases>)
         if (internal::has_fractions(creases)) {
           is_put = read(internal::Creases_without_fractions<FT>(level, creases).creases);
-          control_->set_slots_without_fractions(slot_values, std::move(is_put));
+          control_->slots_without_fractions() = {slot_values, std::move(is_put)};
         }
     }
     control_->set_roundness(roundness);

@@ -52,7 +52,7 @@ public:
     , level_(level, size_when_cut(level.size(), creases_.creases))
   {
     level_.set_size(level.size());
-    round_.emplace(scheme, level_, creases_.creases, number);
+    round_.emplace(scheme, level_, creases_.creases, nullptr, number);
     find_shares_on_creases();
     find_shares_of_rows(level);
     find_shares_of_ended(creases);

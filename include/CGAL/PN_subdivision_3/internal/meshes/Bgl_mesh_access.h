@@ -140,6 +140,7 @@ public:
   }
 
   static constexpr bool may_be_child_of_hosts = false;
+  static constexpr bool is_child_of_hosts() { return false; }
   static constexpr bool has_concurrent_connectivity = Mesh_traits::has_concurrent_connectivity;
 
   static constexpr std::uint64_t index_limit() { return internal::index_limit<Vertex>(); }

@@ -98,16 +98,6 @@ private:
   Undoable_map<Access, Roundness_map, Vertex_of_mesh> roundness_;
 };
 
-// whether the child of a host may be the mesh itself
-template <class Access>
-bool is_child_of_hosts([[maybe_unused]] const Access& access)
-{
-  if constexpr (Access::may_be_child_of_hosts)
-    return access.is_child_of_hosts();
-  else
-    return false;
-}
-
 // Writes what the last round makes of the connectivity. keep() is called where nothing may fail any more. Threads
 // may; then one alone repeats what they have begun.
 template <class Round, class Access>
@@ -115,7 +105,7 @@ void put_connectivity(const Round& last, Access& access, const For_chunks& for_c
                       Function_ref<void()> keep)
 {
   std::optional<Level_connectivity> child;
-  if (!is_child_of_hosts(access)) child = child_level(last, for_chunks);
+  if (!access.is_child_of_hosts()) child = child_level(last, for_chunks);
   keep();
   const auto write = [&](const For_chunks& in_chunks) {
     if (child) return access.write(*child, in_chunks);

@@ -146,7 +146,7 @@ public:
     check_finite<FT, 3>(p, "point", [&] { return name(v); });
     point_of(values_[checked(v)]) = p;
     is_near_overflow_ = is_near_overflow_ || internal::is_near_overflow(p);
-    change(v);
+    is_changed_[v] = true;
   }
   void set_normal(std::size_t v, Vector n)
   {
@@ -159,22 +159,24 @@ public:
     normalize_control_normal<FT, 3>(n, [&] { return name(v); });
     values_[checked(v)].normal = n;
     if (is_estimated_) is_given_[v] = true;
-    change(v);
+    is_changed_[v] = true;
   }
 
   // estimates again what depends on what was set
   void update_estimate(const Level_connectivity& level)
   {
     if constexpr (has_normals) {
-      if (!is_estimated_ || !is_any_changed_) return;
+      if (!is_estimated_ || changes().empty()) return;
       std::vector<Value> estimated = values_;
       estimate_normals_of<FT>(level, estimate_, estimated, &is_given_);
       for (Index v = 0; v < values_.size(); ++v) {
         if (is_given_[v]) continue;
         if (has_given_roundness_) estimated[v].roundness = values_[v].roundness;
-        if (is_same_estimate(values_[v], estimated[v])) continue;
+        if (values_[v].roundness == estimated[v].roundness &&
+            values_[v].normal == estimated[v].normal)
+          continue;
         values_[v] = estimated[v];
-        change(v);
+        is_changed_[v] = true;
       }
     }
   }
@@ -226,13 +228,8 @@ public:
     slots_ = {slot_values, std::move(tell_of_tangents)};
   }
   const Given_slots& given_slots() const { return slots_; }
-  // the slots of the mesh without edges whose sharpness is less than 1
-  void set_slots_without_fractions(const std::vector<Value>& slot_values,
-                                   std::vector<bool> tell_of_tangents)
-  {
-    slots_without_fractions_ = {slot_values, std::move(tell_of_tangents)};
-  }
-  const Given_slots& slots_without_fractions() const { return slots_without_fractions_; }
+  // of the mesh without edges whose sharpness is less than 1
+  Given_slots& slots_without_fractions() { return slots_without_fractions_; }
   bool has_several_normals(Index v) const
   {
     return std::binary_search(several_normals_.begin(), several_normals_.end(), v);
@@ -247,16 +244,8 @@ public:
       if (is_changed_[v]) result.push_back(v);
     return result;
   }
-  void forget_changes()
-  {
-    is_changed_.assign(values_.size(), false);
-    is_any_changed_ = false;
-  }
-  void change_all()
-  {
-    is_changed_.assign(values_.size(), true);
-    is_any_changed_ = true;
-  }
+  void forget_changes() { is_changed_.assign(values_.size(), false); }
+  void change_all() { is_changed_.assign(values_.size(), true); }
 
 private:
   static std::string name(std::size_t v) { return "control vertex " + std::to_string(v); }
@@ -269,17 +258,6 @@ private:
     return v;
   }
 
-  static bool is_same_estimate(const Value& a, const Value& b)
-  {
-    return a.roundness == b.roundness && a.normal == b.normal;
-  }
-
-  void change(std::size_t v)
-  {
-    is_changed_[v] = true;
-    is_any_changed_ = true;
-  }
-
   std::vector<Value> values_;
   std::vector<bool> is_changed_;
   std::vector<bool> is_given_; // where normals are estimated
@@ -289,7 +267,6 @@ private:
   Control_normal_estimate estimate_;
   bool is_estimated_;
   bool is_near_overflow_;
-  bool is_any_changed_ = true;
   bool has_given_roundness_ = false, is_roundness_of_estimate_ = false;
 };
 
