@@ -43,22 +43,12 @@ inline Control_element control_element(const Origin& origin)
 
 // What is put for the elements of the refined mesh by where they come from; `face` is the first control face
 // there.
-class Origin_values
+class Origin_values : public Kept_values
 {
 public:
-  using Index = Level_connectivity::Index;
-
-  Origin_values() = default;
-  Origin_values(const Origin_values&) = delete;
-  Origin_values& operator=(const Origin_values&) = delete;
-  virtual ~Origin_values() = default;
-
   virtual void begin(std::size_t number_of_elements) = 0;
   virtual void set(Index element, const Control_element& origin, Index face) = 0;
-  virtual void keep() noexcept = 0;
-  // see Copied_values and Put_values
-  virtual std::unique_ptr<Origin_values> part() const = 0;
-  virtual std::any kept_of_part() = 0;
+  virtual std::unique_ptr<Origin_values> part() const = 0; // see Copied_values
 };
 
 template <class FT>

@@ -30,24 +30,30 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// The values of an attribute of the control mesh, which become the values of the refined mesh: on faces or edges
-// by a copy, on vertices or corners by rows. Values that are put can be taken back until they are kept.
-class Put_values
+// What the elements of the refined mesh get. Values that are put can be taken back until they are kept.
+class Kept_values
 {
 public:
   using Index = Level_connectivity::Index;
   static constexpr Index null = Level_connectivity::null;
 
-  Put_values() = default;
-  Put_values(const Put_values&) = delete;
-  Put_values& operator=(const Put_values&) = delete;
-  virtual ~Put_values() = default;
+  Kept_values() = default;
+  Kept_values(const Kept_values&) = delete;
+  Kept_values& operator=(const Kept_values&) = delete;
+  virtual ~Kept_values() = default;
 
-  // element i of the refined mesh gets value sources[i]
-  virtual void put(const std::vector<Index>& sources) = 0;
   virtual void keep() noexcept = 0;
   // where the values of a part have been put: an Attribute_array, or a Map_of_numbers
   virtual std::any kept_of_part() { return {}; }
+};
+
+// The values of an attribute of the control mesh, which become the values of the refined mesh: on faces or edges
+// by a copy, on vertices or corners by rows.
+class Put_values : public Kept_values
+{
+public:
+  // element i of the refined mesh gets value sources[i]
+  virtual void put(const std::vector<Index>& sources) = 0;
 };
 
 // The values of control elements, and the value of a new element where the source is null.

@@ -13,8 +13,6 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/Bgl_mesh_access.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <cstdint>
 #include <new>

@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
+#include <CGAL/utils.h>
 
 #include <algorithm>
 #include <array>
@@ -152,6 +153,17 @@ FT times_power_of_two(const FT& x, int exponent)
 {
   const int half = exponent / 2; // 2^1074 is no double
   return x * FT(std::ldexp(1., half)) * FT(std::ldexp(1., exponent - half));
+}
+
+// divides by the largest absolute value, and returns it; zero stays zero
+template <class FT, std::size_t dimension>
+FT divide_by_largest(std::array<FT, dimension>& v)
+{
+  FT largest(0);
+  for (const FT& x : v) largest = (CGAL::max)(largest, FT(CGAL::abs(x)));
+  if (!(largest == FT(0)))
+    for (FT& x : v) x /= largest;
+  return largest;
 }
 
 // Multiplies by the power of two that makes the squares of components harmless, and returns its exponent. Of intervals
