@@ -14,12 +14,11 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/Refined_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Creases_without_fractions.h>
+#include <CGAL/PN_subdivision_3/internal/creases/ended_creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
-#include <CGAL/PN_subdivision_3/internal/refiner/Control_values.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Stored_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Stored_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
@@ -406,7 +405,7 @@ private:
       if constexpr (internal::are_creases_v<Level_creases>)
         if (internal::has_fractions(creases)) {
           is_put = read(internal::Creases_without_fractions<FT>(level, creases).creases);
-          control_->set_slots_without_fractions(slot_values, std::move(is_put));
+          control_->slots_without_fractions() = {slot_values, std::move(is_put)};
         }
     }
     control_->set_roundness(roundness);

@@ -13,9 +13,6 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
 #include <CGAL/PN_subdivision_3/parameters/Default_visitor.h>
 
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
-
 namespace CGAL::PN_subdivision_3 {
 
 /*!

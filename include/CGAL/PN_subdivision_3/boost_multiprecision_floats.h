@@ -100,77 +100,51 @@ struct Boost_float_validity : CGAL::cpp98::unary_function<Number, bool>
 } // namespace internal
 } // namespace PN_subdivision_3
 
-template <unsigned digits, boost::multiprecision::backends::digit_base_type base, class Allocator,
-          class Exponent, Exponent least, Exponent greatest,
-          boost::multiprecision::expression_template_option option>
-class Algebraic_structure_traits<boost::multiprecision::number<
-  boost::multiprecision::cpp_bin_float<digits, base, Allocator, Exponent, least, greatest>, option>>
-  : public PN_subdivision_3::internal::Boost_float_algebra<boost::multiprecision::number<
-      boost::multiprecision::cpp_bin_float<digits, base, Allocator, Exponent, least, greatest>,
-      option>>
-{};
-template <unsigned digits, boost::multiprecision::backends::digit_base_type base, class Allocator,
-          class Exponent, Exponent least, Exponent greatest,
-          boost::multiprecision::expression_template_option option>
-class Real_embeddable_traits<boost::multiprecision::number<
-  boost::multiprecision::cpp_bin_float<digits, base, Allocator, Exponent, least, greatest>, option>>
-  : public PN_subdivision_3::internal::Boost_float_order<boost::multiprecision::number<
-      boost::multiprecision::cpp_bin_float<digits, base, Allocator, Exponent, least, greatest>,
-      option>>
-{};
-template <unsigned digits, boost::multiprecision::backends::digit_base_type base, class Allocator,
-          class Exponent, Exponent least, Exponent greatest,
-          boost::multiprecision::expression_template_option option>
-class Is_valid<boost::multiprecision::number<
-  boost::multiprecision::cpp_bin_float<digits, base, Allocator, Exponent, least, greatest>, option>>
-  : public PN_subdivision_3::internal::Boost_float_validity<boost::multiprecision::number<
-      boost::multiprecision::cpp_bin_float<digits, base, Allocator, Exponent, least, greatest>,
-      option>>
-{};
+#define CGAL_PN_SUBDIVISION_3_TRAITS(PARAMETERS, NUMBER)                                           \
+  template <PARAMETERS>                                                                            \
+  class Algebraic_structure_traits<NUMBER>                                                         \
+    : public PN_subdivision_3::internal::Boost_float_algebra<NUMBER>                               \
+  {};                                                                                              \
+  template <PARAMETERS>                                                                            \
+  class Real_embeddable_traits<NUMBER>                                                             \
+    : public PN_subdivision_3::internal::Boost_float_order<NUMBER>                                 \
+  {};                                                                                              \
+  template <PARAMETERS>                                                                            \
+  class Is_valid<NUMBER> : public PN_subdivision_3::internal::Boost_float_validity<NUMBER>         \
+  {};
+
+#define CGAL_PN_SUBDIVISION_3_PARAMETERS                                                           \
+  unsigned digits, boost::multiprecision::backends::digit_base_type base, class Allocator,         \
+    class Exponent, Exponent least, Exponent greatest,                                             \
+    boost::multiprecision::expression_template_option option
+#define CGAL_PN_SUBDIVISION_3_NUMBER                                                               \
+  boost::multiprecision::number<                                                                   \
+    boost::multiprecision::cpp_bin_float<digits, base, Allocator, Exponent, least, greatest>,      \
+    option>
+CGAL_PN_SUBDIVISION_3_TRAITS(CGAL_PN_SUBDIVISION_3_PARAMETERS, CGAL_PN_SUBDIVISION_3_NUMBER)
+#undef CGAL_PN_SUBDIVISION_3_PARAMETERS
+#undef CGAL_PN_SUBDIVISION_3_NUMBER
 
 #ifdef CGAL_USE_MPFR
-template <unsigned digits, boost::multiprecision::mpfr_allocation_type allocation,
-          boost::multiprecision::expression_template_option option>
-class Algebraic_structure_traits<boost::multiprecision::number<
-  boost::multiprecision::mpfr_float_backend<digits, allocation>, option>>
-  : public PN_subdivision_3::internal::Boost_float_algebra<boost::multiprecision::number<
-      boost::multiprecision::mpfr_float_backend<digits, allocation>, option>>
-{};
-template <unsigned digits, boost::multiprecision::mpfr_allocation_type allocation,
-          boost::multiprecision::expression_template_option option>
-class Real_embeddable_traits<boost::multiprecision::number<
-  boost::multiprecision::mpfr_float_backend<digits, allocation>, option>>
-  : public PN_subdivision_3::internal::Boost_float_order<boost::multiprecision::number<
-      boost::multiprecision::mpfr_float_backend<digits, allocation>, option>>
-{};
-template <unsigned digits, boost::multiprecision::mpfr_allocation_type allocation,
-          boost::multiprecision::expression_template_option option>
-class Is_valid<boost::multiprecision::number<
-  boost::multiprecision::mpfr_float_backend<digits, allocation>, option>>
-  : public PN_subdivision_3::internal::Boost_float_validity<boost::multiprecision::number<
-      boost::multiprecision::mpfr_float_backend<digits, allocation>, option>>
-{};
+#  define CGAL_PN_SUBDIVISION_3_PARAMETERS                                                         \
+    unsigned digits, boost::multiprecision::mpfr_allocation_type allocation,                       \
+      boost::multiprecision::expression_template_option option
+#  define CGAL_PN_SUBDIVISION_3_NUMBER                                                             \
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<digits, allocation>,   \
+                                  option>
+CGAL_PN_SUBDIVISION_3_TRAITS(CGAL_PN_SUBDIVISION_3_PARAMETERS, CGAL_PN_SUBDIVISION_3_NUMBER)
+#  undef CGAL_PN_SUBDIVISION_3_PARAMETERS
+#  undef CGAL_PN_SUBDIVISION_3_NUMBER
 #endif
 
 #ifdef CGAL_PN_SUBDIVISION_3_HAS_FLOAT128
-template <boost::multiprecision::expression_template_option option>
-class Algebraic_structure_traits<
-  boost::multiprecision::number<boost::multiprecision::float128_backend, option>>
-  : public PN_subdivision_3::internal::Boost_float_algebra<
-      boost::multiprecision::number<boost::multiprecision::float128_backend, option>>
-{};
-template <boost::multiprecision::expression_template_option option>
-class Real_embeddable_traits<
-  boost::multiprecision::number<boost::multiprecision::float128_backend, option>>
-  : public PN_subdivision_3::internal::Boost_float_order<
-      boost::multiprecision::number<boost::multiprecision::float128_backend, option>>
-{};
-template <boost::multiprecision::expression_template_option option>
-class Is_valid<boost::multiprecision::number<boost::multiprecision::float128_backend, option>>
-  : public PN_subdivision_3::internal::Boost_float_validity<
-      boost::multiprecision::number<boost::multiprecision::float128_backend, option>>
-{};
+#  define CGAL_PN_SUBDIVISION_3_NUMBER                                                             \
+    boost::multiprecision::number<boost::multiprecision::float128_backend, option>
+CGAL_PN_SUBDIVISION_3_TRAITS(boost::multiprecision::expression_template_option option,
+                             CGAL_PN_SUBDIVISION_3_NUMBER)
+#  undef CGAL_PN_SUBDIVISION_3_NUMBER
 #endif
+#undef CGAL_PN_SUBDIVISION_3_TRAITS
 
 } // namespace CGAL
 

@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_RATIONAL_NORMALS_H
 #define CGAL_PN_SUBDIVISION_3_RATIONAL_NORMALS_H
 
-#include <CGAL/PN_subdivision_3/internal/numbers/rational_unit_vector.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/Vector_3.h>
 
 #include <stdexcept>

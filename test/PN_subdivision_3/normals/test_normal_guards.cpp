@@ -431,16 +431,16 @@ TEST(Normal_guards, GivenNormalsAreTakenAsTheyAre)
     const PN::internal::Vertex_sectors sectors(level);
     const auto point = [&](unsigned v) -> const Triple& { return control.points[v]; };
     // inside, where estimates are exact, nothing changes at the border if the exact ones are given
-    const auto given = [&](unsigned v) -> const Triple* {
-      return level.is_border_vertex(v) ? nullptr : &control.normals[v];
-    };
     std::size_t set = 0;
-    PN::internal::estimate_normals<double>(level, Control_normal_estimate::reciprocal, sectors,
-                                           point, given, [&](unsigned v, const Triple& n) {
-                                             ++set;
-                                             EXPECT_TRUE(level.is_border_vertex(v));
-                                             EXPECT_LE(distance(n, control.normals[v]), 16 * ulp);
-                                           });
+    PN::internal::estimate_normals<double>(
+      level, Control_normal_estimate::reciprocal, sectors, point,
+      [&](unsigned v) { return level.is_border_vertex(v) ? nullptr : &control.normals[v]; },
+      [&](unsigned v, const Triple& n) {
+        ++set;
+        EXPECT_TRUE(level.is_border_vertex(v));
+        EXPECT_LE(distance(n, control.normals[v]), 16 * ulp);
+      },
+      [](unsigned, double) {});
     EXPECT_EQ(set, 22u);
   });
 }

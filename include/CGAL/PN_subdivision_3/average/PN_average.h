@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_AVERAGE_PN_AVERAGE_H
 #define CGAL_PN_SUBDIVISION_3_AVERAGE_PN_AVERAGE_H
 
-#include <CGAL/PN_subdivision_3/internal/numbers/rational_unit_vector.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
@@ -237,24 +237,17 @@ private:
     const FT squared_length = internal::dot(sum, sum);
     if (squared_length <= squared_vanishing_length(begin, end, old))
       sum.fill(FT(0));
-    else if constexpr (std::is_floating_point_v<FT>)
-      divide(sum, std::sqrt(squared_length));
-    else {
+    else if constexpr (std::is_floating_point_v<FT>) {
+      const FT length = std::sqrt(squared_length);
+      for (FT& x : sum) x /= length;
+    } else {
       if constexpr (internal::Rounds_exact_numbers<FT>::value)
         if (const int bits = internal::bits_of_refined_normals(); bits != 0)
           return internal::rational_unit_vector<FT, dimension>(sum, bits);
-      multiply(sum, Traits::inverse_length(squared_length));
+      const FT inverse = Traits::inverse_length(squared_length);
+      for (FT& x : sum) x *= inverse;
     }
     return sum;
-  }
-
-  static void divide(Vector& v, const FT& d)
-  {
-    for (FT& x : v) x /= d;
-  }
-  static void multiply(Vector& v, const FT& d)
-  {
-    for (FT& x : v) x *= d;
   }
 
   template <class Entry, class Values>

@@ -9,14 +9,51 @@
 #ifndef CGAL_PN_SUBDIVISION_3_HOSTS_DQQ_HOST_H
 #define CGAL_PN_SUBDIVISION_3_HOSTS_DQQ_HOST_H
 
-#include <CGAL/PN_subdivision_3/internal/hosts/numberings.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/container/vector.hpp>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace CGAL::PN_subdivision_3 {
+namespace internal {
+
+// Numbers some of the elements of a level, in their order: closed if these are all.
+class Ranks
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  // all elements
+  Ranks() = default;
+  // the numbers below `number` for which is_counted(i) is true
+  template <class Is_counted>
+  Ranks(Index number, const Is_counted& is_counted)
+  {
+    rank_.resize(number, boost::container::default_init);
+    Index rank = 0;
+    for (Index i = 0; i < number; ++i) {
+      rank_[i] = rank;
+      if (is_counted(i)) ++rank;
+    }
+  }
+
+  // \pre the element is counted
+  Index rank(Index i) const { return rank_.empty() ? i : rank_[i]; }
+  // the element that is counted and has this rank: the last one with it
+  Index element(Index rank) const
+  {
+    if (rank_.empty()) return rank;
+    const auto next = std::upper_bound(rank_.begin(), rank_.end(), rank);
+    return static_cast<Index>(next - rank_.begin() - 1);
+  }
+
+private:
+  boost::container::vector<Index> rank_;
+};
+
+} // namespace internal
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -69,7 +106,9 @@ public:
     : level_(level)
     , corner_(level.number_of_halfedges(), boost::container::default_init)
     , halfedge_(level.size().corners, boost::container::default_init)
-    , numbering_(level.size(), interior_edges_, interior_vertices_)
+    , corners_(static_cast<Index>(level.size().corners))
+    , faces_(level.number_of_faces())
+    , quads_(corners_ - level.number_of_edges())
   {
     number_corners();
     if (level.has_border() || level.size().isolated_vertices != 0) number_interior();
@@ -92,12 +131,18 @@ public:
   /// crosses.
   Element_parent parent_of_edge(Index new_edge) const
   {
-    if (numbering_.is_edge_of_corner(new_edge))
-      return {Element_parent::Kind::corner, halfedge_[new_edge]};
-    return numbering_.parent_of_crossing_edge(new_edge);
+    if (new_edge < corners_) return {Element_parent::Kind::corner, halfedge_[new_edge]};
+    const Index i = new_edge - corners_;
+    return {Element_parent::Kind::edge, interior_edges_.element(i / 2), i % 2};
   }
   /// the old face, edge or vertex that a new face comes from.
-  Element_parent parent_of_face(Index child) const { return numbering_.parent_of_face(child); }
+  Element_parent parent_of_face(Index child) const
+  {
+    if (child < faces_) return {Element_parent::Kind::face, child};
+    const Index i = child - faces_;
+    if (i < quads_) return {Element_parent::Kind::edge, interior_edges_.element(i)};
+    return {Element_parent::Kind::vertex, interior_vertices_.element(i - quads_)};
+  }
   /// @}
 
   /// calls the function of the mask that gives the row of a new vertex.
@@ -120,7 +165,7 @@ public:
   }
 
 private:
-  using Ranks = internal::Ranks<Index>;
+  using Ranks = internal::Ranks;
 
   static Index opposite(Index h) { return Level_connectivity::opposite(h); }
 
@@ -152,13 +197,13 @@ private:
   }
 
   // New half-edges. An old half-edge h with a face has an inner one inside the smaller face, whose
-  // opposite is the outer one. At its target, an interior one has a crossing to the corner of h in
-  // the quad of the edge, whose opposite goes round the vertex.
-  Index inner(Index h) const { return 2 * numbering_.edge_of_corner(corner_[h]); }
+  // opposite is the outer one; their edges come first, by corners. At its target, an interior one has a crossing to the
+  // corner of h in the quad of the edge, whose opposite goes round the vertex.
+  Index inner(Index h) const { return 2 * corner_[h]; }
   Index outer(Index h) const { return inner(h) + 1; }
   Index crossing(Index h) const
   {
-    return 2 * numbering_.crossing_edge(Level_connectivity::edge(h), h & 1u);
+    return 2 * (corners_ + 2 * interior_edges_.rank(Level_connectivity::edge(h)) + (h & 1u));
   }
   Index around_vertex(Index h) const { return opposite(crossing(h)); }
   Index first_outside(Index h) const { return is_interior(h) ? around_vertex(h) : outer(h); }
@@ -169,9 +214,9 @@ private:
     return !level_.is_isolated(v) && !level_.is_border_vertex(v);
   }
 
-  Index smaller_face(Index f) const { return numbering_.face_of_face(f); }
-  Index quad(Index e) const { return numbering_.face_of_edge(e); }
-  Index polygon(Index v) const { return numbering_.face_of_vertex(v); }
+  // new faces: the smaller ones keep their numbers
+  Index quad(Index e) const { return faces_ + interior_edges_.rank(e); }
+  Index polygon(Index v) const { return faces_ + quads_ + interior_vertices_.rank(v); }
 
   template <class Child>
   void connect_face(Index f, Child& child) const
@@ -180,14 +225,14 @@ private:
     for (const Index h : internal::halfedges_around_face(level_, first)) {
       const Index n = level_.next(h);
       child.set_next(inner(h), inner(n));
-      child.set_face(inner(h), smaller_face(f));
+      child.set_face(inner(h), f);
       child.set_target(inner(h), corner_[h]);
       // outside of the corner at the target of h: the border if it is there
       child.set_halfedge_of_vertex(corner_[h],
                                    is_interior(n) ? around_vertex(opposite(n)) : outer(n));
       if (!is_interior(h)) connect_border(h, child);
     }
-    child.set_halfedge_of_face(smaller_face(f), inner(first));
+    child.set_halfedge_of_face(f, inner(first));
   }
 
   template <class Child>
@@ -239,7 +284,7 @@ private:
   const Level_connectivity& level_;
   boost::container::vector<Index> corner_, halfedge_;
   Ranks interior_edges_, interior_vertices_;
-  internal::DQQ_numbering<Index> numbering_;
+  Index corners_, faces_, quads_; // how many there are
 };
 
 } // namespace CGAL::PN_subdivision_3

@@ -10,12 +10,12 @@
 #define CGAL_PN_SUBDIVISION_3_HOSTS_SQRT3_HOST_H
 
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/hosts/numberings.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/config.hpp>
 #include <boost/container/vector.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -77,7 +77,9 @@ public:
   /// after an odd round
   Sqrt3_host(const Level_connectivity& level, unsigned round)
     : level_(level)
-    , numbering_(level.size(), border_faces_before_, face_of_center_)
+    , vertices_(level.number_of_vertices())
+    , edges_(level.number_of_edges())
+    , faces_(level.number_of_faces())
     , corner_(level.number_of_halfedges(), boost::container::default_init)
   {
     number_corners();
@@ -87,7 +89,10 @@ public:
   Sqrt3_host& operator=(const Sqrt3_host&) = delete;
 
   /// the (first) new vertex of a face.
-  Index vertex_of_face(Index f) const { return numbering_.vertex_of_face(f); }
+  Index vertex_of_face(Index f) const
+  {
+    return vertices_ + f + (has_refined_border() ? border_faces_before_[f] : 0);
+  }
 
   /// \name Parents
   /// @{
@@ -95,32 +100,45 @@ public:
   /// the old vertex, face or border edge that a new vertex comes from.
   Element_parent parent_of_vertex(Index new_vertex) const
   {
-    const Element_parent parent = numbering_.parent_of_vertex(new_vertex);
-    if (parent.kind == Kind::vertex) return parent;
-    const Index border = refined_border_halfedge(parent.index);
-    if (border == Level_connectivity::null) return parent;
-    return {Kind::border_edge, border, parent.ordinal};
+    if (new_vertex < vertices_) return {Kind::vertex, new_vertex};
+    const Index rank = new_vertex - vertices_;
+    if (!has_refined_border()) return {Kind::face, rank};
+    const Index f = face_of_center_[rank], border = border_halfedge(f);
+    if (border == Level_connectivity::null) return {Kind::face, f};
+    return {Kind::border_edge, border, new_vertex - vertex_of_face(f)};
   }
   /// the old edge that was flipped to become a new edge, or that on the border stays, the old face inside
   /// which it lies and the corner that it leads to, or the border edge that it is a part of: part 0 at the target
   /// of the border half-edge, and so on.
   Element_parent parent_of_edge(Index new_edge) const
   {
-    const Element_parent parent = numbering_.parent_of_edge(new_edge);
-    if (parent.kind == Kind::edge) {
-      if (!numbering_.refines_border() || !level_.is_border_edge(parent.index)) return parent;
-      const Index h = 2 * parent.index;
+    if (new_edge < edges_) {
+      if (!has_refined_border() || !level_.is_border_edge(new_edge)) return {Kind::edge, new_edge};
+      const Index h = 2 * new_edge;
       return {Kind::border_edge, level_.is_border(h) ? opposite(h) : h, 0};
     }
-    const Index border = refined_border_halfedge(parent.index);
-    if (border == Level_connectivity::null || parent.ordinal < 2) return parent;
-    return {Kind::border_edge, border, parent.ordinal - 1};
+    const Index i = new_edge - edges_;
+    Index f = i / 3, ordinal = i % 3;
+    if (i >= 3 * faces_) { // the last part of a border edge
+      const auto next =
+        std::upper_bound(border_faces_before_.begin(), border_faces_before_.end(), i - 3 * faces_);
+      f = static_cast<Index>(next - border_faces_before_.begin() - 1);
+      ordinal = 3;
+    }
+    const Index border = refined_border_halfedge(f);
+    if (border == Level_connectivity::null || ordinal < 2) return {Kind::face, f, ordinal};
+    return {Kind::border_edge, border, ordinal - 1};
   }
   /// the old face with the half-edge that a new triangle lies at, and which of its half-edges it is. The triangle
   /// reaches beyond it, to the new vertex of the face on the other side.
-  Element_parent parent_of_face(Index child) const { return numbering_.parent_of_face(child); }
+  Element_parent parent_of_face(Index child) const
+  {
+    if (child < faces_) return {Kind::face, child, 0};
+    const Index i = child - faces_;
+    return {Kind::face, i / 2, i % 2 + 1};
+  }
   /// whether the border is refined in this round.
-  bool has_refined_border() const { return numbering_.refines_border(); }
+  bool has_refined_border() const { return !border_faces_before_.empty(); }
   /// @}
 
   /// calls the function of the mask that gives the row of a new vertex.
@@ -188,7 +206,7 @@ private:
 
   bool is_on_refined_border(Index v) const
   {
-    return numbering_.refines_border() && !level_.is_isolated(v) && level_.is_border_vertex(v);
+    return has_refined_border() && !level_.is_isolated(v) && level_.is_border_vertex(v);
   }
 
   // the half-edge of a triangle whose opposite is on a border that is refined, null if there is
@@ -202,14 +220,19 @@ private:
   }
   Index refined_border_halfedge(Index f) const
   {
-    return numbering_.refines_border() ? border_halfedge(f) : Level_connectivity::null;
+    return has_refined_border() ? border_halfedge(f) : Level_connectivity::null;
   }
 
-  // new edge i of a face
-  Index inner(Index f, Index i) const { return 2 * numbering_.inner_edge(f, i); }
-  // the last part of a refined border edge
-  Index last_part(Index f) const { return 2 * numbering_.last_part(f); }
-  Index triangle(Index h) const { return numbering_.triangle(corner_[h] / 4, corner_[h] % 4); }
+  // New half-edges: those of old edges (flipped, or the first part of a refined border edge), three edges a face, the last
+  // parts of refined border edges.
+  Index inner(Index f, Index i) const { return 2 * (edges_ + 3 * f + i); }
+  Index last_part(Index f) const { return 2 * (edges_ + 3 * faces_ + border_faces_before_[f]); }
+  // New faces: the triangles at the first half-edges of all faces, then those at the second and third half-edges.
+  Index triangle(Index h) const
+  {
+    const Index f = corner_[h] / 4, i = corner_[h] % 4;
+    return i == 0 ? f : faces_ + 2 * f + i - 1;
+  }
 
   // Seen from a half-edge h of a face: the new vertex that forms a triangle with h, and the
   // half-edges from it to the two ends of h. In an ordinary face these are the three spokes. In a
@@ -255,7 +278,7 @@ private:
   template <class Child>
   void connect_border(Index h, Child& child) const
   {
-    if (numbering_.refines_border())
+    if (has_refined_border())
       connect_refined_border(h, child);
     else
       connect_kept_border(h, child);
@@ -325,13 +348,15 @@ private:
   // where the old border half-edge b begins now
   Index first_on_border(Index b) const
   {
-    if (!numbering_.refines_border()) return b;
+    if (!has_refined_border()) return b;
     return opposite(last_part(level_.face(opposite(b))));
   }
 
   const Level_connectivity& level_;
-  internal::Sqrt3_numbering<Index> numbering_;
+  Index vertices_, edges_, faces_; // how many there are
   boost::container::vector<Index> corner_;
+  // In a round that refines the border: for each face how many before it have a border edge, and the faces of new
+  // vertices; empty in other rounds.
   boost::container::vector<Index> border_faces_before_, face_of_center_;
 };
 

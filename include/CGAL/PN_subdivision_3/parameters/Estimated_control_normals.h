@@ -21,42 +21,34 @@ namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
 // a value of each key, which need not be known in advance: of numbers as keys in an array
-template <class Key, class Value_, bool are_numbers = std::is_convertible_v<Key, std::size_t>>
+template <class Key, class Value>
 class Values_of_keys
 {
 public:
-  using Value = Value_;
-
-  Value& operator[](const Key& key) { return values_[key]; }
-  Value get(const Key& key) const
-  {
-    const auto it = values_.find(key);
-    return it == values_.end() ? Value() : it->second;
-  }
-
-private:
-  std::unordered_map<Key, Value> values_;
-};
-template <class Key, class Value_>
-class Values_of_keys<Key, Value_, true>
-{
-public:
-  using Value = Value_;
-
   Value& operator[](const Key& key)
   {
-    const std::size_t i = key;
-    if (i >= values_.size()) values_.resize(i + 1);
-    return values_[i];
+    if constexpr (are_numbers) {
+      const std::size_t i = key;
+      if (i >= values_.size()) values_.resize(i + 1);
+      return values_[i];
+    } else
+      return values_[key];
   }
   Value get(const Key& key) const
   {
-    const std::size_t i = key;
-    return i < values_.size() ? values_[i] : Value();
+    if constexpr (are_numbers) {
+      const std::size_t i = key;
+      return i < values_.size() ? values_[i] : Value();
+    } else {
+      const auto it = values_.find(key);
+      return it == values_.end() ? Value() : it->second;
+    }
   }
 
 private:
-  std::vector<Value> values_;
+  static constexpr bool are_numbers = std::is_convertible_v<Key, std::size_t>;
+
+  std::conditional_t<are_numbers, std::vector<Value>, std::unordered_map<Key, Value>> values_;
 };
 
 template <class Kernel>

@@ -12,7 +12,6 @@
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
-#include <CGAL/PN_subdivision_3/internal/hosts/numberings.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/container/vector.hpp>

@@ -43,22 +43,12 @@ inline Control_element control_element(const Origin& origin)
 
 // What is put for the elements of the refined mesh by where they come from; `face` is the first control face
 // there.
-class Origin_values
+class Origin_values : public Kept_values
 {
 public:
-  using Index = Level_connectivity::Index;
-
-  Origin_values() = default;
-  Origin_values(const Origin_values&) = delete;
-  Origin_values& operator=(const Origin_values&) = delete;
-  virtual ~Origin_values() = default;
-
   virtual void begin(std::size_t number_of_elements) = 0;
   virtual void set(Index element, const Control_element& origin, Index face) = 0;
-  virtual void keep() noexcept = 0;
-  // see Copied_values and Put_values
-  virtual std::unique_ptr<Origin_values> part() const = 0;
-  virtual std::any kept_of_part() = 0;
+  virtual std::unique_ptr<Origin_values> part() const = 0; // see Copied_values
 };
 
 template <class FT>
@@ -185,6 +175,7 @@ class Array_values : public Row_values<FT>
 public:
   using typename Row_values<FT>::Index;
   using typename Row_values<FT>::Entry;
+  using Row_values<FT>::evaluate;
   using Row_values<FT>::null;
 
   Array_values(Attribute_array& array, std::size_t number, const char* kind)
@@ -210,22 +201,11 @@ public:
       if (!(array_.values[a * dimension_ + c] == array_.values[b * dimension_ + c])) return false;
     return true;
   }
-  void begin(const std::vector<Index>& sources) override
-  {
-    old_.resize(sources.size() * dimension_);
-    for (std::size_t i = 0; i < sources.size(); ++i)
-      for (std::size_t c = 0; sources[i] != null && c < dimension_; ++c)
-        old_[i * dimension_ + c] = FT(array_.values[sources[i] * dimension_ + c]);
-  }
+  void begin(const std::vector<Index>& sources) override { take(array_.values, sources); }
 
   void begin_round(std::size_t number_of_values) override
   {
     new_.resize(number_of_values * dimension_, boost::container::default_init);
-  }
-  void evaluate(Index first, const Stencil_block<FT>& rows) override
-  {
-    for (std::size_t r = 0; r < rows.number_of_rows(); ++r)
-      Array_values::evaluate(first + Index(r), rows.begin(r), rows.end(r));
   }
   void evaluate(Index value, const Entry* begin, const Entry* end) override
   {
@@ -265,13 +245,13 @@ public:
 private:
   using Values = boost::container::vector<FT>;
 
-  void take(const Values& from, const std::vector<Index>& sources)
+  template <class Numbers>
+  void take(const Numbers& from, const std::vector<Index>& sources)
   {
-    const std::size_t first = old_.size();
-    old_.resize(first + sources.size() * dimension_);
+    old_.resize(sources.size() * dimension_);
     for (std::size_t i = 0; i < sources.size(); ++i)
       for (std::size_t c = 0; sources[i] != null && c < dimension_; ++c)
-        old_[first + i * dimension_ + c] = from[sources[i] * dimension_ + c];
+        old_[i * dimension_ + c] = FT(from[sources[i] * dimension_ + c]);
   }
 
   Attribute_array own_; // the values of a part

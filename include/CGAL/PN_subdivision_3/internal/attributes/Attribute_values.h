@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
+#include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <any>
@@ -22,29 +23,37 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// The values of an attribute of the control mesh, which become the values of the refined mesh: on faces or edges
-// by a copy, on vertices or corners by rows. Values that are put can be taken back until they are kept.
-class Put_values
+// What the elements of the refined mesh get. Values that are put can be taken back until they are kept.
+class Kept_values
 {
 public:
   using Index = Level_connectivity::Index;
   static constexpr Index null = Level_connectivity::null;
 
-  Put_values() = default;
-  Put_values(const Put_values&) = delete;
-  Put_values& operator=(const Put_values&) = delete;
-  virtual ~Put_values() = default;
+  Kept_values() = default;
+  Kept_values(const Kept_values&) = delete;
+  Kept_values& operator=(const Kept_values&) = delete;
+  virtual ~Kept_values() = default;
 
-  // element i of the refined mesh gets value sources[i]
-  virtual void put(const std::vector<Index>& sources) = 0;
   virtual void keep() noexcept = 0;
   // where the values of a part have been put: an Attribute_array, or a Map_of_numbers
   virtual std::any kept_of_part() { return {}; }
+};
+
+// The values of an attribute of the control mesh, which become the values of the refined mesh: on faces or edges
+// by a copy, on vertices or corners by rows.
+class Put_values : public Kept_values
+{
+public:
+  // element i of the refined mesh gets value sources[i]
+  virtual void put(const std::vector<Index>& sources) = 0;
 };
 
 // The values of control elements, and the value of a new element where the source is null.
@@ -74,9 +83,13 @@ public:
   {
     begin_round(number_of_values);
   }
-  // for the rows from value `first` on; from several threads
-  virtual void evaluate(Index first, const Stencil_block<FT>& rows) = 0;
   virtual void evaluate(Index value, const Entry* begin, const Entry* end) = 0;
+  // for the rows from value `first` on; from several threads
+  virtual void evaluate(Index first, const Stencil_block<FT>& rows)
+  {
+    for (std::size_t r = 0; r < rows.number_of_rows(); ++r)
+      evaluate(first + Index(r), rows.begin(r), rows.end(r));
+  }
   // a value of the new level
   virtual void copy(Index from, Index to) = 0;
   virtual void end_round() = 0;
@@ -89,6 +102,14 @@ public:
   // The values of a part of the level: value i is value sources[i], any value where this is null.
   virtual std::unique_ptr<Row_values> part(const std::vector<Index>& sources) const = 0;
 };
+
+// all control elements
+inline std::vector<Level_connectivity::Index> first_indices(std::size_t n)
+{
+  std::vector<Level_connectivity::Index> result(n);
+  std::iota(result.begin(), result.end(), 0u);
+  return result;
+}
 
 // Divides a vector by its length; zero stays zero.
 template <class FT>
@@ -209,6 +230,117 @@ void scalar_averages(const Entry* first, std::size_t length, std::size_t number,
              })});
   }
 }
+
+// The shares that control vertices have in a place of the control mesh, by linear interpolation: one at a control vertex,
+// two on an edge, as many as it has corners in a face.
+class Control_shares
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  Control_shares() = default;
+  explicit Control_shares(Index v)
+    : shares_(1, {v, 1})
+  {}
+
+  void add(const Control_shares& other, float weight)
+  {
+    for (const Share& added : other.shares_) {
+      const auto own = std::find_if(shares_.begin(), shares_.end(),
+                                    [&](const Share& s) { return s.first == added.first; });
+      if (own != shares_.end())
+        own->second += weight * added.second;
+      else
+        shares_.push_back({added.first, weight * added.second});
+    }
+  }
+
+  // the control vertex with the largest share; of several the first
+  Index nearest() const
+  {
+    constexpr float rounding = 1e-5f;
+    float largest = 0;
+    for (const Share& s : shares_) largest = (std::max)(largest, s.second);
+    Index result = Level_connectivity::null;
+    for (const auto& [v, share] : shares_)
+      if (share >= largest - rounding) result = (std::min)(result, v); // null is the largest
+    return result;
+  }
+
+private:
+  using Share = std::pair<Index, float>;
+
+  std::vector<Share> shares_;
+};
+
+// Values that vertices have from the nearest control vertices. A new vertex is in the middle of the vertices with the main
+// weights in its row: an old vertex, the ends of an edge, or the corners of a face.
+template <class FT>
+class Nearest_values : public Row_values<FT>
+{
+public:
+  using typename Row_values<FT>::Index;
+  using typename Row_values<FT>::Entry;
+  using Row_values<FT>::evaluate;
+  using Row_values<FT>::null;
+
+  explicit Nearest_values(std::unique_ptr<Copied_values> copied)
+    : copied_(std::move(copied))
+  {}
+  // the values of a part
+  Nearest_values(const Nearest_values& whole, const std::vector<Index>& sources)
+    : copied_(whole.copied_->part())
+  {
+    for (const Index i : sources) old_.push_back(i == null ? Control_shares() : whole.old_[i]);
+  }
+
+  bool are_equal(Index a, Index b) const override { return a == b; }
+  void begin(const std::vector<Index>& sources) override
+  {
+    old_.clear();
+    for (const Index i : sources) old_.push_back(i == null ? Control_shares() : Control_shares(i));
+  }
+
+  void begin_round(std::size_t number_of_values) override { new_.resize(number_of_values); }
+  void evaluate(Index value, const Entry* begin, const Entry* end) override
+  {
+    double largest = 0;
+    for (const Entry* e = begin; e != end; ++e) largest = (std::max)(largest, weight(e->weight));
+    const auto is_main = [&](const Entry& e) { return weight(e.weight) > largest / 2; };
+    const auto number = std::count_if(begin, end, is_main);
+    Control_shares& shares = new_[value] = {};
+    for (const Entry* e = begin; e != end; ++e)
+      if (is_main(*e)) shares.add(old_[e->vertex], 1 / float(number));
+  }
+  void copy(Index from, Index to) override { new_[to] = new_[from]; }
+  void end_round() override
+  {
+    old_ = std::move(new_);
+    new_.clear();
+  }
+
+  void put_all(Index number) override { put(first_indices(number)); }
+  void put(const std::vector<Index>& sources) override
+  {
+    std::vector<Index> nearest;
+    nearest.reserve(sources.size());
+    for (const Index i : sources) nearest.push_back(i == null ? null : old_[i].nearest());
+    copied_->put(nearest);
+  }
+  void keep() noexcept override { copied_->keep(); }
+
+  std::unique_ptr<Row_values<FT>> part(const std::vector<Index>& sources) const override
+  {
+    return std::make_unique<Nearest_values>(*this, sources);
+  }
+  std::any kept_of_part() override { return copied_->kept_of_part(); }
+
+private:
+  static double weight(const FT& w) { return double(CGAL::to_double(w)); }
+
+  std::unique_ptr<Copied_values> copied_;
+  std::vector<Control_shares> old_, new_;
+};
 
 } // namespace CGAL::PN_subdivision_3::internal
 

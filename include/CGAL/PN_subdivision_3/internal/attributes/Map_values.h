@@ -77,14 +77,6 @@ std::unique_ptr<Values> part_of_map([[maybe_unused]] const Any_map& whole,
     return nullptr;
 }
 
-// all control elements
-inline std::vector<Level_connectivity::Index> first_indices(std::size_t n)
-{
-  std::vector<Level_connectivity::Index> result(n);
-  for (std::size_t i = 0; i < n; ++i) result[i] = static_cast<Level_connectivity::Index>(i);
-  return result;
-}
-
 // A map of faces or edges.
 template <class Access, class Map, class Keys>
 class Copied_map : public Copied_values
@@ -148,7 +140,8 @@ public:
   Row_map(const Row_map& whole, const std::vector<Index>& sources)
     : map_(whole.map_.access(), Map())
   {
-    take(whole.old_, sources);
+    old_.reserve(sources.size());
+    for (const Index i : sources) old_.push_back(i == Row_values<FT>::null ? Sum() : whole.old_[i]);
   }
 
   void begin(const std::vector<Index>& sources) override
@@ -156,8 +149,7 @@ public:
     old_.clear();
     old_.reserve(sources.size());
     for (const Index i : sources)
-      old_.push_back(i == Row_values<FT>::null ? typename Traits::Sum()
-                                               : Traits::to_sum(map_.old()[position_[i]]));
+      old_.push_back(i == Row_values<FT>::null ? Sum() : Traits::to_sum(map_.old()[position_[i]]));
   }
 
   void begin_round(std::size_t number_of_values) override
@@ -230,13 +222,6 @@ private:
       return Traits::to_value(unit);
     } else
       return Traits::to_value(sum);
-  }
-
-  void take(const Values& from, const std::vector<Index>& sources)
-  {
-    old_.reserve(old_.size() + sources.size());
-    for (const Index i : sources)
-      old_.push_back(i == Row_values<FT>::null ? typename Traits::Sum() : from[i]);
   }
 
   template <class Result>

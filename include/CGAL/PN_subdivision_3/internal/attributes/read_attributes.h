@@ -11,9 +11,10 @@
 
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Attribute_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Nearest_values.h>
+#include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
@@ -230,17 +231,8 @@ struct Attributes
 };
 
 template <class T>
-struct Is_attributes : std::false_type
-{};
-template <class... Items>
-struct Is_attributes<Attributes<Items...>> : std::true_type
-{};
-template <>
-struct Is_attributes<No_attributes> : std::true_type
-{};
-template <>
-struct Is_attributes<Attribute_table> : std::true_type
-{};
+using Is_attributes = std::disjunction<Is_instance<Attributes, T>, std::is_same<T, No_attributes>,
+                                       std::is_same<T, Attribute_table>>;
 
 template <class... Items>
 bool is_empty(const Attributes<Items...>&)
@@ -295,22 +287,24 @@ Control_attributes<FT> read_attributes(const Access&, const Level_connectivity& 
 }
 
 // whether the values of corners have a seam
-template <class Access, class Map>
-bool has_seam(const Access& access, const Level_connectivity& level, const Map& map)
+template <class Values>
+bool have_seam(const Level_connectivity& level, const Values& values)
 {
-  Row_map<Access, Map, Halfedge_of_mesh, double> values(access, map, corners_of(level));
   return Charts<double>(level, Corner_rule::none, Control_sharpness(),
                         [&](auto h, auto g) { return values.are_equal(h, g); })
     .has_seams();
 }
-template <class Access>
-bool has_seam(const Access&, const Level_connectivity& level, const Attribute_array& array)
+template <class Access, class Map>
+bool has_seam(const Access& access, const Level_connectivity& level, const Map& map)
 {
-  Attribute_array copy = array;
-  Array_values<double> values(copy, level.number_of_halfedges(), "corners (half-edges)");
-  return Charts<double>(level, Corner_rule::none, Control_sharpness(),
-                        [&](auto h, auto g) { return values.are_equal(h, g); })
-    .has_seams();
+  return have_seam(level,
+                   Row_map<Access, Map, Halfedge_of_mesh, double>(access, map, corners_of(level)));
+}
+template <class Access>
+bool has_seam(const Access&, const Level_connectivity& level, Attribute_array array)
+{
+  return have_seam(
+    level, Array_values<double>(array, level.number_of_halfedges(), "corners (half-edges)"));
 }
 
 // The first control face at an origin, that is the one with the least number at an edge or a vertex. Where

@@ -236,13 +236,8 @@ bool scale_to_about_one(Coordinates<FT, dimension>& n)
   if constexpr (is_interval_v<FT>) {
     scale_to_one(n);
     return FT(0) < dot(n, n);
-  } else {
-    FT largest(0);
-    for (const FT& x : n) largest = (CGAL::max)(largest, FT(CGAL::abs(x)));
-    if (largest == FT(0)) return false;
-    for (FT& x : n) x /= largest;
-    return true;
-  }
+  } else
+    return !(divide_by_largest(n) == FT(0));
 }
 
 // Normals of any length become unit vectors once; unit vectors and zero are taken as they are.

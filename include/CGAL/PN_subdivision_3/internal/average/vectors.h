@@ -36,25 +36,13 @@ Coordinates<FT, dimension> zero_vector()
 }
 
 // the point of a value, with normal or without
-template <class FT, std::size_t dimension>
-std::array<FT, dimension>& point_of(std::array<FT, dimension>& value)
+template <class Value>
+auto& point_of(Value&& value)
 {
-  return value;
-}
-template <class FT, std::size_t dimension>
-const std::array<FT, dimension>& point_of(const std::array<FT, dimension>& value)
-{
-  return value;
-}
-template <class Value, class = std::enable_if_t<has_normal_v<Value>>>
-auto& point_of(Value& value)
-{
-  return value.point;
-}
-template <class Value, class = std::enable_if_t<has_normal_v<Value>>>
-const auto& point_of(const Value& value)
-{
-  return value.point;
+  if constexpr (has_normal_v<std::decay_t<Value>>)
+    return value.point;
+  else
+    return value;
 }
 
 template <class FT, std::size_t dimension>
@@ -116,11 +104,8 @@ FT length_of(std::array<FT, dimension> v)
     const int exponent = scale_to_one(v);
     return times_power_of_two(root_of_square<FT>(dot(v, v)), -exponent);
   } else {
-    FT largest(0);
-    for (const FT& x : v) largest = (CGAL::max)(largest, FT(CGAL::abs(x)));
-    if (largest == FT(0)) return largest;
-    for (FT& x : v) x /= largest;
-    return largest * root_of_square<FT>(dot(v, v));
+    const FT largest = divide_by_largest(v);
+    return largest == FT(0) ? largest : FT(largest * root_of_square<FT>(dot(v, v)));
   }
 }
 

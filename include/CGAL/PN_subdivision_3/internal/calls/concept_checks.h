@@ -13,6 +13,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -40,8 +41,6 @@ struct Facts_of_map
   {};
   template <class>
   static constexpr bool has_key = false;
-  template <class>
-  static constexpr bool has_category = false;
 };
 template <class Map>
 struct Facts_of_map<Map, std::void_t<typename boost::property_traits<Map>::value_type,
@@ -51,8 +50,6 @@ struct Facts_of_map<Map, std::void_t<typename boost::property_traits<Map>::value
   using Value = std::decay_t<typename Traits::value_type>;
   template <class Key>
   static constexpr bool has_key = std::is_convertible_v<Key, typename Traits::key_type>;
-  template <class Tag>
-  static constexpr bool has_category = std::is_convertible_v<typename Traits::category, Tag>;
 };
 template <class Map, class Key>
 constexpr bool is_property_map_of_v = Facts_of_map<Map>::template has_key<Key>;
@@ -117,8 +114,7 @@ struct Map_of_limits;
 struct Map_of_creases;
 
 template <class Map, class Access_tag, class Tag>
-constexpr bool lacks_v =
-  std::is_convertible_v<Access_tag, Tag> && !Facts_of_map<Map>::template has_category<Tag>;
+constexpr bool lacks_v = std::is_convertible_v<Access_tag, Tag> && !has_category_v<Map, Tag>;
 template <class Map>
 constexpr bool is_given_map_v = !std::is_same_v<Map, No_normal_map> && is_constraint_map_v<Map> &&
                                 !std::is_same_v<Map, No_roundness>;

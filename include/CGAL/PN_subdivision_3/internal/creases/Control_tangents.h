@@ -64,22 +64,23 @@ Coordinates<FT, 3> strip(const Coordinates<FT, 3>& x, const Coordinates<FT, 3>& 
 
 // The tangents of the creases of a control level, where they are zero, from its points and the normals
 // that are given.
-template <class FT, class Point_of, class Given_normal, class Has_joint>
+template <class FT>
 class Control_tangents
 {
 public:
   using Index = Level_connectivity::Index;
+  using Value = Point_normal<FT, 3>;
   using Vector = Coordinates<FT, 3>;
 
-  // point(v) of a vertex; given_normal(slot), zero if none is given; has_joint(slot): whether lines and
-  // arcs may join there
-  Control_tangents(const Level_connectivity& level, Creases<FT>& creases, const Point_of& point,
-                   const Given_normal& given_normal, const Has_joint& has_joint)
+  // values[slot] has the point, and the normal if that is given; with joints, lines and arcs may join where it is not
+  Control_tangents(const Level_connectivity& level, Creases<FT>& creases,
+                   const std::vector<Value>& values, const std::vector<bool>& is_given,
+                   bool has_joints)
     : level_(level)
     , creases_(creases)
-    , point_(point)
-    , given_normal_(given_normal)
-    , has_joint_(has_joint)
+    , values_(values)
+    , is_given_(is_given)
+    , has_joints_(has_joints)
     , is_at_crease_vertex_(creases.edges.size(), {false, false})
   {}
 
@@ -112,8 +113,13 @@ private:
   Vector along(const Crease_end& e) const
   {
     const Index h = creases_.halfedge(e);
-    return difference(point_(level_.source(h)), point_(level_.target(h)));
+    return difference(values_[level_.source(h)].point, values_[level_.target(h)].point);
   }
+  Vector given_normal(Index slot) const
+  {
+    return is_given_[slot] ? values_[slot].normal : zero_vector<FT, 3>();
+  }
+  bool has_joint(Index slot) const { return has_joints_ && !is_given_[slot]; }
   bool is_given(const Crease_end& e) const
   {
     return !are_certainly_equal(creases_.tangent_from(e), zero_vector<FT, 3>());
@@ -203,8 +209,8 @@ private:
   bool may_turn(const Crease_end& e) const
   {
     const Crease_edge<FT>& crease = creases_.edge(e);
-    return (!crease.has_after(e.side) || has_joint_(crease.after[e.side])) &&
-           (!crease.has_before(e.side) || has_joint_(crease.before[e.side]));
+    return (!crease.has_after(e.side) || has_joint(crease.after[e.side])) &&
+           (!crease.has_before(e.side) || has_joint(crease.before[e.side]));
   }
 
   // adds a multiple of the unit vector of x
@@ -263,8 +269,8 @@ private:
   {
     const Crease_edge<FT>& crease = creases_.edge(e);
     Vector n1 = zero_vector<FT, 3>(), n2 = n1;
-    if (crease.has_after(e.side)) n1 = given_normal_(crease.after[e.side]);
-    if (crease.has_before(e.side)) n2 = given_normal_(crease.before[e.side]);
+    if (crease.has_after(e.side)) n1 = given_normal(crease.after[e.side]);
+    if (crease.has_before(e.side)) n2 = given_normal(crease.before[e.side]);
     if (is_zero_not_unit(n1)) std::swap(n1, n2);
     if (is_zero_not_unit(n1)) return of_certain_length(t0, t0);
     const bool has_both = !is_zero_not_unit(n2);
@@ -286,27 +292,19 @@ private:
 
   const Level_connectivity& level_;
   Creases<FT>& creases_;
-  const Point_of& point_;
-  const Given_normal& given_normal_;
-  const Has_joint& has_joint_;
+  const std::vector<Value>& values_;
+  const std::vector<bool>& is_given_;
+  const bool has_joints_;
   std::vector<const Crease_star*> free_;                 // whose tangents may turn
   std::vector<std::array<bool, 2>> is_at_crease_vertex_; // indexed as Crease_edge::tangent_from
 };
 
-// The tangents that are missing, of values[slot] of which the normal is given or is estimated.
-template <class FT, class Value>
+template <class FT>
 void make_control_tangents(const Level_connectivity& level, Creases<FT>& creases,
-                           const std::vector<Value>& values, const std::vector<bool>& is_given,
-                           bool has_joints)
+                           const std::vector<Point_normal<FT, 3>>& values,
+                           const std::vector<bool>& is_given, bool has_joints)
 {
-  using Index = Level_connectivity::Index;
-  const auto point = [&](Index v) -> const Coordinates<FT, 3>& { return values[v].point; };
-  const auto given = [&](Index slot) {
-    return is_given[slot] ? values[slot].normal : zero_vector<FT, 3>();
-  };
-  const auto has_joint = [&](Index slot) { return has_joints && !is_given[slot]; };
-  Control_tangents<FT, decltype(point), decltype(given), decltype(has_joint)>(level, creases, point,
-                                                                              given, has_joint)();
+  Control_tangents<FT>(level, creases, values, is_given, has_joints)();
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_rules.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
+#include <CGAL/PN_subdivision_3/internal/creases/ended_creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -76,8 +76,6 @@ private:
   using Rule_value = typename Rules::Value;
   using Vector = Coordinates<FT, 3>;
 
-  static void mix(Vector& a, const Vector& b, const FT& f) { a = mixed<FT>(a, b, f); }
-
   Index new_vertex(Index crease) const
   {
     return data_.round.host().vertex_of_edge(data_.creases.edges[crease].edge);
@@ -137,7 +135,7 @@ private:
       join_roundness(join, value.roundness);
     } else if (!is_same_rule(parent, child)) {
       const FT f(weight_of_parent_rule(creases, star));
-      if (f < FT(1)) mix(value.point, rules.vertex(star, child, join).point, f);
+      if (f < FT(1)) value.point = mixed<FT>(value.point, rules.vertex(star, child, join).point, f);
     }
     put(i, refined_.star[i], star.vertex, value, [](Index w) { return w; });
     for (std::size_t j = 0; j < join.ends.size(); ++j) {
@@ -158,7 +156,7 @@ private:
 
   static void keep_tangents(const Wedge_join& join, Rule_value& value)
   {
-    typename Rule_value::Vectors kept;
+    std::vector<Vector> kept;
     for (const Index i : join.ends) kept.push_back(value.tangents[i]);
     value.tangents = kept;
   }
@@ -169,7 +167,8 @@ private:
     const Crease_edge<FT>& e = data_.creases.edges[i];
     Rule_value value = rules.edge(e);
     if constexpr (!is_pn)
-      if (e.sharpness < 1) mix(value.point, rules.smooth_edge(e).point, FT(e.sharpness));
+      if (e.sharpness < 1)
+        value.point = mixed<FT>(value.point, rules.smooth_edge(e).point, FT(e.sharpness));
     const Index rank = refined_.rank[i];
     if (rank == null) {
       Wedge_join join;

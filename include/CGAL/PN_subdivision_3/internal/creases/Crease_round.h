@@ -11,9 +11,9 @@
 
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_pass.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Creases_without_fractions.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
+#include <CGAL/PN_subdivision_3/internal/creases/ended_creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -69,16 +69,9 @@ public:
   using Value = typename Average::Value;
   using Slot_value = std::pair<Index, Value>;
 
-  // `old` has the values of the slots. The level is cut open until close() is called.
+  // `old` has the values of the slots; null until they are known, see read(). The level is cut open until close() is called.
   Crease_round(const Scheme& scheme, Level_connectivity& level, const Creases<FT>& creases,
-               const Value* old, unsigned number)
-    : Crease_round(scheme, level, creases, number)
-  {
-    read(old);
-  }
-  // without values, until read() is called
-  Crease_round(const Scheme& scheme, Level_connectivity& level, const Creases<FT>& creases,
-               unsigned number);
+               const Value* old, unsigned number);
 
   Crease_round(const Crease_round&) = delete;
   Crease_round& operator=(const Crease_round&) = delete;
@@ -209,7 +202,7 @@ private:
   const Scheme& scheme_;
   Level_connectivity& level_;
   const Creases<FT>& creases_;
-  const Value* old_ = nullptr;
+  const Value* old_;
   const Level_size refined_size_;
   Refined_creases<FT> refined_;
   std::optional<Smooth_rows<FT>> smooth_rows_, smooth_normal_rows_;
@@ -226,10 +219,11 @@ template <class Scheme, class Average, class Level_creases>
 Crease_round<Scheme, Average, Level_creases>::Crease_round(const Scheme& scheme,
                                                            Level_connectivity& level,
                                                            const Creases<FT>& creases,
-                                                           unsigned number)
+                                                           const Value* old, unsigned number)
   : scheme_(scheme)
   , level_(level)
   , creases_(creases)
+  , old_(old)
   , refined_size_(Host::refined_size(level.size(), number))
   , refined_(creases, level, number_of_vertices())
 {
@@ -253,7 +247,7 @@ auto Crease_round<Scheme, Average, Level_creases>::crease_values(const For_chunk
 {
   const auto pointer = [](const auto& rows) { return rows ? &*rows : nullptr; };
   const typename Crease_pass<Scheme, Average>::Data data{
-    scheme_, level_, creases_, *round_, pointer(smooth_rows_), pointer(smooth_normal_rows_), old_};
+    level_, creases_, *round_, pointer(smooth_rows_), pointer(smooth_normal_rows_), old_};
   std::vector<Slot_value> values = Crease_pass<Scheme, Average>(data, refined_)(for_chunks);
   if constexpr (may_end) {
     if (!others_.empty())
@@ -277,9 +271,6 @@ public:
 
   Crease_round(const Scheme& scheme, const Level_connectivity& level, No_creases, const Value*,
                unsigned number)
-    : Crease_round(scheme, level, No_creases(), number)
-  {}
-  Crease_round(const Scheme& scheme, const Level_connectivity& level, No_creases, unsigned number)
     : One_round(scheme, level, number)
     , refined_creases_(number_of_vertices())
   {}

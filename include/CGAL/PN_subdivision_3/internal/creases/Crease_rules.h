@@ -14,12 +14,11 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
-#include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
+#include <CGAL/PN_subdivision_3/internal/creases/ended_creases.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
-#include <CGAL/Uncertain.h>
 
 #include <algorithm>
 #include <array>
@@ -28,18 +27,6 @@
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
-
-// A new point at a vertex or edge, its normal in each wedge, and the tangents from it: along the ends
-// of a star, or in the direction of travel along an edge.
-template <class FT>
-struct Crease_value
-{
-  using Vectors = std::vector<Coordinates<FT, 3>>;
-
-  Coordinates<FT, 3> point;
-  Vectors normals, tangents;
-  std::vector<FT> roundness; // of the wedges, if there are normals
-};
 
 // Of the row of a vertex on a crease: of the neighbors along it, in their order, and of the vertex itself.
 template <class FT>
@@ -52,23 +39,6 @@ std::array<FT, 3> crease_weights(const Entry_row<FT>& row, Level_connectivity::I
   return weights;
 }
 
-// What the rules of a round read: the level cut open, its creases and the values of the slots.
-template <class Scheme, class Average>
-struct Crease_round_data
-{
-  using FT = typename Average::FT;
-  using Index = Level_connectivity::Index;
-  using One_round = Round<Scheme, Average>;
-
-  const Scheme& scheme;
-  const Level_connectivity& cut;
-  const Creases<FT>& creases;
-  const One_round& round; // its mask is that of the cut level
-  const Smooth_rows<FT>* smooth_rows;
-  const Smooth_rows<FT>* smooth_normal_rows; // of a normal mask
-  const typename One_round::Value* old;
-};
-
 // The rules of creases, corners and darts. Objects of this class are cheap and not shared by threads.
 template <class Scheme, class Average>
 class Crease_rules
@@ -79,8 +49,26 @@ public:
   using FT = typename Average::FT;
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<FT, 3>;
-  using Data = Crease_round_data<Scheme, Average>;
-  using Value = Crease_value<FT>;
+  using One_round = Round<Scheme, Average>;
+
+  // What the rules of a round read: the level cut open, its creases and the values of the slots.
+  struct Data
+  {
+    const Level_connectivity& cut;
+    const Creases<FT>& creases;
+    const One_round& round; // its mask is that of the cut level
+    const Smooth_rows<FT>* smooth_rows;
+    const Smooth_rows<FT>* smooth_normal_rows; // of a normal mask
+    const typename One_round::Value* old;
+  };
+  // A new point at a vertex or edge, its normal in each wedge, and the tangents from it: along the ends
+  // of a star, or in the direction of travel along an edge.
+  struct Value
+  {
+    Vector point;
+    std::vector<Vector> normals, tangents;
+    std::vector<FT> roundness; // of the wedges, if there are normals
+  };
 
   explicit Crease_rules(const Data& data)
     : data_(data)
@@ -108,9 +96,9 @@ public:
       const Vector none = zero_vector<FT, 3>();
       result.normals = {none, none};
       if (e.has_after(0))
-        result.normals[0] = normal(average, {normal(e.before[1]), normal(e.after[0])});
+        result.normals[0] = normal<2>(average, {normal(e.before[1]), normal(e.after[0])});
       if (e.has_after(1))
-        result.normals[1] = normal(average, {normal(e.after[1]), normal(e.before[0])});
+        result.normals[1] = normal<2>(average, {normal(e.after[1]), normal(e.before[0])});
     }
     return result;
   }
@@ -185,10 +173,6 @@ private:
   static Vector normal(const Rule& average, const std::array<Vector, n>& normals)
   {
     return average.normal([&](std::size_t j) -> const Vector& { return normals[j]; });
-  }
-  static Vector normal(const Rule& average, const std::array<Vector, 2>& normals)
-  {
-    return normal<2>(average, normals);
   }
 
   Value corner(const Crease_star& star) const

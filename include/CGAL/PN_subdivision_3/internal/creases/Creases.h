@@ -141,6 +141,9 @@ struct Creases
   const Crease_edge<FT>& edge(const Crease_end& e) const { return edges[e.crease]; }
   Index halfedge(const Crease_end& e) const { return edge(e).halfedge(e.side); }
   bool is_inner(const Crease_end& e) const { return !edge(e).is_border(); }
+  // of an edge and a vertex of the level; null if they are not sharp
+  const Crease_edge<FT>* edge_at(Index e) const { return find(edges, e, &Crease_edge<FT>::edge); }
+  const Crease_star* star_at(Index v) const { return find(stars, v, &Crease_star::vertex); }
   // in the direction of travel from the star along the edge, and the one that arrives at the other end backwards
   Coordinates<FT, 3>& tangent_from(const Crease_end& e)
   {
@@ -185,6 +188,15 @@ struct Creases
     star.number_of_wedges = wedge + 1;
     number_of_slots += wedge;
     stars.push_back(star);
+  }
+
+private:
+  template <class T>
+  static const T* find(const std::vector<T>& sorted, Index i, Index T::*number)
+  {
+    const auto it = std::lower_bound(sorted.begin(), sorted.end(), i,
+                                     [=](const T& x, Index other) { return x.*number < other; });
+    return it != sorted.end() && (*it).*number == i ? &*it : nullptr;
   }
 };
 

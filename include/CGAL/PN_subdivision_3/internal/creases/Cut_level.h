@@ -91,7 +91,9 @@ public:
   const std::vector<Index>& second_copies() const { return copy_; }
 
 private:
-  using Set = void (Level_connectivity::*)(Index, Index);
+  using Level = Level_connectivity;
+  using Get = Index (Level::*)(Index) const;
+  using Set = void (Level::*)(Index, Index);
 
   struct Change
   {
@@ -99,33 +101,14 @@ private:
     Index index, old;
   };
 
-  // \name Changes that are taken back
-  void set_target(Index h, Index v)
+  // what close() takes back: get(index) of the level, and its new value
+  void change(Get get, Set set, Index index, Index value)
   {
-    changes_.push_back({&Level_connectivity::set_target, h, level_.target(h)});
-    level_.set_target(h, v);
+    changes_.push_back({set, index, (level_.*get)(index)});
+    (level_.*set)(index, value);
   }
-  void set_next(Index h, Index n)
-  {
-    changes_.push_back({&Level_connectivity::set_next, h, level_.next(h)});
-    level_.set_next(h, n);
-  }
-  void set_face(Index h, Index f)
-  {
-    changes_.push_back({&Level_connectivity::set_face, h, level_.face(h)});
-    level_.set_face(h, f);
-  }
-  void set_halfedge_of_vertex(Index v, Index h)
-  {
-    changes_.push_back(
-      {&Level_connectivity::set_halfedge_of_vertex, v, level_.halfedge_of_vertex(v)});
-    level_.set_halfedge_of_vertex(v, h);
-  }
-  void set_halfedge_of_face(Index f, Index h)
-  {
-    changes_.push_back({&Level_connectivity::set_halfedge_of_face, f, level_.halfedge_of_face(f)});
-    level_.set_halfedge_of_face(f, h);
-  }
+  void set_target(Index h, Index v) { change(&Level::target, &Level::set_target, h, v); }
+  void set_next(Index h, Index n) { change(&Level::next, &Level::set_next, h, n); }
 
   void split_edges()
   {
@@ -137,8 +120,9 @@ private:
       const Index f = level_.face(old);
       level_.set_face(new_halfedge, f);
       level_.set_next(new_halfedge, level_.next(old));
-      if (level_.halfedge_of_face(f) == old) set_halfedge_of_face(f, new_halfedge);
-      set_face(old, Level_connectivity::null);
+      if (level_.halfedge_of_face(f) == old)
+        change(&Level::halfedge_of_face, &Level::set_halfedge_of_face, f, new_halfedge);
+      change(&Level::face, &Level::set_face, old, Level_connectivity::null);
       level_.set_border(2 * copy);
       ++copy;
     }
@@ -193,7 +177,7 @@ private:
     const Index border = Level_connectivity::opposite(moved_last);
     set_target(border, slot);
     set_next(border, Level_connectivity::opposite(first));
-    set_halfedge_of_vertex(slot, border);
+    change(&Level::halfedge_of_vertex, &Level::set_halfedge_of_vertex, slot, border);
   }
 
   Level_connectivity& level_;

@@ -12,8 +12,8 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Creases_without_fractions.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
+#include <CGAL/PN_subdivision_3/internal/creases/ended_creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
@@ -52,7 +52,7 @@ public:
     , level_(level, size_when_cut(level.size(), creases_.creases))
   {
     level_.set_size(level.size());
-    round_.emplace(scheme, level_, creases_.creases, number);
+    round_.emplace(scheme, level_, creases_.creases, nullptr, number);
     find_shares_on_creases();
     find_shares_of_rows(level);
     find_shares_of_ended(creases);

@@ -48,11 +48,9 @@ public:
   Index operator()(Index h) const
   {
     const Index v = level_.target(h);
-    const auto star =
-      std::lower_bound(creases_.stars.begin(), creases_.stars.end(), v,
-                       [](const Crease_star& s, Index vertex) { return s.vertex < vertex; });
-    if (star == creases_.stars.end() || star->vertex != v) return v;
-    const auto i = std::size_t(star - creases_.stars.begin());
+    const Crease_star* const star = creases_.star_at(v);
+    if (star == nullptr) return v;
+    const auto i = std::size_t(star - creases_.stars.data());
     const auto end = corners_.begin() + std::ptrdiff_t(begin_[i + 1]);
     const auto corner =
       std::lower_bound(corners_.begin() + std::ptrdiff_t(begin_[i]), end, Corner(h, 0));

@@ -11,7 +11,6 @@
 
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -130,61 +129,6 @@ Creases<FT> Make_creases<FT>::operator()(Sharpness edge_sharpness, Sharpness ver
     first = end;
   }
   return std::move(creases_);
-}
-
-// The creases of some faces of a level as a level of their own, with their tangents. Its rim, but not the border
-// of the whole, has the rules of a smooth border. The origins are the numbers in the whole; edges keep their
-// orientation.
-template <class FT, class Edge_origin, class Vertex_origin>
-Creases<FT> creases_of_part(const Creases<FT>& whole, const Level_connectivity& part,
-                            const Edge_origin& edge_origin, const Vertex_origin& vertex_origin)
-{
-  using Index = Level_connectivity::Index;
-  const auto crease_at = [&](Index e) -> const Crease_edge<FT>* {
-    const Index origin = edge_origin(e);
-    const auto it = std::lower_bound(whole.edges.begin(), whole.edges.end(), origin,
-                                     [](const Crease_edge<FT>& c, Index i) { return c.edge < i; });
-    return it != whole.edges.end() && it->edge == origin ? &*it : nullptr;
-  };
-  const auto edge_sharpness = [&](Index e) {
-    const Crease_edge<FT>* crease = crease_at(e);
-    return crease == nullptr ? 0 : crease->sharpness;
-  };
-  const auto vertex_sharpness = [&](Index v) {
-    const Index origin = vertex_origin(v);
-    const auto it = std::lower_bound(whole.stars.begin(), whole.stars.end(), origin,
-                                     [](const Crease_star& s, Index i) { return s.vertex < i; });
-    return it != whole.stars.end() && it->vertex == origin ? it->sharpness : 0;
-  };
-  Creases<FT> creases = Make_creases<FT>(part, Border::surface)(edge_sharpness, vertex_sharpness);
-  creases.has_fixed_border = whole.has_fixed_border;
-  for (Crease_edge<FT>& e : creases.edges) {
-    const Crease_edge<FT>& of_whole = *crease_at(e.edge);
-    e.control_edge = of_whole.control_edge;
-    e.tangent_from = of_whole.tangent_from;
-  }
-  return creases;
-}
-
-// Puts the values of the slots of a part; isolated vertices are not looked at. Wedges that begin at
-// a crease are told from the others by this; `slots` are the slots of the whole.
-template <class FT, class Halfedge_origin, class Whole_values, class Values>
-void take_slot_values(const Level_connectivity& part, const Creases<FT>& creases,
-                      const Halfedge_origin& halfedge_origin, const Corner_slots<FT>& slot_of,
-                      const Whole_values& whole_values, Values& values)
-{
-  using Index = Level_connectivity::Index;
-  for (Index v = 0; v < part.number_of_vertices(); ++v) {
-    if (part.is_isolated(v)) continue;
-    const Index own = part.halfedge_of_vertex(v);
-    const Index h = part.is_border(own) ? part.next_around_target(own) : own;
-    values[v] = whole_values[slot_of(halfedge_origin(h))];
-  }
-  for (const Crease_star& star : creases.stars)
-    for (const Crease_end& e : creases.ends_of(star))
-      if (creases.edge(e).has_after(e.side))
-        values[creases.edge(e).after[e.side]] =
-          whole_values[slot_of(halfedge_origin(creases.halfedge(e)))];
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

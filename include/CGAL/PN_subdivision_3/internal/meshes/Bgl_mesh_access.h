@@ -61,55 +61,28 @@ constexpr std::uint64_t index_limit()
     return Level_connectivity::null;
 }
 
-// A mesh that keeps its elements in arrays (Surface_mesh, those of OpenMesh) loses the last ones
-// again by a resize(), without a trace and without an exception. Removing them would leave removed
-// places.
-template <class Mesh, bool = Refinable_mesh_traits<Mesh>::has_resize>
-struct Places
-{
-  static constexpr bool exist = false;
-  explicit Places(const Mesh&) {}
-};
-template <class Mesh>
-struct Places<Mesh, true>
-{
-  static constexpr bool exist = true;
-  explicit Places(const Mesh& mesh) // BGL counts removed elements too
-    : vertices(num_vertices(mesh))
-    , edges(num_edges(mesh))
-    , faces(num_faces(mesh))
-  {}
-  std::uint64_t number() const { return vertices + edges + faces; }
-  void restore(Mesh& mesh) const { resize(mesh, vertices, edges, faces); }
-  static void resize(Mesh& mesh, std::uint64_t v, std::uint64_t e, std::uint64_t f)
-  {
-    mesh.resize(static_cast<unsigned>(v), static_cast<unsigned>(e), static_cast<unsigned>(f));
-  }
-  std::uint64_t vertices, edges, faces;
-};
-
 // While elements are added to a mesh that recycles removed ones, it must not: the order of vertices
 // would be lost, and if the copy of a property's default value fails while a place is recycled,
 // Surface_mesh counts its removed elements wrongly. Meshes that do not recycle need nothing.
-template <class Mesh, bool = Refinable_mesh_traits<Mesh>::recycles>
-struct Recycling_pause
-{
-  explicit Recycling_pause(Mesh&) {}
-};
 template <class Mesh>
-struct Recycling_pause<Mesh, true>
+struct Recycling_pause
 {
   explicit Recycling_pause(Mesh& m)
     : mesh(m)
-    , recycles(m.does_recycle_garbage())
   {
-    mesh.set_recycle_garbage(false);
+    if constexpr (may_recycle) recycles = m.does_recycle_garbage();
+    if constexpr (may_recycle) mesh.set_recycle_garbage(false);
   }
-  ~Recycling_pause() { mesh.set_recycle_garbage(recycles); }
+  ~Recycling_pause()
+  {
+    if constexpr (may_recycle) mesh.set_recycle_garbage(recycles);
+  }
   Recycling_pause(const Recycling_pause&) = delete;
   Recycling_pause& operator=(const Recycling_pause&) = delete;
+
+  static constexpr bool may_recycle = Refinable_mesh_traits<Mesh>::recycles;
   Mesh& mesh;
-  bool recycles;
+  bool recycles = false;
 };
 
 // Any MutableFaceGraph through BGL. Elements are numbered in the order of iteration; the elements
@@ -129,8 +102,12 @@ public:
 
   explicit Bgl_mesh_access(Graph& graph)
     : graph_(graph)
-    , old_places_(graph)
   {
+    if constexpr (Mesh_traits::has_resize) { // BGL counts removed elements too
+      old_places_.vertices = num_vertices(graph_);
+      old_places_.edges = num_edges(graph_);
+      old_places_.faces = num_faces(graph_);
+    }
     for (Vertex v : vertices(graph_)) vertices_.push_back(v);
     for (auto e : edges(graph_)) edges_.push_back(halfedge(e, graph_));
     for (Face f : faces(graph_)) faces_.push_back(f);
@@ -140,6 +117,7 @@ public:
   }
 
   static constexpr bool may_be_child_of_hosts = false;
+  static constexpr bool is_child_of_hosts() { return false; }
   static constexpr bool has_concurrent_connectivity = Mesh_traits::has_concurrent_connectivity;
 
   static constexpr std::uint64_t index_limit() { return internal::index_limit<Vertex>(); }
@@ -204,8 +182,8 @@ public:
   }
   void shrink()
   {
-    if constexpr (Places<std::remove_const_t<Graph>>::exist)
-      old_places_.restore(graph_);
+    if constexpr (Mesh_traits::has_resize)
+      resize(old_places_);
     else
       remove_beyond(old_size_);
   }
@@ -214,9 +192,10 @@ public:
   // nothing may fail any more.
   void trim(const Level_size& size, bool collect)
   {
-    if constexpr (Places<std::remove_const_t<Graph>>::exist)
-      if (old_places_.number() == old_size_.vertices + old_size_.edges + old_size_.faces)
-        return old_places_.resize(graph_, size.vertices, size.edges, size.faces);
+    if constexpr (Mesh_traits::has_resize)
+      if (old_places_.vertices == old_size_.vertices && old_places_.edges == old_size_.edges &&
+          old_places_.faces == old_size_.faces)
+        return resize(size);
     remove_beyond(size);
     if constexpr (Mesh_traits::has_collect_garbage) try {
         if (collect && graph_.has_garbage()) graph_.collect_garbage();
@@ -260,6 +239,14 @@ private:
         v, (std::min)(find(halfedge_index, h), static_cast<Index>(2 * edges_.size())));
   }
 
+  // A mesh that keeps its elements in arrays (Surface_mesh, those of OpenMesh) loses the last ones
+  // again without a trace and without an exception. Removing them would leave removed places.
+  void resize(const Level_size& size)
+  {
+    graph_.resize(static_cast<unsigned>(size.vertices), static_cast<unsigned>(size.edges),
+                  static_cast<unsigned>(size.faces));
+  }
+
   void remove_beyond(const Level_size& size)
   {
     for (; faces_.size() > size.faces; faces_.pop_back()) remove_face(faces_.back(), graph_);
@@ -288,11 +275,10 @@ private:
   }
 
   Graph& graph_;
-  Places<std::remove_const_t<Graph>> old_places_;
   std::vector<Vertex> vertices_;
   std::vector<Halfedge> edges_;
   std::vector<Face> faces_;
-  Level_size old_size_;
+  Level_size old_size_, old_places_; // the latter of a mesh with resize()
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

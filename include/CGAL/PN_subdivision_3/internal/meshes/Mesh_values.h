@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Creases_without_fractions.h>
+#include <CGAL/PN_subdivision_3/internal/creases/ended_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
@@ -52,20 +52,6 @@ void refuse_sharp_elements(const Scheme& scheme, const Access& access,
       refuse(Edge_of_mesh::name(access, e));
   for (Index v = 0; v < level.number_of_vertices(); ++v)
     if (vertices.sharpness(v) > 0) refuse(access.vertex_name(v));
-}
-
-// for a scheme that has no rules for it
-template <class Scheme, class Access, class Edge_map, class Vertex_map>
-void refuse_creases(const Scheme& scheme, const Access& access, Edge_map edge_map,
-                    Vertex_map vertex_map)
-{
-  refuse_sharp_elements(
-    scheme, access, checked_level(access), edge_map, vertex_map, [&](const std::string& element) {
-      throw std::invalid_argument("PN_subdivision_3: " + element + " is sharp, but " +
-                                  name_in_message(scheme) +
-                                  " has no rules for creases: take Catmull-Clark or Loop, or their "
-                                  "modified forms");
-    });
 }
 
 // for what knows surfaces without creases only
@@ -116,7 +102,13 @@ void require_crease_rules([[maybe_unused]] const Scheme& scheme,
                                   " has no rules for creases and takes a normal per vertex, not "
                                   "per half-edge");
     else
-      refuse_creases(scheme, access, edge_map, vertex_map);
+      refuse_sharp_elements(
+        scheme, access, checked_level(access), edge_map, vertex_map,
+        [&](const std::string& element) {
+          throw std::invalid_argument(
+            "PN_subdivision_3: " + element + " is sharp, but " + name_in_message(scheme) +
+            " has no rules for creases: take Catmull-Clark or Loop, or their modified forms");
+        });
   }
 }
 
@@ -253,23 +245,16 @@ private:
         std::fill_n(is_given.begin(), n, true);
         for (const Crease_star& star : creases.stars)
           if (star.number_of_wedges > 1) is_given[star.vertex] = false;
-        read_vertex_normals(normals, is_given, n, values);
+        std::vector<Value> given(n);
+        read_normals<FT>(access_, normals, given);
+        for (Index v = 0; v < n; ++v)
+          if (is_given[v]) values[v].normal = given[v].normal;
       }
       make_control_creases<FT>(level, creases, values, is_given, normal_estimate(scheme_));
       if constexpr (!goes_with_roundness_v<Normal_map>)
         put_given_roundness(scheme_, n, values, &is_given, extra);
     }
     return values;
-  }
-
-  template <class Normal_map>
-  void read_vertex_normals(Normal_map normals, const std::vector<bool>& is_given, Index n,
-                           std::vector<Value>& values) const
-  {
-    std::vector<Value> given(n);
-    read_normals<FT>(access_, normals, given);
-    for (Index v = 0; v < n; ++v)
-      if (is_given[v]) values[v].normal = given[v].normal;
   }
 
   const Scheme& scheme_;

@@ -22,8 +22,10 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
 
@@ -96,16 +98,6 @@ private:
   Undoable_map<Access, Roundness_map, Vertex_of_mesh> roundness_;
 };
 
-// whether the child of a host may be the mesh itself
-template <class Access>
-bool is_child_of_hosts([[maybe_unused]] const Access& access)
-{
-  if constexpr (Access::may_be_child_of_hosts)
-    return access.is_child_of_hosts();
-  else
-    return false;
-}
-
 // Writes what the last round makes of the connectivity. keep() is called where nothing may fail any more. Threads
 // may; then one alone repeats what they have begun.
 template <class Round, class Access>
@@ -113,7 +105,7 @@ void put_connectivity(const Round& last, Access& access, const For_chunks& for_c
                       Function_ref<void()> keep)
 {
   std::optional<Level_connectivity> child;
-  if (!is_child_of_hosts(access)) child = child_level(last, for_chunks);
+  if (!access.is_child_of_hosts()) child = child_level(last, for_chunks);
   keep();
   const auto write = [&](const For_chunks& in_chunks) {
     if (child) return access.write(*child, in_chunks);
@@ -124,6 +116,34 @@ void put_connectivity(const Round& last, Access& access, const For_chunks& for_c
   } catch (...) {
     write(For_chunks());
   }
+}
+
+// Makes an empty mesh one with the connectivity of a level, with points and normals, and with what put_others() puts.
+template <class Access, class Point_map, class Point, class Normal_map, class Vector,
+          class Function>
+void build_mesh(Access& access, const Level_connectivity& level, Point_map point_map,
+                const std::vector<Point>& points, [[maybe_unused]] Normal_map normal_map,
+                [[maybe_unused]] const std::vector<Vector>& normals, const Function& put_others)
+{
+  using Index = Level_connectivity::Index;
+  const Level_size size = level.size(), old_size = access.size();
+  if (old_size.vertices != 0 || old_size.edges != 0 || old_size.faces != 0)
+    throw std::invalid_argument("PN_subdivision_3: the mesh to be built has vertices already: it "
+                                "must be empty");
+  if (size.halfedges() >= Access::index_limit() || size.vertices >= Access::index_limit())
+    throw std::length_error("PN_subdivision_3: the refined mesh has " +
+                            std::to_string(size.halfedges()) +
+                            " half-edges, more than the index type of the mesh can number");
+  Growth<Access> growth(access);
+  access.grow(size);
+  for (Index v = 0; v < points.size(); ++v) {
+    put(point_map, access.vertex(v), points[v]);
+    if constexpr (!std::is_same_v<Normal_map, No_normal_map>)
+      if (v < normals.size()) put(normal_map, access.vertex(v), normals[v]);
+  }
+  put_others();
+  access.write(level, For_chunks());
+  growth.keep();
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -31,16 +31,8 @@ struct Vertex_of_mesh
   template <class Mesh>
   using Descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
   static auto number(const Level_size& size) { return static_cast<std::size_t>(size.vertices); }
-  template <class Access>
-  static auto at(const Access& access, Index v)
-  {
-    return access.vertex(v);
-  }
-  template <class Access>
-  static std::string name(const Access& access, Index v)
-  {
-    return access.vertex_name(v);
-  }
+  static constexpr auto at = [](const auto& access, Index v) { return access.vertex(v); };
+  static constexpr auto name = [](const auto& access, Index v) { return access.vertex_name(v); };
 };
 
 struct Halfedge_of_mesh
@@ -50,11 +42,7 @@ struct Halfedge_of_mesh
   template <class Mesh>
   using Descriptor = typename boost::graph_traits<Mesh>::halfedge_descriptor;
   static auto number(const Level_size& size) { return static_cast<std::size_t>(size.halfedges()); }
-  template <class Access>
-  static auto at(const Access& access, Index h)
-  {
-    return access.halfedge_at(h);
-  }
+  static constexpr auto at = [](const auto& access, Index h) { return access.halfedge_at(h); };
 };
 
 struct Edge_of_mesh
@@ -64,16 +52,10 @@ struct Edge_of_mesh
   template <class Mesh>
   using Descriptor = typename boost::graph_traits<Mesh>::edge_descriptor;
   static auto number(const Level_size& size) { return static_cast<std::size_t>(size.edges); }
-  template <class Access>
-  static auto at(const Access& access, Index e)
-  {
-    return access.edge_at(e);
-  }
-  template <class Access>
-  static std::string name(const Access& access, Index e)
-  {
+  static constexpr auto at = [](const auto& access, Index e) { return access.edge_at(e); };
+  static constexpr auto name = [](const auto& access, Index e) {
     return "the edge of " + access.halfedge_name(2 * e);
-  }
+  };
 };
 
 struct Face_of_mesh
@@ -81,11 +63,9 @@ struct Face_of_mesh
   template <class Mesh>
   using Descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
   static auto number(const Level_size& size) { return static_cast<std::size_t>(size.faces); }
-  template <class Access>
-  static auto at(const Access& access, Level_connectivity::Index f)
-  {
+  static constexpr auto at = [](const auto& access, Level_connectivity::Index f) {
     return access.face_at(f);
-  }
+  };
 };
 
 // the half-edges that have a face

@@ -13,8 +13,6 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/Bgl_mesh_access.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <cstdint>
 #include <new>
@@ -252,25 +250,22 @@ private:
   Level_size old_size_;
 };
 
-// Whether different keys may be put by different threads: known of the maps of Surface_mesh only,
-// and not of its bits.
+// the values of a map of Surface_mesh, void of other maps
 template <class I, class T, class Map>
-std::bool_constant<!std::is_same_v<T, bool>>
-is_surface_mesh_map(const Properties::Property_map_base<I, T, Map>*);
-std::false_type is_surface_mesh_map(const void*);
-
-template <class I, class T, class Map>
-std::true_type is_property_of_surface_mesh(const Properties::Property_map_base<I, T, Map>*);
-std::false_type is_property_of_surface_mesh(const void*);
+T value_in_surface_mesh(const Properties::Property_map_base<I, T, Map>*);
+void value_in_surface_mesh(const void*);
+template <class Map>
+using Value_in_surface_mesh = decltype(value_in_surface_mesh(static_cast<const Map*>(nullptr)));
 
 // whether all elements that a mesh gets have one and the same value in the map
-template <class Property_map>
-constexpr bool has_one_new_value_v =
-  decltype(is_property_of_surface_mesh(static_cast<const Property_map*>(nullptr)))::value;
+template <class Map>
+constexpr bool has_one_new_value_v = !std::is_void_v<Value_in_surface_mesh<Map>>;
 
-template <class Property_map>
+// Whether different keys may be put by different threads: known of the maps of Surface_mesh only,
+// and not of its bits.
+template <class Map>
 constexpr bool has_concurrent_put_v =
-  decltype(is_surface_mesh_map(static_cast<const Property_map*>(nullptr)))::value;
+  has_one_new_value_v<Map> && !std::is_same_v<Value_in_surface_mesh<Map>, bool>;
 
 // returns f(access) with the access that fits the mesh
 template <class Mesh, class Function>

@@ -15,7 +15,6 @@
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/face_normals.h>
-#include <CGAL/PN_subdivision_3/internal/normals/reciprocal_normals.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <cmath>

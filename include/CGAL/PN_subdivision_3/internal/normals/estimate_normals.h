@@ -22,11 +22,6 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-struct Ignore_roundness
-{
-  void operator()(Level_connectivity::Index, double) const {}
-};
-
 // into the values of sectors
 template <class FT>
 struct Set_roundness_of_value
@@ -35,45 +30,32 @@ struct Set_roundness_of_value
   Point_normal<FT, 3>* values;
 };
 
-template <class FT, class Sectors, class Point_of, class Given, class Set_normal>
-void estimate_normals_alone(const Level_connectivity& level, Control_normal_estimate estimate,
-                            const Sectors& sectors, const Point_of& point, const Given& given,
-                            const Set_normal& set_normal)
-{
-  if (estimate == Control_normal_estimate::reciprocal) {
-    typename Coherent_estimation<FT, Sectors, Point_of>::Reciprocal_estimation estimation(
-      level, sectors, point);
-    return estimation(given, set_normal);
-  }
-  Angle_weighted_normals<FT, Sectors> normals(level, sectors);
-  for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f)
-    normals.add_face(f, point);
-  for (Level_connectivity::Index s = 0; s < sectors.number_of_sectors(); ++s)
-    if (given(s) == nullptr) set_normal(s, normals.normal(s));
-}
-
 // Calls set_normal(s, n) and set_roundness(s, w) for every sector that is not given, where point(v)
 // returns Coordinates<FT, 3>; given(s) points to the given normal of a sector, a unit vector or zero,
 // or is null. The roundness is in double, 1 if the estimate has no other.
 template <class FT, class Sectors, class Point_of, class Given, class Set_normal,
-          class Set_roundness = Ignore_roundness>
+          class Set_roundness>
 void estimate_normals(const Level_connectivity& level, Control_normal_estimate estimate,
                       const Sectors& sectors, const Point_of& point, const Given& given,
-                      const Set_normal& set_normal,
-                      const Set_roundness& set_roundness = Set_roundness())
+                      const Set_normal& set_normal, const Set_roundness& set_roundness)
 {
-  decided<FT>(
-    [&] {
-      if (estimate == Control_normal_estimate::coherent) {
-        Coherent_estimation<FT, Sectors, Point_of> estimation(level, sectors, point);
-        estimation(given, set_normal, set_roundness);
-        return;
-      }
-      estimate_normals_alone<FT>(level, estimate, sectors, point, given, set_normal);
-      for (Level_connectivity::Index s = 0; s < sectors.number_of_sectors(); ++s)
-        if (given(s) == nullptr) set_roundness(s, 1.);
-    },
-    [] { return "whether an estimated control normal vanishes"; });
+  using Index = Level_connectivity::Index;
+  using Coherent = Coherent_estimation<FT, Sectors, Point_of>;
+  const auto estimate_all = [&] {
+    if (estimate == Control_normal_estimate::coherent)
+      return Coherent(level, sectors, point)(given, set_normal, set_roundness);
+    if (estimate == Control_normal_estimate::reciprocal)
+      typename Coherent::Reciprocal_estimation(level, sectors, point)(given, set_normal);
+    else {
+      Angle_weighted_normals<FT, Sectors> normals(level, sectors);
+      for (Index f = 0; f < level.number_of_faces(); ++f) normals.add_face(f, point);
+      for (Index s = 0; s < sectors.number_of_sectors(); ++s)
+        if (given(s) == nullptr) set_normal(s, normals.normal(s));
+    }
+    for (Index s = 0; s < sectors.number_of_sectors(); ++s)
+      if (given(s) == nullptr) set_roundness(s, 1.);
+  };
+  decided<FT>(estimate_all, [] { return "whether an estimated control normal vanishes"; });
 }
 
 // Estimates normals and roundness of the vertices of a level from the points in their values; where is_given is, the

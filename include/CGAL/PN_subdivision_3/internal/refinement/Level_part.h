@@ -228,21 +228,44 @@ struct Level_part
     return result;
   }
 
-  // what is sharp there
+  // What is sharp there, with its tangents. The rim, but not the border of the whole, has the rules of a smooth border;
+  // edges keep their orientation.
   template <class FT>
   Creases<FT> creases(const Creases<FT>& whole) const
   {
-    return creases_of_part(
-      whole, level, [this](Index e) { return edges[e]; }, [this](Index v) { return vertices[v]; });
+    Creases<FT> result = Make_creases<FT>(level, Border::surface)(
+      [&](Index e) {
+        const Crease_edge<FT>* const of_whole = whole.edge_at(edges[e]);
+        return of_whole == nullptr ? 0 : of_whole->sharpness;
+      },
+      [&](Index v) {
+        const Crease_star* const of_whole = whole.star_at(vertices[v]);
+        return of_whole == nullptr ? 0 : of_whole->sharpness;
+      });
+    result.has_fixed_border = whole.has_fixed_border;
+    for (Crease_edge<FT>& e : result.edges) {
+      const Crease_edge<FT>& of_whole = *whole.edge_at(edges[e.edge]);
+      e.control_edge = of_whole.control_edge;
+      e.tangent_from = of_whole.tangent_from;
+    }
+    return result;
   }
-  // for each slot of the part, its slot in the whole
+  // For each slot of the part its slot in the whole. Of wedges one corner tells it: that at the crease where they begin, or
+  // any one where they do not begin at a crease.
   template <class FT>
   Origins slot_origins(const Creases<FT>& creases, const Corner_slots<FT>& whole) const
   {
     Origins result = vertices;
     result.resize(creases.number_of_slots);
-    take_slot_values(
-      level, creases, [this](Index h) { return halfedge(h); }, whole, Itself(), result);
+    for (Index v = 0; v < level.number_of_vertices(); ++v) {
+      if (level.is_isolated(v)) continue;
+      const Index own = level.halfedge_of_vertex(v);
+      result[v] = whole(halfedge(level.is_border(own) ? level.next_around_target(own) : own));
+    }
+    for (const Crease_star& star : creases.stars)
+      for (const Crease_end& e : creases.ends_of(star))
+        if (creases.edge(e).has_after(e.side))
+          result[creases.edge(e).after[e.side]] = whole(halfedge(creases.halfedge(e)));
     return result;
   }
 
@@ -259,12 +282,6 @@ struct Level_part
       }
     return {Level_creases(static_cast<Index>(vertices.size())), vertices};
   }
-
-private:
-  struct Itself
-  {
-    Index operator[](Index i) const { return i; }
-  };
 };
 
 // the values of a part

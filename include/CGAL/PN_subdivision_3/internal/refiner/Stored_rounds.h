@@ -17,7 +17,6 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
-#include <CGAL/PN_subdivision_3/internal/refiner/Control_values.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Stored_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -73,12 +72,20 @@ public:
   using One_round = Crease_round<Scheme, Average, Level_creases>;
 
   Stored_rounds(const Scheme& scheme, Level_connectivity&& control, Level_creases&& creases,
-                unsigned number_of_rounds, Control& values, const For_chunks& for_chunks)
+                unsigned number_of_rounds, [[maybe_unused]] Control& values,
+                const For_chunks& for_chunks)
     : Base(for_chunks)
     , scheme_(scheme)
     , creases_(std::move(creases))
   {
-    if (!creases_.empty()) begin_creases(control, values);
+    if constexpr (are_creases_v<Level_creases>)
+      if (!creases_.empty()) {
+        whole_control_ = control;
+        std::vector<Index> several;
+        for (const Crease_star& star : creases_.stars)
+          if (star.number_of_wedges > 1) several.push_back(star.vertex);
+        values.set_vertices_with_several_normals(std::move(several));
+      }
     Level_connectivity level = std::move(control);
     const Level_creases* of_level = &creases_;
     for (unsigned k = 1; k <= number_of_rounds; ++k) {
@@ -88,12 +95,12 @@ public:
         child = child_level<Host>(level, k, this->for_chunks_);
       else if (!creases_.empty())
         whole_last_ = level;
-      add_level(std::move(level), *of_level);
-      levels_.back().round.emplace(scheme_, levels_.back().connectivity, *of_level, k);
+      levels_.emplace_back(std::move(level), of_level->number_of_slots);
+      levels_.back().round.emplace(scheme_, levels_.back().connectivity, *of_level, nullptr, k);
       of_level = &levels_.back().round->refined_creases();
       level = std::move(child);
     }
-    if (number_of_rounds == 0) add_level(std::move(level), creases_);
+    if (number_of_rounds == 0) levels_.emplace_back(std::move(level), creases_.number_of_slots);
   }
 
   Level_size refined_size() const override
@@ -122,7 +129,14 @@ public:
 
   void evaluate(Sink sink) override
   {
-    if (!levels_.back().round) return copy(sink);
+    if (!levels_.back().round) {
+      const auto& values = levels_.front().values;
+      for (Index v = 0; v < values.size(); ++v) {
+        const Value value = values[v];
+        sink(v, &value, 1);
+      }
+      return;
+    }
     for (std::size_t k = 0; k + 1 < levels_.size(); ++k) {
       auto& refined = levels_[k + 1].values;
       const Slot_values on_creases =
@@ -214,23 +228,6 @@ private:
     Row_readers readers;
   };
 
-  void begin_creases([[maybe_unused]] const Level_connectivity& control,
-                     [[maybe_unused]] Control& values)
-  {
-    if constexpr (are_creases_v<Level_creases>) {
-      whole_control_ = control;
-      std::vector<Index> several;
-      for (const Crease_star& star : creases_.stars)
-        if (star.number_of_wedges > 1) several.push_back(star.vertex);
-      values.set_vertices_with_several_normals(std::move(several));
-    }
-  }
-
-  void add_level(Level_connectivity&& level, const Level_creases& creases)
-  {
-    levels_.emplace_back(std::move(level), creases.number_of_slots);
-  }
-
   static std::size_t memory(const Level_connectivity& level)
   {
     const Level_size& size = level.size();
@@ -238,15 +235,6 @@ private:
   }
 
   Index number_of_refined_vertices() const { return static_cast<Index>(refined_size().vertices); }
-
-  void copy(Sink sink) const
-  {
-    const auto& values = levels_.front().values;
-    for (Index v = 0; v < values.size(); ++v) {
-      const Value value = values[v];
-      sink(v, &value, 1);
-    }
-  }
 
   // \name Control values of slots
 
@@ -355,23 +343,18 @@ private:
     One_round& round = *level.round;
     round.read(level.values.data());
     changed = level.readers(round.round(), level.values.size(), changed);
-    remove_all(round.vertices_of_values(), changed);
+    if (const auto& others = round.vertices_of_values(); !others.empty()) {
+      std::vector<Index> rest;
+      std::set_difference(changed.begin(), changed.end(), others.begin(), others.end(),
+                          std::back_inserter(rest));
+      changed = std::move(rest);
+    }
     Slot_values on_creases = round.crease_values(this->for_chunks_);
     this->in_chunks(static_cast<Index>(changed.size()), [&](Index begin, Index end) {
       round.round().evaluate(changed.data() + begin, changed.data() + end, level.values.data(),
                              sink);
     });
     return on_creases;
-  }
-
-  // both lists are in the order of the slots
-  static void remove_all(const std::vector<Index>& others, std::vector<Index>& vertices)
-  {
-    if (others.empty()) return;
-    std::vector<Index> rest;
-    std::set_difference(vertices.begin(), vertices.end(), others.begin(), others.end(),
-                        std::back_inserter(rest));
-    vertices = std::move(rest);
   }
 
   // the values of a vertex, which begin at this position

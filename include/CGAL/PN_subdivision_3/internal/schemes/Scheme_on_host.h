@@ -55,19 +55,28 @@ public:
   virtual std::vector<Index> separated_vertices() const = 0;
 };
 
-// Mask_of::make() makes the mask of a scheme
-template <class Mask_of, class Scheme, class FT>
+// that of the points or the normals
+template <class FT, bool is_of_normals, class Scheme>
+auto made_mask(const Scheme& scheme, const Level_connectivity& level, unsigned round)
+{
+  if constexpr (is_of_normals)
+    return scheme.template normal_mask<FT>(level, round);
+  else
+    return scheme.template mask<FT>(level, round);
+}
+
+template <class FT, bool is_of_normals, class Scheme>
 class Erased_mask_of final : public Erased_mask<FT>
 {
   using Host = typename Scheme::Host;
-  using Mask = decltype(Mask_of::template make<FT>(std::declval<const Scheme&>(),
-                                                   std::declval<const Level_connectivity&>(), 1u));
+  using Mask = decltype(made_mask<FT, is_of_normals>(
+    std::declval<const Scheme&>(), std::declval<const Level_connectivity&>(), 1u));
 
 public:
   using typename Erased_mask<FT>::Index;
 
   Erased_mask_of(const Scheme& scheme, const Level_connectivity& level, unsigned round)
-    : mask_(Mask_of::template make<FT>(scheme, level, round))
+    : mask_(made_mask<FT, is_of_normals>(scheme, level, round))
   {}
 
   void write(Row_kind kind, Index i, Index ordinal, Stencil<FT>& row) const override
@@ -94,7 +103,7 @@ public:
   }
   std::vector<Index> separated_vertices() const override
   {
-    if constexpr (Has_curvature_transfer<Scheme>::value && Mask_of::is_of_points)
+    if constexpr (Has_curvature_transfer<Scheme>::value && !is_of_normals)
       return mask_.separated_vertices();
     else
       return {};
@@ -222,39 +231,20 @@ struct Scheme_facts
   bool has_normal_mask() const { return bool(normal_masks.in_ft); }
 };
 
-struct Mask_of_points
-{
-  static constexpr bool is_of_points = true;
-  template <class Number, class Scheme>
-  static auto make(const Scheme& scheme, const Level_connectivity& level, unsigned round)
-  {
-    return scheme.template mask<Number>(level, round);
-  }
-};
-struct Mask_of_normals
-{
-  static constexpr bool is_of_points = false;
-  template <class Number, class Scheme>
-  static auto make(const Scheme& scheme, const Level_connectivity& level, unsigned round)
-  {
-    return scheme.template normal_mask<Number>(level, round);
-  }
-};
-
-template <class Number, class Mask_of, class Scheme>
+template <class Number, bool is_of_normals, class Scheme>
 auto mask_maker(const Scheme& scheme)
 {
   return [scheme](const Level_connectivity& level,
                   unsigned round) -> std::shared_ptr<const Erased_mask<Number>> {
-    return std::make_shared<Erased_mask_of<Mask_of, Scheme, Number>>(scheme, level, round);
+    return std::make_shared<Erased_mask_of<Number, is_of_normals, Scheme>>(scheme, level, round);
   };
 }
 
-template <class FT, class Mask_of, class Scheme>
+template <class FT, bool is_of_normals, class Scheme>
 typename Scheme_facts<FT>::Masks erased_masks(const Scheme& scheme)
 {
-  return {mask_maker<FT, Mask_of>(scheme), mask_maker<double, Mask_of>(scheme),
-          mask_maker<long double, Mask_of>(scheme)};
+  return {mask_maker<FT, is_of_normals>(scheme), mask_maker<double, is_of_normals>(scheme),
+          mask_maker<long double, is_of_normals>(scheme)};
 }
 
 // without the masks
@@ -282,9 +272,8 @@ template <class FT, class Scheme>
 Scheme_facts<FT> facts_of(const Scheme& scheme)
 {
   Scheme_facts<FT> facts = stated_facts<FT>(scheme);
-  facts.masks = erased_masks<FT, Mask_of_points>(scheme);
-  if constexpr (Has_normal_mask<Scheme>::value)
-    facts.normal_masks = erased_masks<FT, Mask_of_normals>(scheme);
+  facts.masks = erased_masks<FT, false>(scheme);
+  if constexpr (Has_normal_mask<Scheme>::value) facts.normal_masks = erased_masks<FT, true>(scheme);
   return facts;
 }
 
@@ -333,27 +322,20 @@ public:
   template <class Number>
   Any_mask<Number> mask(const Level_connectivity& level, unsigned round) const
   {
-    return made<Number>(facts_->masks, level, round);
+    return Any_mask<Number>(facts_->masks.template of<Number>()(level, round));
   }
   // not to be asked if the normals have no mask of their own
   template <class Number>
   Any_mask<Number> normal_mask(const Level_connectivity& level, unsigned round) const
   {
-    return facts_->has_normal_mask() ? made<Number>(facts_->normal_masks, level, round)
-                                     : Any_mask<Number>(nullptr);
+    if (!facts_->has_normal_mask()) return Any_mask<Number>(nullptr);
+    return Any_mask<Number>(facts_->normal_masks.template of<Number>()(level, round));
   }
 
 private:
   explicit Scheme_on_host(std::shared_ptr<const Scheme_facts<FT>> facts)
     : facts_(std::move(facts))
   {}
-
-  template <class Number>
-  static Any_mask<Number> made(const typename Scheme_facts<FT>::Masks& masks,
-                               const Level_connectivity& level, unsigned round)
-  {
-    return Any_mask<Number>(masks.template of<Number>()(level, round));
-  }
 
   std::shared_ptr<const Scheme_facts<FT>> facts_;
 };

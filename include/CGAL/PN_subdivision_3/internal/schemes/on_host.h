@@ -71,20 +71,6 @@ struct Number_call
   static constexpr bool has_corner_normals = false;
 };
 
-// two schemes of one host as one
-template <class Host, class FT>
-auto hosted_with_normals(const Scheme_on_host<Host, FT>& points,
-                         const Scheme_on_host<Host, FT>& normals)
-{
-  return points.with_normals_of(normals);
-}
-// at least one of them is adapted
-template <class Scheme, class Normal_scheme>
-auto hosted_with_normals(const Scheme& points, const Normal_scheme& normals)
-{
-  return with_normal_scheme(points, normals);
-}
-
 // calls f(s) with the scheme on the host that it has
 template <class Result, class Scheme, class Function>
 Result with_host(const Scheme& scheme, const Function& f)
@@ -99,7 +85,11 @@ Result with_host(const Scheme& scheme, const Function& f)
                                         "other scheme of normals");
           if constexpr (std::is_same_v<typename std::decay_t<decltype(points)>::Host,
                                        typename std::decay_t<decltype(normals)>::Host>)
-            return f(hosted_with_normals(points, normals));
+            if constexpr (Is_on_host<std::decay_t<decltype(points)>>::value &&
+                          Is_on_host<std::decay_t<decltype(normals)>>::value)
+              return f(points.with_normals_of(normals));
+            else // one of them is adapted
+              return f(with_normal_scheme(points, normals));
           else
             throw std::invalid_argument("PN_subdivision_3: " + name_in_message(points) +
                                         " does not go with " + name_in_message(normals) +
