@@ -23,7 +23,7 @@ struct Recognized_surface
   /// the kinds of surfaces. Facets of kind `unknown` are of none of the others.
   enum class Kind { unknown, plane, cylinder, cone, sphere, torus };
   static constexpr std::array<const char*, 6> kind_names{
-    "unknown", "plane", "cylinder", "cone", "sphere", "torus"}; ///< of the kinds, in this order
+    "unknown", "plane", "cylinder", "cone", "sphere", "torus"}; ///< the kinds' names, in order
 
   Kind kind = Kind::unknown; ///< which it is
   /// a point of the plane, of the axis of the cylinder, the apex of the cone, the center of the sphere or torus.
