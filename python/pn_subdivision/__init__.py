@@ -39,8 +39,7 @@ import numpy as np
 from . import _core
 
 __all__ = ["KINDS", "Limit_surface", "Mesh", "Refiner", "curve", "estimate_normals", "limit", "recognize", "subdivide", "tessellate"]
-__version__ = _core.version
-KINDS = ("unknown", "plane", "cylinder", "cone", "sphere", "torus")
+__version__, KINDS = _core.version, _core.KINDS
 # as the structures of C++, aligned
 _POINT = np.dtype({"names": "point normal du dv duu duv dvv derivatives error normal_error rounds".split(),
                    "formats": 7 * ["3d"] + ["u4", "d", "d", "u4"]}, align=True)

@@ -124,7 +124,6 @@ struct Control
 };
 
 py::dict faces_of(const Mesh& mesh); // offsets, indices
-
 void add_surfaces(py::module_& module, py::class_<Control>& control);
 
 } // namespace pn_python

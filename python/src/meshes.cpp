@@ -177,7 +177,6 @@ struct Progress
     if (!function.is_none()) function(round, faces);
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   }
-
   py::object function;
 };
 
@@ -229,7 +228,9 @@ PYBIND11_MODULE(_core, module)
   PYBIND11_NUMPY_DTYPE(PN::Limit_report, error, normal_error, tolerance, number_of_misses,
                        number_of_stand_ins, depth);
   PYBIND11_NUMPY_DTYPE(PN::Recognized_surface, kind, point, direction, radius, tube_radius,
-                       half_angle, residual, number_of_faces);
+                       half_angle, residual, number_of_faces, widest_step, widest_meridian_step);
+  [[maybe_unused]] const auto& [k, p, d, r, t, a, e, n, s, m] = PN::Recognized_surface(); // all
+  module.attr("KINDS") = py::tuple(py::cast(PN::Recognized_surface::kind_names));
   module.attr("version") = CGAL_PN_SUBDIVISION_3_VERSION;
   module.attr("has_threads") = std::is_convertible_v<Tag, CGAL::Parallel_tag>;
   py::class_<Control> control(module, "Control");

@@ -28,11 +28,9 @@ namespace PN_recognition = PN::internal::recognition;
 
 using Kind = Recognized_surface::Kind;
 
-// What reports say of a kind, in their order. The compiler tells of a kind that is not here.
+// What reports say of a kind. The compiler tells of a kind that is not here.
 struct Kind_words
 {
-  int place = 0;
-  const char* one = "";
   const char* many = "";
   bool has_direction = false, has_radius = false;
 };
@@ -41,20 +39,22 @@ Kind_words words_of(Kind kind)
 {
   switch (kind) {
   case Kind::plane:
-    return {0, "plane", "planes", true, false};
+    return {"planes", true, false};
   case Kind::cylinder:
-    return {1, "cylinder", "cylinders", true, true};
+    return {"cylinders", true, true};
   case Kind::cone:
-    return {2, "cone", "cones", true, false};
+    return {"cones", true, false};
   case Kind::sphere:
-    return {3, "sphere", "spheres", false, true};
+    return {"spheres", false, true};
   case Kind::torus:
-    return {4, "torus", "tori", true, true};
+    return {"tori", true, true};
   case Kind::unknown:
     break;
   }
-  return {5, "unknown segment", "unknown segments"};
+  return {"unknown segments"};
 }
+
+constexpr auto name_of = [](Kind k) { return Recognized_surface::kind_names[std::size_t(k)]; };
 
 PN_recognition::Vec3 as_vec3(const Vector_3& v)
 {
@@ -184,18 +184,19 @@ std::string Surface_table::text() const
 {
   std::string text = "surfaces:";
   const char* before = " ";
-  for (int place = 0; place <= words_of(Kind::unknown).place; ++place) {
+  constexpr std::size_t kinds = Recognized_surface::kind_names.size();
+  for (std::size_t k = 1; k <= kinds; ++k) {
+    const auto kind = Kind(k % kinds); // what is unknown is last
     std::size_t segments = 0, faces = 0;
-    Kind_words words;
     for (const Recognized_surface& s : part_.surfaces)
-      if (words_of(s.kind).place == place) {
-        words = words_of(s.kind);
+      if (s.kind == kind) {
         ++segments;
         faces += s.number_of_faces;
       }
     if (segments == 0) continue;
+    const std::string one = std::string(name_of(kind)) + (kind == Kind::unknown ? " segment" : "");
     text +=
-      before + plural(segments, words.one, words.many) + " of " + plural(faces, "face", "faces");
+      before + plural(segments, one, words_of(kind).many) + " of " + plural(faces, "face", "faces");
     before = ", ";
   }
   const auto creases = std::size_t(std::count(part_.creases.begin(), part_.creases.end(), true));
@@ -212,7 +213,7 @@ std::string Surface_table::text() const
     if (!is_round(s.kind) || rounds++ >= most) continue;
     if (rounds == 1)
       text += "\n" + columns({"surface", "radius", "faces", "residual", "before", "after"});
-    text += "\n" + columns({words_of(s.kind).one, radius_of(s), std::to_string(s.number_of_faces),
+    text += "\n" + columns({name_of(s.kind), radius_of(s), std::to_string(s.number_of_faces),
                             three_digits(s.residual), three_digits(before_[i].of_faces),
                             three_digits(after_[i].of_faces)});
   }
@@ -227,8 +228,7 @@ std::vector<Report::Row> Surface_table::rows() const
   for (std::size_t i = 0; i < part_.surfaces.size(); ++i) {
     const Recognized_surface& s = part_.surfaces[i];
     const Kind_words words = words_of(s.kind);
-    const std::string kind = s.kind == Kind::unknown ? "unknown" : words.one;
-    Report::Row row{{"kind", kind}, {"faces", s.number_of_faces}};
+    Report::Row row{{"kind", std::string(name_of(s.kind))}, {"faces", s.number_of_faces}};
     const auto add = [&row](const std::string& name, const auto& x) { row.emplace_back(name, x); };
     const auto triple = [](const Triple& t) { return std::vector<double>(t.begin(), t.end()); };
     if (s.kind != Kind::unknown) add("point", triple(s.point));
@@ -297,8 +297,7 @@ void Surface_table::report_chord(double chord, const std::string& output, Report
               (unknown == 0 ? "" : "; " + plural(unknown, "face", "faces") + " of none"));
   if (beyond_residual(worst) > much * chord)
     report.warn(output + ": up to " + distance + " from a recognized " +
-                words_of(part_.surfaces[worst].kind).one + ", more than --chord " +
-                three_digits(chord));
+                name_of(part_.surfaces[worst].kind) + ", more than --chord " + three_digits(chord));
 }
 
 } // namespace pn_subdivide

@@ -171,7 +171,7 @@ private:
     if (!is_bend_visible(r, factor * sagitta(r.greatest_rho, r.turn.widest),
                          r.turn.positions.size()))
       return false;
-    return !facts.has_meridian() ||
+    return !facts.has_tube ||
            is_bend_visible(r, sagitta(s.tube, r.meridian.widest), r.meridian.positions.size());
   }
 

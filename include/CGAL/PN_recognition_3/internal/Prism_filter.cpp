@@ -126,7 +126,7 @@ private:
     if (r.shape.kind == Kind::sphere && r.patches.size() >= 24) return true;
     const double n = per_turn(r.step());
     if (n >= 12) return true;
-    return facts_of(r.shape.kind).has_meridian() && n >= c_.min_facets && r.inner_vertices >= 4 &&
+    return facts_of(r.shape.kind).has_tube && n >= c_.min_facets && r.inner_vertices >= 4 &&
            r.meridian.positions.size() >= 4;
   }
 

@@ -175,7 +175,7 @@ private:
   void measure_turns(Region& r) const
   {
     const Shape& s = r.shape;
-    const bool has_meridian = facts_of(s.kind).has_meridian();
+    const bool has_tube = facts_of(s.kind).has_tube;
     const Cross_section across(s.axis);
     Make_turn turn, meridian;
     std::vector<std::pair<double, double>> about_axis, about_tube;
@@ -184,12 +184,12 @@ private:
       about_tube.clear();
       for (const Index v : c_.patches[p].vertices) {
         const Cylindrical q = s.local(c_.point(v));
-        if (has_meridian) about_tube.emplace_back(s.meridian_angle(c_.point(v)), margin(s.tube));
+        if (has_tube) about_tube.emplace_back(s.meridian_angle(c_.point(v)), margin(s.tube));
         if (q.rho > 1e-3 * r.greatest_rho)
           about_axis.emplace_back(across.angle(q.outward), margin(q.rho));
       }
       turn.add_facet(about_axis);
-      if (has_meridian) meridian.add_facet(about_tube);
+      if (has_tube) meridian.add_facet(about_tube);
     }
     r.turn = turn();
     r.meridian = meridian();

@@ -35,13 +35,12 @@ using Kind = Recognized_surface::Kind;
 // of a new kind that has no answer yet.
 struct Kind_facts
 {
-  bool turns_about_axis = false, is_ruled = false, is_doubly_curved = false;
+  bool turns_about_axis = false, is_ruled = false, is_doubly_curved = false, has_tube = false;
   int unknowns = 0;             // of Shape_fit
   std::size_t least_points = 0; // that it is fitted to
   int rank = 0;                 // of regions that are alike the one of the least rank is taken
 
   constexpr bool is_round() const { return is_ruled || is_doubly_curved; }
-  constexpr bool has_meridian() const { return turns_about_axis && is_doubly_curved; }
 };
 
 constexpr Kind_facts facts_of(Kind kind)
@@ -51,13 +50,13 @@ constexpr Kind_facts facts_of(Kind kind)
   case Kind::plane:
     break;
   case Kind::cylinder:
-    return {true, true, false, 5, 6, 0};
+    return {true, true, false, false, 5, 6, 0};
   case Kind::sphere:
-    return {false, false, true, 4, 5, 1};
+    return {false, false, true, false, 4, 5, 1};
   case Kind::cone:
-    return {true, true, false, 6, 7, 2};
+    return {true, true, false, false, 6, 7, 2};
   case Kind::torus:
-    return {true, false, true, 7, 9, 3};
+    return {true, false, true, true, 7, 9, 3};
   }
   return {};
 }
@@ -97,7 +96,7 @@ struct Shape
   {
     return normal(p, facts_of(kind).turns_about_axis ? local(p) : Cylindrical());
   }
-  // of the torus, where the point is on the circle of the tube
+  // of a shape that has a tube, where the point is on the circle of the tube
   double meridian_angle(const Vec3& p) const;
 };
 

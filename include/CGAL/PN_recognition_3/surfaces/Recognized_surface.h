@@ -22,9 +22,10 @@ struct Recognized_surface
 {
   /// the kinds of surfaces. Facets of kind `unknown` are of none of the others.
   enum class Kind { unknown, plane, cylinder, cone, sphere, torus };
+  static constexpr std::array<const char*, 6> kind_names{
+    "unknown", "plane", "cylinder", "cone", "sphere", "torus"}; ///< the kinds' names, in order
 
-  /// which it is.
-  Kind kind = Kind::unknown;
+  Kind kind = Kind::unknown; ///< which it is
   /// a point of the plane, of the axis of the cylinder, the apex of the cone, the center of the sphere or torus.
   std::array<double, 3> point{};
   /// the unit normal of the plane, or the direction of the axis; zero for spheres and what is unknown.
@@ -39,9 +40,8 @@ struct Recognized_surface
   double residual = 0;
   /// how many faces have been found to belong to it.
   std::size_t number_of_faces = 0;
-  /// the widest angle that a facet spans about the axis; of a sphere the widest angle between corners of a face, seen from
-  /// the center. 2 pi divided by this angle is the number of even facets a turn. A plane has the angle of the prism or
-  /// pyramid of few sides that is left alone and of which it is a side. Zero for other planes and unknown faces.
+  /// the widest angle that a facet spans about the axis, of a sphere between corners seen from the center; 2 pi divided by it is
+  /// the number of even facets a turn. Planes that are sides of a prism or pyramid of few sides have its angle, all else 0.
   double widest_step = 0;
   /// the same about the center of the tube of a torus.
   double widest_meridian_step = 0;

@@ -383,8 +383,7 @@ CGAL_PN_SUBDIVISION_3_OWN_PARAMETERS(CGAL_PN_SUBDIVISION_3_FUNCTION)
 
 /*!
 \ingroup PkgPNSubdivision3Attributes
-the attributes to be refined: any number of the results of `vertex_attribute()`, `corner_attribute()`,
-`edge_attribute()`, `face_attribute()`, `face_parents()`, `vertex_parents()` and `edge_parents()`.
+the attributes to be refined: any number of the results of `vertex_attribute()` and the other functions of `attributes.h`.
 */
 template <class... Items>
 auto attributes(const Items&... items)

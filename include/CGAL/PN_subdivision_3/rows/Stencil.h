@@ -120,7 +120,7 @@ struct Limit_neighborhood
   unsigned regular_rings = 2;
   /// whether these vertices may lie on the border.
   bool takes_border = false;
-  /// whether the surface is one of piecewise polynomials where all vertices are regular.
+  /// whether the surface is one of piecewise polynomials where all vertices are regular, its border a cubic spline.
   bool is_spline = false;
   /// whether vertices keep their points and normals.
   bool keeps_points = false;

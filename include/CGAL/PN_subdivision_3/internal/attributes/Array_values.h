@@ -67,16 +67,20 @@ struct Copied_attributes
   List<Copied_values> edges, faces;
   List<Origin_values> vertex_origins, edge_origins, face_origins;
 
+  template <class Function>
+  void for_each_list(const Copied_attributes& others, const Function& f)
+  {
+    f(edges, others.edges);
+    f(faces, others.faces);
+    f(vertex_origins, others.vertex_origins);
+    f(edge_origins, others.edge_origins);
+    f(face_origins, others.face_origins);
+  }
   void take_parts_of_copied(const Copied_attributes& whole)
   {
-    const auto take = [](auto& parts, const auto& list) {
+    for_each_list(whole, [](auto& parts, const auto& list) {
       for (const auto& values : list) parts.push_back(values->part());
-    };
-    take(edges, whole.edges);
-    take(faces, whole.faces);
-    take(vertex_origins, whole.vertex_origins);
-    take(edge_origins, whole.edge_origins);
-    take(face_origins, whole.face_origins);
+    });
   }
 
   Level_origins::Kinds needed_origins() const
@@ -87,13 +91,9 @@ struct Copied_attributes
 
   void keep() noexcept
   {
-    const auto keep_all = [](auto&... lists) {
-      const auto keep = [](auto& list) {
-        for (auto& values : list) values->keep();
-      };
-      (keep(lists), ...);
-    };
-    keep_all(edges, faces, vertex_origins, edge_origins, face_origins);
+    for_each_list(*this, [](auto& list, const auto&) {
+      for (auto& values : list) values->keep();
+    });
   }
 };
 

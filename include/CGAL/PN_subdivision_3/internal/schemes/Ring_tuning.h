@@ -62,8 +62,7 @@ struct Ring_tuning
 
   bool holds_in(unsigned round) const { return round >= first_round; }
 
-  // The new value of one that is neither 1 nor lambda. The quadratic ones belong to the quadratic
-  // part of the surface.
+  // The new value of one that is neither 1 nor lambda. The quadratic ones belong to the surface's quadratic part.
   template <class Number>
   Number other(const Number& eigenvalue, bool is_quadratic, const Number& new_lambda) const
   {
@@ -86,7 +85,8 @@ public:
   using Host = typename Scheme::Host;
 
   static constexpr unsigned ghost_rings = 3;
-  static constexpr Limit_neighborhood limit_neighborhood{1, true, true, false};
+  static constexpr Limit_neighborhood limit_neighborhood{
+    1, Scheme::limit_neighborhood.takes_border, Scheme::limit_neighborhood.is_spline, false};
   static constexpr const char* parameter_name() { return "cap"; }
   static constexpr double default_parameter() { return 0.5; }
   static constexpr bool has_crease_rules = Scheme::has_crease_rules;
