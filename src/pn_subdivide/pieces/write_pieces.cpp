@@ -191,10 +191,8 @@ void add_up(Limit_summary& summary)
 
 } // namespace
 
-Limit_summary write_pieces(const Pieces_job& job, const std::string& output, unsigned threads,
-                           const Report& report)
+Limit_summary write_pieces(const Pieces_job& job, const std::string& output, const Report& report)
 {
-  const Threads most_threads(threads);
   Ranks& all = ranks();
   try {
     Unfinished_output unfinished(job);

@@ -199,8 +199,7 @@ Planes_of_part::Planes_of_part(const Surface& control, const Recognized_part& pa
 }
 
 void Planes_of_part::place_inside(Surface& refined, const std::vector<double>& parents,
-                                  const Scheme_choice& scheme, unsigned levels,
-                                  unsigned threads) const
+                                  const Scheme_choice& scheme, unsigned levels) const
 {
   std::vector<bool> is_inside(refined.number_of_vertices(), false);
   for (const Vertex v : refined.vertices()) {
@@ -224,7 +223,6 @@ void Planes_of_part::place_inside(Surface& refined, const std::vector<double>& p
   PN::Attribute_table no_attributes;
   Refinement rounds;
   rounds.levels = levels;
-  rounds.threads = threads;
   rounds.creases = add_creases(even, all);
   rounds.attributes = &no_attributes;
   refine_surface(even, scheme, rounds);

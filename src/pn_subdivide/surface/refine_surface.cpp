@@ -8,7 +8,6 @@
 
 #include "surface/refine_surface.h"
 
-#include "io/Error.h"
 #include "surface/Scheme.h"
 #include "surface/Wedges.h"
 
@@ -124,19 +123,8 @@ double expected_seconds(Surface& surface, const Scheme_choice& choice, unsigned 
   return seconds_of_an_entry * sum;
 }
 
-void require_threads(unsigned threads)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  (void)threads;
-#else
-  if (threads > 1)
-    throw Usage_error("--threads: this program was built without TBB and has one thread only");
-#endif
-}
-
 void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinement& refinement)
 {
-  const Threads most_threads(refinement.threads);
   if (refinement.creases) return refine_with_creases(surface, choice, refinement);
   const std::optional<Normal_map> normals = normals_of(surface);
   const bool is_grid = is_grid_scheme(choice.scheme);

@@ -107,9 +107,8 @@ std::optional<Box_length> parse_chord(const Surface_options& options)
 
 Tessellation tessellate_surface(Surface& surface, const Scheme_choice& scheme,
                                 const std::optional<Crease_maps>& creases, double chord,
-                                bool is_proven, unsigned threads, Attribute_table& attributes)
+                                bool is_proven, Attribute_table& attributes)
 {
-  const Threads most_threads(threads);
   Surface result;
   const Chord within{chord, is_proven};
   const Result r =
