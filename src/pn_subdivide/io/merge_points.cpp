@@ -8,7 +8,6 @@
 
 #include "io/Error.h"
 #include "io/mesh_normals.h"
-#include "io/soup_check.h"
 #include "io/soup_repair.h"
 
 #include <boost/pending/disjoint_sets.hpp>
