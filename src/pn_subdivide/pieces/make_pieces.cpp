@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "pieces/Any_pieces.h"
+#include "pieces/Piece_output.h"
 
 #include "io/Error.h"
 #include "surface/Scheme.h"

@@ -10,7 +10,6 @@
 
 #include "io/Error.h"
 #include "io/formats.h"
-#include "pieces/Any_pieces.h"
 #include "pieces/Ranks.h"
 
 #include <CGAL/PN_subdivision_3/version.h>

@@ -13,7 +13,6 @@
 #include "io/Report.h"
 #include "io/mesh_io.h"
 #include "options.h"
-#include "pieces/Any_pieces.h"
 #include "pieces/Output_names.h"
 #include "pieces/Piece_output.h"
 #include "surface/creases.h"
