@@ -19,7 +19,6 @@
 #include "surface/Linear_check.h"
 #include "surface/Planes_of_part.h"
 #include "surface/Recognized_part.h"
-#include "surface/Surface_table.h"
 #include "surface/attributes.h"
 #include "surface/control_mesh.h"
 #include "surface/control_normals.h"
