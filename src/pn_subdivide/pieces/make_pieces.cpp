@@ -9,11 +9,11 @@
 #include "pieces/Piece_output.h"
 
 #include "io/Error.h"
-#include "surface/Scheme.h"
 #include "surface/Wedges.h"
 
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 
 #include <cctype>
 #include <cmath>

@@ -9,10 +9,10 @@
 #include "surface/refine_surface.h"
 
 #include "io/Error.h"
-#include "surface/Scheme.h"
 
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 
 #if __has_include(<Eigen/Core>)
 #  include <CGAL/PN_fitting_3/interpolate_limit_points.h>

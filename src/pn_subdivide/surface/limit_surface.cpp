@@ -9,9 +9,9 @@
 #include "surface/refine_surface.h"
 
 #include "io/Error.h"
-#include "surface/Scheme.h"
 
 #include <CGAL/PN_limit_surface_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -8,7 +8,6 @@
 
 #include "surface/refine_surface.h"
 
-#include "surface/Scheme.h"
 #include "surface/Wedges.h"
 
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
@@ -16,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Grid_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/estimated_row_entries.h>

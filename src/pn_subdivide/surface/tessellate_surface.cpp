@@ -11,13 +11,13 @@
 #include "io/Error.h"
 #include "io/Text_reader.h"
 #include "options.h"
-#include "surface/Scheme.h"
 #include "surface/Surface.h"
 #include "surface/creases.h"
 
 #include <CGAL/PN_limit_surface_3/tessellate.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 
 #include <utility>
 
