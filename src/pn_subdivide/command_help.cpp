@@ -12,9 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <memory>
 #include <sstream>
-#include <string>
 #include <utility>
 #include <vector>
 

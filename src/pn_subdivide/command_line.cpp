@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
-#include <string>
 
 namespace pn_subdivide {
 namespace {

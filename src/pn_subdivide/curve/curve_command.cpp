@@ -11,7 +11,6 @@
 #include "curve/Curve_data.h"
 #include "curve/curve_schemes.h"
 #include "io/Error.h"
-#include "io/Report.h"
 #include "io/Text_reader.h"
 #include "io/mesh_io.h"
 #include "pieces/Ranks.h"
@@ -21,7 +20,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 
 namespace pn_subdivide {
 namespace {

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cstdarg>
-#include <cstddef>
 #include <cstdio>
 #include <limits>
 #include <new>

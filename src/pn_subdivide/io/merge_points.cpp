@@ -16,7 +16,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <string>
 #include <utility>
 
 namespace pn_subdivide {

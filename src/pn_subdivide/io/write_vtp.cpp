@@ -9,13 +9,9 @@
 #include "io/formats.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <functional>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace pn_subdivide {
 namespace {

@@ -14,14 +14,10 @@
 
 #include <boost/endian/conversion.hpp>
 
-#include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
-#include <string>
-#include <vector>
 
 // One binary PLY file: every vertex and every face has its place, which follows from its number.
 

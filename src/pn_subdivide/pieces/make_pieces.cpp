@@ -18,7 +18,6 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
-#include <vector>
 
 namespace pn_subdivide {
 namespace {

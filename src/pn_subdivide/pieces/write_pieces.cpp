@@ -10,20 +10,15 @@
 
 #include "io/Error.h"
 #include "io/Output_file.h"
-#include "pieces/Output_names.h"
-#include "pieces/Piece_output.h"
 #include "pieces/Ranks.h"
 #include "surface/refine_surface.h"
 
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
-#include <memory>
 #include <new>
 #include <optional>
-#include <string>
 #include <system_error>
-#include <vector>
 
 namespace fs = std::filesystem;
 

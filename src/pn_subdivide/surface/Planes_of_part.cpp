@@ -11,7 +11,6 @@
 #include "io/Error.h"
 #include "options.h"
 #include "surface/creases.h"
-#include "surface/output_mesh.h"
 #include "surface/refine_surface.h"
 
 #include <CGAL/PN_recognition_3/triangulate_planes.h>

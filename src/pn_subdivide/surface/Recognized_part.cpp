@@ -16,11 +16,8 @@
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/boost/graph/iterator.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <optional>
-#include <vector>
 
 namespace pn_subdivide {
 namespace {

@@ -12,7 +12,6 @@
 
 #include <CGAL/PN_recognition_3/internal/recognition.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>

@@ -21,8 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <vector>
 
 namespace pn_subdivide {
 namespace {

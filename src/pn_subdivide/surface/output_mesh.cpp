@@ -8,20 +8,14 @@
 
 #include "surface/output_mesh.h"
 
-#include "io/Error.h"
-#include "io/Mesh_data.h"
 #include "io/Text_reader.h"
 #include "options.h"
-#include "surface/Surface.h"
 
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
 namespace pn_subdivide {
 namespace {

@@ -8,8 +8,6 @@
 
 #include "surface/output_mesh.h"
 
-#include "io/Error.h"
-#include "io/mesh_io.h"
 #include "options.h"
 #include "surface/Recognized_part.h"
 

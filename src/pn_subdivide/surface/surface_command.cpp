@@ -9,7 +9,6 @@
 #include "options.h"
 
 #include "io/Error.h"
-#include "io/Report.h"
 #include "io/formats.h"
 #include "io/mesh_io.h"
 #include "io/mesh_normals.h"
@@ -36,7 +35,6 @@
 #include <cmath>
 #include <cstdio>
 #include <new>
-#include <optional>
 #include <thread>
 #include <utility>
 

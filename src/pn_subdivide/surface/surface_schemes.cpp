@@ -15,7 +15,6 @@
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 #include <type_traits>
 

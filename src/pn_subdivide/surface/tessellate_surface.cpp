@@ -11,8 +11,6 @@
 #include "io/Error.h"
 #include "io/Text_reader.h"
 #include "options.h"
-#include "surface/Surface.h"
-#include "surface/creases.h"
 
 #include <CGAL/PN_limit_surface_3/tessellate.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
