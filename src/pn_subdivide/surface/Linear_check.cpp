@@ -155,11 +155,7 @@ void Linear_check::make_linear(const Scheme_choice& scheme, const Rounds& rounds
     net_creases_.reset();
     return;
   }
-  Refinement refinement;
-  refinement.levels = rounds.levels;
-  refinement.creases = net_creases_;
-  refinement.attributes = &no_attributes;
-  refine_surface(net_, scheme, refinement);
+  refine_surface(net_, scheme, {rounds.levels, net_creases_, nullptr, &no_attributes, {}});
   Limit_choice limit = rounds.limit;
   limit.normals = false;
   if (limit.points) set_limits(net_, scheme, limit, net_creases_, rounds.levels);

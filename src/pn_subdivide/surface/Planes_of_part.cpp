@@ -217,14 +217,9 @@ void Planes_of_part::place_inside(Surface& refined, const std::vector<double>& p
   constexpr double infinity = std::numeric_limits<double>::infinity();
   all.edges.assign(even.number_of_edges(), infinity);
   all.vertices.assign(even.number_of_vertices(), infinity);
-  all.number_of_edges = all.edges.size();
-  all.number_of_vertices = all.vertices.size();
+  all.count();
   PN::Attribute_table no_attributes;
-  Refinement rounds;
-  rounds.levels = levels;
-  rounds.creases = add_creases(even, all);
-  rounds.attributes = &no_attributes;
-  refine_surface(even, scheme, rounds);
+  refine_surface(even, scheme, {levels, add_creases(even, all), nullptr, &no_attributes, {}});
   std::vector<Vector_3> moves;
   for (const Vertex v : refined.vertices())
     moves.push_back(is_inside[v] ? CGAL::NULL_VECTOR : refined.point(v) - even.point(v));

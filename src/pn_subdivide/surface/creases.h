@@ -9,7 +9,6 @@
 #ifndef PN_SUBDIVIDE_CREASES_H
 #define PN_SUBDIVIDE_CREASES_H
 
-#include "io/Limit_choice.h"
 #include "io/Mesh_data.h"
 #include "io/Report.h"
 #include "io/mesh_io.h"
@@ -29,7 +28,6 @@
 namespace pn_subdivide {
 
 struct Crease_options;
-struct Surface_options;
 
 // How --sharp surfaces looks for surfaces, as --min-facets, --surface-tolerance and --sharp-angle say it.
 struct Recognition_plan

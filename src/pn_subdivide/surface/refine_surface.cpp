@@ -21,8 +21,6 @@
 #include <CGAL/PN_subdivision_3/schemes/estimated_row_entries.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <utility>
 #include <vector>
 

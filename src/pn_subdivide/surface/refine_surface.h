@@ -17,7 +17,6 @@
 #include <CGAL/PN_limit_surface_3/tessellation/Tessellation_result.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -59,29 +58,16 @@ void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinem
 // --chord and --chord-bound: throws Usage_error if they are wrong.
 std::optional<Box_length> parse_chord(const Surface_options& options);
 
-// What the library tells of one.
-struct Tessellation
-{
-  double bound = 0;
-  bool reached = true;
-  PN::Tessellation_result::Obstacle obstacle = PN::Tessellation_result::Obstacle::none;
-  std::size_t triangles = 0;
-  unsigned depth = 0;
-  std::size_t worst_face = 0;
-  std::array<double, 3> worst_place{};
-  bool is_proven = false;
-};
-
 // The surface becomes triangles between points of its limit surface, of which these are no farther than `chord`, as is estimated or
 // proved. With
 // normals of vertices, with creases of corners; without creases and control data. Passes on the library's exceptions.
-Tessellation tessellate_surface(Surface& surface, const Scheme_choice& scheme,
-                                const std::optional<Crease_maps>& creases, double chord,
-                                bool is_proven, PN::Attribute_table& attributes);
+PN::Tessellation_result tessellate_surface(Surface& surface, const Scheme_choice& scheme,
+                                           const std::optional<Crease_maps>& creases, double chord,
+                                           bool is_proven, PN::Attribute_table& attributes);
 
 // Says what was reached, and warns if that is not what was asked for.
-void report_tessellation(const Tessellation& tessellation, double chord, const std::string& output,
-                         Report& report);
+void report_tessellation(const PN::Tessellation_result& tessellation, double chord, bool is_proven,
+                         const std::string& output, Report& report);
 
 // Throws Usage_error if the scheme has no limit points at vertices.
 void require_limit_of_vertices(const std::string& scheme, const Limit_choice& choice);

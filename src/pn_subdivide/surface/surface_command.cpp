@@ -587,12 +587,12 @@ private:
     if (!rounds.attributes->corners.empty() && !options_.texture_rule)
       report_.remark(input_ + ": with --chord texture coordinates are linear inside the control "
                               "faces, as --texture-rule all has them");
-    const Tessellation result =
-      tessellate_surface(surface, scheme_, rounds.creases, chord_, options_.chord_bound == "proven",
-                         *rounds.attributes);
+    const bool is_proven = options_.chord_bound == "proven";
+    const PN::Tessellation_result result =
+      tessellate_surface(surface, scheme_, rounds.creases, chord_, is_proven, *rounds.attributes);
     options_.levels = result.depth;
     rounds.creases.reset(); // of the control mesh
-    report_tessellation(result, chord_, output_, report_);
+    report_tessellation(result, chord_, is_proven, output_, report_);
   }
 
   // The control mesh is measured with its control normals, what has been refined with the normals of its limit.
