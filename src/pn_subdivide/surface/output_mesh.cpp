@@ -159,7 +159,7 @@ void set_normals_of_wedges(Mesh_data& mesh, const Surface& surface, const Severa
       [&](std::size_t i) { return place[i]; });
   }
   mesh.normals = sums.take();
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+  for (std::size_t f = 0; f < mesh.number_of_faces() && wedges.size() > 0; ++f) {
     const std::vector<std::size_t>& place = places.of(f);
     for (std::size_t i = 0; i < place.size(); ++i)
       if (place[i] >= vertices)
@@ -174,39 +174,14 @@ void set_normals_of_wedges(Mesh_data& mesh, const Surface& surface, const Severa
     if (wedges.at(v)) mesh.normals[v] = normalized(mesh.normals[v]);
 }
 
-void set_normals_of_vertices(Mesh_data& mesh, double scale)
-{
-  Area_normals sums(mesh.points.size(), scale);
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const Index* const corner = mesh.face(f).begin();
-    sums.add_face(
-      std::size_t(mesh.face(f).size()), [&](std::size_t i) { return mesh.points[corner[i]]; },
-      [&](std::size_t i) { return corner[i]; });
-  }
-  mesh.normals = sums.take();
-}
-
-// If a vertex has several.
-std::optional<Several_wedges> wedges_of(const Surface& surface,
-                                        const std::optional<Crease_maps>& creases)
-{
-  if (!creases) return std::nullopt;
-  Several_wedges wedges(surface, [&](Edge e) { return creases->edges[e] > 0; });
-  if (wedges.size() == 0) return std::nullopt;
-  return wedges;
-}
-
 // Control normals and creases go before others take their room.
 Mesh_data with_normals_of_faces(Surface& surface, std::optional<Crease_maps>& creases, double scale)
 {
   remove_normals(surface);
-  const std::optional<Several_wedges> wedges = wedges_of(surface, creases);
+  const Several_wedges wedges(surface, [&](Edge e) { return creases && creases->edges[e] > 0; });
   if (creases) remove_creases(surface, *creases);
   Mesh_data mesh = to_mesh_data(surface);
-  if (wedges)
-    set_normals_of_wedges(mesh, surface, *wedges, scale);
-  else
-    set_normals_of_vertices(mesh, scale);
+  set_normals_of_wedges(mesh, surface, wedges, scale);
   return mesh;
 }
 
