@@ -9,7 +9,6 @@
 #include "pieces/Piece_output.h"
 
 #include "io/Error.h"
-#include "surface/Wedges.h"
 
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>

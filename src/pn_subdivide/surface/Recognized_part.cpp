@@ -9,7 +9,6 @@
 #include "surface/Recognized_part.h"
 
 #include "io/mesh_normals.h"
-#include "surface/Wedges.h"
 
 #include <CGAL/PN_recognition_3/internal/recognition.h>
 #include <CGAL/PN_recognition_3/recognize_surfaces.h>

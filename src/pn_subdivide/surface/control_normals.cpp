@@ -12,7 +12,6 @@
 #include "io/Text_reader.h"
 #include "io/mesh_normals.h"
 #include "surface/Surface.h"
-#include "surface/Wedges.h"
 
 #include <CGAL/PN_fitting_3/smooth_control_normals.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>

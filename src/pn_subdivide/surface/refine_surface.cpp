@@ -8,7 +8,6 @@
 
 #include "surface/refine_surface.h"
 
-#include "surface/Wedges.h"
 
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>

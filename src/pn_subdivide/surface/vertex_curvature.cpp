@@ -10,7 +10,6 @@
 
 #include "io/Error.h"
 #include "io/Text_reader.h"
-#include "surface/Wedges.h"
 #include "surface/refine_surface.h"
 
 #include <algorithm>
