@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "surface/control_normals.h"
+#include "surface/control_mesh.h"
 
 #include "io/Error.h"
 #include "io/Text_reader.h"

@@ -20,7 +20,6 @@
 #include "surface/Recognized_part.h"
 #include "surface/attributes.h"
 #include "surface/control_mesh.h"
-#include "surface/control_normals.h"
 #include "surface/creases.h"
 #include "surface/output_mesh.h"
 #include "surface/refine_surface.h"
