@@ -13,7 +13,6 @@
 #include "options.h"
 
 #include <filesystem>
-#include <utility>
 
 namespace pn_subdivide {
 namespace {

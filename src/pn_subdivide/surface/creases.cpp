@@ -16,7 +16,6 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace pn_subdivide {
 namespace {
