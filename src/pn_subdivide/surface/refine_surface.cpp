@@ -8,7 +8,6 @@
 
 #include "surface/refine_surface.h"
 
-
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
