@@ -58,22 +58,18 @@ sources()
   ninja -C "$1" -t targets all | sed -n 's/\.o: CXX_COMPILER.*/.o/p' | grep -vE "$2" | grep -E "$chosen"
 }
 
-# check_sources BUILD REGEX: these are checked, not translated
+# check_sources BUILD REGEX: these are checked, not translated, until the time is over, if there is a limit; what is wrong in those
+# that were checked counts
 check_sources()
-{
-  local objects
-  mapfile -t objects < <(sources "$1" "$2")
-  echo "== clang++: ${#objects[@]} sources of $1"
-  [[ ${#objects[@]} -eq 0 ]] || ninja -C "$1" -k 0 --quiet "${objects[@]}"
-}
-
-# check_while_time_lasts BUILD REGEX: the same until the time is over; what is wrong in those that were checked counts
-check_while_time_lasts()
 {
   local objects object left=0 status=0 rest=$((seconds > SECONDS ? seconds - SECONDS : 0))
   mapfile -t objects < <(sources "$1" "$2")
-  echo "== clang++: ${#objects[@]} sources of $1, as many as $rest seconds allow"
+  echo "== clang++: ${#objects[@]} sources of $1${seconds:+, as many as $rest seconds allow}"
   [[ ${#objects[@]} -gt 0 ]] || return 0
+  if [[ -z $seconds ]]; then
+    ninja -C "$1" -k 0 --quiet "${objects[@]}"
+    return
+  fi
   if [[ $rest -gt 0 ]]; then
     timeout --signal=INT "$rest" ninja -C "$1" -k 0 --quiet "${objects[@]}" | tee "$1.out" || status=$?
     ! grep -q '^FAILED' "$1.out" || status=1
@@ -108,10 +104,8 @@ everything_with_cgal6()
     "-DCMAKE_CXX_FLAGS=${warnings[*]}" >"$modeler.txt" || return 1
   name_what_is_left_out "$build.txt" "$modeler.txt"
   local never='/headers_alone/|/empty\.cpp' demo='/src/pn_subdivide/|/bindings\.cpp'
-  local check=check_sources
-  [[ -z $seconds ]] || check=check_while_time_lasts
-  $check "$build" "$never" || status=1
-  $check "$modeler" "$demo" || status=1
+  check_sources "$build" "$never" || status=1
+  check_sources "$modeler" "$demo" || status=1
   return $status
 }
 

@@ -19,7 +19,6 @@ something is wrong. Needs Python 3.11 and, for the dependencies, a C++ compiler 
 import argparse
 import re
 import shlex
-import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
@@ -28,8 +27,8 @@ from pathlib import Path
 import enclosure_constants
 import moves
 import sentences
+from refinery import ROOT, run
 
-ROOT = Path(__file__).resolve().parent.parent
 NAME = "PN_subdivision_3"
 NOTICE = f"""Copyright (c) 2026  {NAME} developers
 All rights reserved.
@@ -99,8 +98,7 @@ def included_headers(compiler: list[str], package: str) -> list[Path]:
         for header in sorted((include / "CGAL" / package).rglob("*.h")):
             file.write(f"#include <{header.relative_to(include)}>\n")
         file.flush()
-        rule = subprocess.run([*compiler, "-std=c++17", "-M", f"-I{include}", file.name], check=True,
-                              capture_output=True, text=True).stdout
+        rule = run(*compiler, "-std=c++17", "-M", f"-I{include}", file.name)
     return [p for p in map(Path, rule.replace("\\\n", " ").split()[1:]) if "CGAL" in p.parts]
 
 

@@ -46,8 +46,6 @@ def arguments() -> argparse.Namespace:
                         help="where to keep what was measured")
     parser.add_argument("--from", type=Path, dest="measured", metavar="FILE.csv",
                         help="what was measured before, in place of measuring")
-    parser.add_argument("--page", type=Path, default=PAGE, help="the page with the tables")
-    parser.add_argument("--chart", type=Path, default=CHART)
     return parser.parse_args()
 
 
@@ -103,8 +101,8 @@ def main() -> None:
         of_machine = machine(servers)
         with tempfile.TemporaryDirectory() as folder:
             medians = measure(options, servers, Path(folder))
-    page.write(options.page, medians, of_machine)
-    page.write_chart(options.chart, medians)
+    page.write(PAGE, medians, of_machine)
+    page.write_chart(CHART, medians)
 
 
 if __name__ == "__main__":

@@ -18,11 +18,12 @@ without a place is left out, and named; it is an error if no table fills a place
 
 import html
 import re
-import subprocess
 import sys
 from pathlib import Path
 
-DOC = Path(__file__).resolve().parent.parent / "doc" / "PN_subdivision_3"
+from refinery import ROOT, run
+
+DOC = ROOT / "doc" / "PN_subdivision_3"
 PREPRINT = DOC / "approximation_order.tex"
 IN_HTML, IN_TEX = ("<!-- ", " -->"), ("% ", "")
 NAMES = {"kobbelt": "Kobbelt", "doo-sabin": "Doo--Sabin", "butterfly": "Butterfly", "sqrt3": r"$\sqrt3$", "loop": "Loop",
@@ -44,7 +45,7 @@ def filled(text: str, found: dict[str, str], marks: tuple[str, str]) -> str:
 
 
 def printed_by(program: str) -> dict[str, str]:
-    parts = re.split(r"(?m)^#table (\w+)\n", subprocess.run([program], check=True, capture_output=True, text=True).stdout)
+    parts = re.split(r"(?m)^#table (\w+)\n", run(program))
     return dict(zip(parts[1::2], map(short, parts[2::2])))
 
 

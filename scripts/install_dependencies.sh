@@ -22,35 +22,29 @@ of_python=(python3-dev pybind11-dev python3-numpy python3-pytest python3-mesonpy
 required=("${compiling[@]}" libeigen3-dev libboost-dev libgmp-dev libmpfr-dev libgtest-dev)
 optional=(libtbb-dev libcli11-dev nlohmann-json3-dev libbenchmark-dev libopenmesh-dev libosd-dev libcgal-demo libmpfi-dev python3
           clang lld libopenmpi-dev openmpi-bin pkgconf "${drawing[@]}" xauth)
-with_archives=yes
 case ${1:-} in
   --compiler)
     required=("${compiling[@]}")
     optional=()
-    with_archives=no
     ;;
   --picture)
     required=()
     optional=("${drawing[@]}")
-    with_archives=no
     ;;
   --page)
     required=(emscripten cmake ninja-build libcgal-dev libeigen3-dev libboost-dev)
     optional=(chromium) # its tests
-    with_archives=no
     command -v node >/dev/null || required+=(nodejs)
     command -v npm >/dev/null || required+=(npm)
     ;;
   --python)
     required=("${compiling[@]}" libboost-dev "${of_python[@]}")
     optional=(clang libtbb-dev)
-    with_archives=no
     ;;
   --release)
     required=("${compiling[@]}" libeigen3-dev libboost-dev libgmp-dev libmpfr-dev libtbb-dev libcli11-dev nlohmann-json3-dev
               python3 doxygen dpkg-dev lintian file xz-utils "${of_python[@]}")
     optional=(blahtexml)
-    with_archives=no
     ;;
   --manual) optional+=(doxygen blahtexml) ;;
   "") ;;
@@ -141,7 +135,7 @@ if [[ ${#missing_optional[@]} -gt 0 ]] && ! install_packages "${missing_optional
   done
 fi
 
-if [[ $with_archives == yes && ! -e $archives/data.tar.gz && ! -e $own_archives/data.tar.gz ]]; then
+if [[ ${1:---manual} == --manual && ! -e $archives/data.tar.gz && ! -e $own_archives/data.tar.gz ]]; then
   mkdir -p "$own_archives"
   (
     cd "$own_archives"

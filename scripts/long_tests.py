@@ -26,7 +26,9 @@ import sys
 import time
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from refinery import ROOT
+from refinery import run as output
+
 TESTS = ROOT / "test" / "PN_subdivision_3"
 EXAMPLES = ROOT / "examples" / "PN_subdivision_3"
 BUILD = ROOT / "build" / "tests"
@@ -35,10 +37,6 @@ FOLDERS = [ROOT / "include", ROOT / "test_support", TESTS, TESTS / "support", EX
 AT_A_TIME = 4  # programs that are built before their tests are run
 COMMAND = "the command as users build it"
 DRAWN = ("figure_", "numbers_", "control_meshes_")
-
-
-def output(*command: str) -> str:
-    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
 
 
 def default_revision() -> str:

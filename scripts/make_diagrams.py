@@ -45,12 +45,9 @@ def quads(columns: int, rows: int) -> Mesh:
 def triangles(columns: int, rows: int) -> Mesh:
     height = math.sqrt(3) / 2
     points = [(x + 0.5 * (y % 2), y * height) for y in range(rows + 1) for x in range(columns + 1)]
-    corner = lambda x, y: y * (columns + 1) + x
     faces = []
-    for y in range(rows):
-        for x in range(columns):
-            a, b, c, d = corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)
-            faces += [[a, b, c], [a, c, d]] if y % 2 else [[a, b, d], [b, c, d]]
+    for number, (a, b, c, d) in enumerate(grid_quads(columns + 1, rows + 1)):
+        faces += [[a, b, c], [a, c, d]] if number // columns % 2 else [[a, b, d], [b, c, d]]
     return points, faces
 
 

@@ -17,10 +17,10 @@
 
 import argparse
 import re
-import subprocess
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from refinery import ROOT, run
+
 INCLUDE = "include/CGAL/"
 PATH = re.compile(r"(?<!\w)((?:include/)?CGAL/|test/|examples/|(?<!/))(PN_subdivision_3/[\w./]+)")
 TEXTS = {".h", ".cpp", ".txt", ".md", ".cmake", ".py", ".sh", ".tsv", ".toml", ".in", ".dxy", ".json", ".tex", ".ts", ".html"}
@@ -48,18 +48,15 @@ def guard(path: str) -> str:
 
 
 def apply(moves: dict[str, str]) -> None:
-    def git(*command: str) -> str:
-        return subprocess.run(["git", *command], cwd=ROOT, capture_output=True, text=True, check=True).stdout
-
     moved = [(old, new) for old, new in moves.items() if (ROOT / old).is_file()]
     for old, new in moved:
         (ROOT / new).parent.mkdir(parents=True, exist_ok=True)
-        git("mv", old, new)
+        run("git", "mv", old, new)
         if old.startswith(INCLUDE):
             path = ROOT / new
             path.write_text(re.sub(rf"\b{guard(old)}\b", guard(new), path.read_text()))
     own = {"scripts/moves.py", "scripts/moves.tsv"}
-    for name in git("ls-files").splitlines():
+    for name in run("git", "ls-files").splitlines():
         path = ROOT / name
         if name in own or path.suffix not in TEXTS or not path.is_file():
             continue

@@ -8,14 +8,14 @@
 # Author(s): PN_subdivision_3 developers
 """Puts small wrong changes into the headers, one at a time, and runs the tests that must notice.
 
-    scripts/mutate.py [--check] [--bare] [--tiers] [--unchanged] [--table FILE] [--again] [--jobs N] [NAME...]
+    scripts/mutate.py [--check] [--bare] [--tiers] [--unchanged] [--again] [--jobs N] [NAME...]
 
 NAME is a part of a name in scripts/mutations.toml; without one all are tried, which takes an hour or two: only the
 named tests are compiled for each, at -O0, by $CXX or clang++, up to the first that fails. Verdicts are added to
 scripts/mutation_results.tsv; changes that have one there are only tried with --again. --check tells whether every
 pattern is still found, --bare lists the headers of 100 lines and more that no change touches, --tiers the changes that no test of
 scripts/test.sh is known to catch, with the long test that does (exit code 1 if they are more than 5 %), --unchanged runs the
-tests of the selection on headers as they are (all have to pass), --table writes the page of the manual from the verdicts.
+tests of the selection on headers as they are (all have to pass). manual_pages.py writes the page of the manual from the verdicts.
 Exit code 1 if a change survives that is not expected to, or cannot be made.
 """
 
@@ -229,7 +229,7 @@ def try_unchanged(test, folders):
 
 # --- the page of the manual ---
 
-PAGE = """// written by scripts/mutate.py --table
+PAGE = """// written by scripts/mutate.py
 namespace CGAL {{
 /*!
 \\page PN_subdivision_3_mutations Wrong Changes on Purpose
@@ -299,13 +299,9 @@ def main():
     parser.add_argument("--bare", action="store_true")
     parser.add_argument("--tiers", action="store_true")
     parser.add_argument("--unchanged", action="store_true")
-    parser.add_argument("--table", metavar="FILE")
     parser.add_argument("--again", action="store_true")
     parser.add_argument("--jobs", type=int, default=1)
     options = parser.parse_args()
-
-    if options.table:
-        return write_table(options.table)
     if options.tiers:
         caught, late = caught_late()
         for result in late:

@@ -32,7 +32,8 @@ from pathlib import Path
 from typing import Any
 
 from control_meshes import pictured
-from control_meshes.files import as_text
+from control_meshes.files import as_text, read_mesh
+from control_meshes.mesh import Mesh
 from paper_figures.refined import write_rings
 from refinery import COMMAND, DATA, ROOT, Refinery, run
 
@@ -126,8 +127,11 @@ class Control_meshes:
     def prescribe_normals(self, path: Path) -> None:
         folder = path.parent
         run(self.example("prescribe_normals"), DATA / "head.obj", folder)
+        refinery = Refinery(self.command, folder)
         for when in ("before", "after"):  # both patches in one mesh
-            run("/usr/bin/python3", "-c", JOIN, *(folder / f"{part}_{when}.ply" for part in ("left", "right", "joined")))
+            left, right = (read_mesh(refinery.file(folder / f"{part}_{when}.ply", "--levels 0 --ascii")) for part in ("left", "right"))
+            faces = left.faces + [tuple(len(left.points) + v for v in f) for f in right.faces]
+            (folder / f"joined_{when}.ply").write_text(as_text(Mesh(left.points + right.points, faces), "joined.ply"))
 
     def rings(self, path: Path) -> None:
         write_rings(Refinery(self.command, path.parent), path.parent)
@@ -145,21 +149,6 @@ SOURCES: dict[str, Callable[[Control_meshes, Path], None]] = {
     "sweethome3d": Control_meshes.sweethome3d, "openscad": Control_meshes.openscad,
     "interpolate_samples": Control_meshes.interpolate_samples,
     "prescribe_normals": Control_meshes.prescribe_normals, "rings": Control_meshes.rings}
-
-JOIN = """
-import sys, vtk
-append = vtk.vtkAppendPolyData()
-for name in sys.argv[1:3]:
-    reader = vtk.vtkPLYReader()
-    reader.SetFileName(name)
-    reader.Update()
-    append.AddInputData(reader.GetOutput())
-append.Update()
-writer = vtk.vtkPLYWriter()
-writer.SetFileName(sys.argv[3])
-writer.SetInputData(append.GetOutput())
-writer.Write()
-"""
 
 
 # --- drawing ---

@@ -8,16 +8,14 @@
 # Author(s): PN_subdivision_3 developers
 """Counts the long sentences of the manual and of the documentation in public headers, and those that begin with What, Of, Where or That.
 
-  sentences.py [PAGE...]            a line for each page or header, and its worst twenty sentences
-  sentences.py --check [PAGE...]    only the shares; exit code 1 if they are above the goals
+  sentences.py [PAGE...]    a line for each page or header, and its worst twenty sentences
 
-Without PAGE all pages of doc/PN_subdivision_3 and all public headers are read, each kind with its shares. Code, tables, formulas and headings are no sentences; an
+check_sources.py compares the shares with the goals. Without PAGE all pages of doc/PN_subdivision_3 and all public headers are read, each kind with its shares. Code, tables, formulas and headings are no sentences; an
 item of a list begins one. A formula, a name in backquotes and a link count as a word.
 """
 
 import argparse
 import re
-import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -104,26 +102,21 @@ def line(name: str, found: list[str]) -> str:
             f"{opening:.1%} begin with {', '.join(OPENINGS[:-1])} or {OPENINGS[-1]}")
 
 
-def main() -> int:
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--check", action="store_true", help="compare with the goals, and print no sentences")
     parser.add_argument("page", nargs="*", type=Path)
     options = parser.parse_args()
     kinds = {"all": options.page} if options.page else {"the manual": pages(), "the public headers": headers()}
-    missed = False
     for whose, paths in kinds.items():
         everything = []
         for path in paths:
             found = sentences(path)
             everything += found
-            if not options.check:
-                print(line(path.name, found))
-                worst = sorted(filter(lambda s: is_long(s) or begins_badly(s), found), key=lambda s: len(words(s)), reverse=True)
-                print("".join(f"  {len(words(sentence))}: {sentence}\n" for sentence in worst[:WORST]), end="")
+            print(line(path.name, found))
+            worst = sorted(filter(lambda s: is_long(s) or begins_badly(s), found), key=lambda s: len(words(s)), reverse=True)
+            print("".join(f"  {len(words(sentence))}: {sentence}\n" for sentence in worst[:WORST]), end="")
         print(line(whose, everything))
-        missed |= bool(misses(whose, everything))
-    return 1 if options.check and missed else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -67,10 +67,10 @@ scripts/build.sh --preset tests
 
 say "running the tests"
 if [[ $full == no ]]; then
-  unchanged=$(scripts/unchanged_tests.py build/tests)
+  unchanged=$(scripts/test_logs.py --unchanged build/tests)
   [[ $unchanged == '^()$' ]] || echo "As they were when they passed, and not run again: $(tr -d '^()$' <<<"$unchanged" | tr '|' ' ')"
   run_tests tests --exclude-regex "$unchanged"
-  scripts/unchanged_tests.py --record build/tests
+  scripts/test_logs.py --record build/tests
   times >>build/tests/times
   [[ $is_empty == no ]] ||
     awk '{ gsub(/[ms]/, " ") } NR % 2 == 0 { print $1 * 60 + $2 + $3 * 60 + $4 - last; last = $1 * 60 + $2 + $3 * 60 + $4 }' \
@@ -94,7 +94,7 @@ else
   PN_TEST_SEED=1 PN_TEST_SEEDS=300 GTEST_FILTER='*Random_meshes*' run_tests release -R test_scheme_suite
 fi
 
-attempt "what is left out" scripts/left_out.sh "${strict[@]}" "${presets[@]/#/build/}"
+attempt "what is left out" scripts/test_logs.py --left-out "${strict[@]}" "${presets[@]/#/build/}"
 if [[ ${#failed[@]} -gt 0 ]]; then
   (IFS=,; echo "scripts/test.sh has failed: ${failed[*]}" >&2)
   exit 1

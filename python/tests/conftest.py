@@ -8,6 +8,6 @@
 
 
 def pytest_terminal_summary(terminalreporter):
-    """Names what was left out as scripts/left_out.sh reads it."""
+    """Names what was left out as scripts/test_logs.py reads it."""
     for report in terminalreporter.stats.get("skipped", []):
         terminalreporter.write_line(report.longrepr[2].removeprefix("Skipped: "))

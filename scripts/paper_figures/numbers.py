@@ -9,6 +9,7 @@
 
 import re
 from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from itertools import product
 from math import acos, cos, degrees, hypot, pi, sin
 
@@ -54,16 +55,9 @@ def deviation(refinery: Refinery, shape: str, mesh: str, options: str) -> float:
     return float(re.findall(r"2\^-52: ([^)]*)\)", line)[0]) * 2.0 ** -52
 
 
-def cylinder_3(refinery: Refinery) -> Numbers:
+def deviations(figure: int, shape: str, mesh: str, scheme: str, refinery: Refinery) -> Numbers:
     for kind, option in (("linear", " --linear"), ("PN", "")):
-        yield f"3_{kind}", deviation(refinery, "cylinder:0,0,0,0,0,1,1", "paper/cylinder.ply",
-                                     "--scheme catmull-clark --levels 5" + option)
-
-
-def tetrahedron_4(refinery: Refinery) -> Numbers:
-    for kind, option in (("linear", " --linear"), ("PN", "")):
-        yield f"4_{kind}", deviation(refinery, "sphere:0,0,0,1", "paper/tetrahedron.ply",
-                                     "--scheme butterfly --levels 5" + option)
+        yield f"{figure}_{kind}", deviation(refinery, shape, mesh, f"--scheme {scheme} --levels 5{option}")
 
 
 def rings_6(refinery: Refinery) -> Numbers:
@@ -198,7 +192,8 @@ def torus_17(refinery: Refinery) -> Numbers:
 
 
 OF_REFINED: dict[int, Callable[[Refinery], Numbers]] = {
-    3: cylinder_3, 4: tetrahedron_4, 6: rings_6, 8: cross_8, 9: local_9, 10: grid_10, 11: ring_11, 12: wheel_12,
+    3: partial(deviations, 3, "cylinder:0,0,0,0,0,1,1", "paper/cylinder.ply", "catmull-clark"),
+    4: partial(deviations, 4, "sphere:0,0,0,1", "paper/tetrahedron.ply", "butterfly"), 6: rings_6, 8: cross_8, 9: local_9, 10: grid_10, 11: ring_11, 12: wheel_12,
     13: models_13, 17: torus_17}
 
 

@@ -39,6 +39,8 @@ class Run:
 
 @dataclass(frozen=True)
 class Median:
+    """of what was measured, once or several times"""
+
     faces: int
     seconds: float
     page_faults: float
@@ -56,13 +58,6 @@ PARALLEL = ("pn/surface-mesh", "pn/refiner", "pn-linear/refiner", "opensubdiv/st
 LARGEST = {"opensubdiv/stencils": 2_000_000}
 
 
-@dataclass(frozen=True)
-class Measurement:
-    faces: int
-    seconds: float
-    page_faults: int
-
-
 class Server:
     """one process, which keeps what it has warmed up"""
 
@@ -74,13 +69,13 @@ class Server:
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         text=True, env=environment)
 
-    def run(self, job: str, control: str, rounds: int) -> Measurement:
+    def run(self, job: str, control: str, rounds: int) -> Median:
         assert self.process.stdin and self.process.stdout
         print(job, control, rounds, self.threads, file=self.process.stdin, flush=True)
         words = self.process.stdout.readline().split()
         if len(words) != 3:
             raise RuntimeError(f"{job} on {control} failed")
-        return Measurement(int(words[0]), float(words[1]), int(words[2]))
+        return Median(int(words[0]), float(words[1]), int(words[2]), 1)
 
     def close(self) -> None:
         if self.process.stdin:
@@ -148,7 +143,7 @@ def runs_of_group(servers: Servers, scheme: str, kind: str, size: int, process: 
     ]
 
 
-def median(found: list[Measurement]) -> Median:
+def median(found: list[Median]) -> Median:
     return Median(found[0].faces, statistics.median(m.seconds for m in found),
                   statistics.median(m.page_faults for m in found), len(found))
 
@@ -159,7 +154,7 @@ def measure_group(servers: Servers, runs: list[Run], folder: Path, repetitions: 
     is not repeated. The first time of a warm process does not count, unless it takes long."""
     first = runs[0]
     control = control_mesh(folder, first.scheme, first.kind, first.size)
-    found: dict[Run, list[Measurement]] = defaultdict(list)
+    found: dict[Run, list[Median]] = defaultdict(list)
     spent: dict[Run, float] = defaultdict(float)
     order = random.Random(first.size)
     for repetition in range(repetitions + 1):

@@ -6,15 +6,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "command_line.h"
+#include "options.h"
 
 #include "io/mesh_io.h"
 
 #include <CLI/CLI.hpp>
 
-#include <memory>
 #include <sstream>
-#include <string>
 #include <utility>
 #include <vector>
 

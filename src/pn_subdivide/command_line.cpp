@@ -8,7 +8,7 @@
 
 // The command line. What it means is in surface/surface_command.cpp and curve/curve_command.cpp.
 
-#include "command_line.h"
+#include "options.h"
 
 #include "io/Error.h"
 #include "io/mesh_io.h"
@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "command_line.h"
 #include "io/Error.h"
+#include "options.h"
 #include "pieces/Ranks.h"
 
 #include <boost/algorithm/string/replace.hpp>

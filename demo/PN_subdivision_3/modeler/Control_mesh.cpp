@@ -11,7 +11,6 @@
 #include "io/Error.h"
 #include "io/formats.h"
 #include "io/mesh_normals.h"
-#include "io/soup_check.h"
 #include "io/soup_repair.h"
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>

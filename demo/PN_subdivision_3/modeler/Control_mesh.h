@@ -11,7 +11,7 @@
 
 #include "io/Mesh_data.h"
 #include "surface/Surface.h"
-#include "surface/Wedges.h"
+#include "surface/creases.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -10,9 +10,10 @@
 #define PN_SUBDIVISION_3_DEMO_REFINEMENT_H
 
 #include "Control_mesh.h"
-#include "surface/Scheme.h"
+#include "surface/surface_schemes.h"
 
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 
 #include <cstdint>
 #include <memory>

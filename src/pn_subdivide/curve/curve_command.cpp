@@ -6,12 +6,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "command_line.h"
+#include "options.h"
 
 #include "curve/Curve_data.h"
 #include "curve/curve_schemes.h"
 #include "io/Error.h"
-#include "io/Report.h"
 #include "io/Text_reader.h"
 #include "io/mesh_io.h"
 #include "pieces/Ranks.h"
@@ -21,7 +20,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 
 namespace pn_subdivide {
 namespace {

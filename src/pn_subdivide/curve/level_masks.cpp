@@ -10,12 +10,9 @@
 #include "io/Error.h"
 #include "io/Text_reader.h"
 
-#include <algorithm>
 #include <cmath>
-#include <optional>
 #include <sstream>
 #include <utility>
-#include <vector>
 
 namespace pn_subdivide {
 namespace {

@@ -12,7 +12,6 @@
 
 #include <CGAL/PN_curves/curve_limit_points.h>
 
-#include <algorithm>
 #include <utility>
 
 #if __has_include(<Eigen/Core>)

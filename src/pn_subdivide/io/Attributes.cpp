@@ -10,9 +10,7 @@
 
 #include "io/Error.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace pn_subdivide {
 

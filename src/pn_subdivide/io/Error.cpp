@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cstdarg>
-#include <cstddef>
 #include <cstdio>
 #include <limits>
 #include <new>
@@ -79,7 +78,7 @@ constexpr std::size_t longest_word = 100; // nothing that is known comes near
 
 } // namespace
 
-std::string near_miss(const std::string& word, const std::vector<std::string>& known)
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known)
 {
   if (word.size() > longest_word) return {};
   std::string nearest;
@@ -91,12 +90,6 @@ std::string near_miss(const std::string& word, const std::vector<std::string>& k
     least = d;
     nearest = candidate;
   }
-  return nearest;
-}
-
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& known)
-{
-  const std::string nearest = near_miss(word, known);
   return nearest.empty() ? "" : "; did you mean " + nearest + "?";
 }
 

@@ -89,11 +89,8 @@ inline std::string plural(std::size_t n, const std::string& one, const std::stri
 // "groups, materials and colors"
 std::string enumeration(const std::vector<std::string>& names, const std::string& last = "and");
 
-// The word that was probably meant: at most a third of its letters are added, missing or others, or it
-// goes on where `word` ends. Empty if there is none.
-std::string near_miss(const std::string& word, const std::vector<std::string>& known);
-
-// "; did you mean --levels?", or nothing
+// "; did you mean --levels?", or nothing: of the word that was probably meant at most a third of the letters are added, missing
+// or others, or it goes on where `word` ends.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
 
 } // namespace pn_subdivide

@@ -8,10 +8,7 @@
 
 #include "io/Mesh_data.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <string>
 
 namespace pn_subdivide {
 

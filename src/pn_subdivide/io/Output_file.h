@@ -26,11 +26,8 @@ namespace pn_subdivide {
 class Temporary_on_signal
 {
 public:
-  explicit Temporary_on_signal(const std::string& file)
-    : Temporary_on_signal(file, 0)
-  {}
-  // A folder with files piece_0.vtp, piece_1.vtp, ..., of which some may be there.
-  Temporary_on_signal(const std::string& folder, std::size_t pieces);
+  // With pieces it is a folder with files piece_0.vtp, piece_1.vtp, ..., of which some may be there.
+  explicit Temporary_on_signal(const std::string& file, std::size_t pieces = 0);
   ~Temporary_on_signal();
   Temporary_on_signal(const Temporary_on_signal&) = delete;
   Temporary_on_signal& operator=(const Temporary_on_signal&) = delete;

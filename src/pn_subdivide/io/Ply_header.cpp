@@ -8,11 +8,6 @@
 
 #include "io/Ply_header.h"
 
-#include "io/Error.h"
-#include "io/Text_reader.h"
-
-#include <cmath>
-#include <cstdint>
 #include <unordered_set>
 
 namespace pn_subdivide {

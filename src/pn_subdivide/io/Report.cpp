@@ -15,8 +15,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <utility>
-#include <variant>
 
 namespace pn_subdivide {
 

@@ -8,7 +8,7 @@
 
 #include "io/Error.h"
 #include "io/mesh_normals.h"
-#include "io/soup_check.h"
+#include "io/soup_repair.h"
 
 #include <CGAL/box_intersection_d.h>
 

@@ -18,7 +18,6 @@
 #include <filesystem>
 #include <limits>
 #include <sstream>
-#include <string>
 #include <system_error>
 #include <utility>
 

@@ -8,7 +8,6 @@
 
 #include "io/Error.h"
 #include "io/mesh_normals.h"
-#include "io/soup_check.h"
 #include "io/soup_repair.h"
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -17,7 +16,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <string>
 #include <utility>
 
 namespace pn_subdivide {

@@ -8,14 +8,10 @@
 
 #include "io/mesh_normals.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
 namespace pn_subdivide {
 

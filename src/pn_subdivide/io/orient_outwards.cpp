@@ -10,7 +10,6 @@
 
 #include "io/Error.h"
 #include "io/mesh_normals.h"
-#include "io/soup_check.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/pending/disjoint_sets.hpp>

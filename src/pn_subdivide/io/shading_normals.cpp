@@ -13,13 +13,9 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <map>
 #include <set>
-#include <vector>
 
 namespace pn_subdivide {
 namespace {

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "io/soup_check.h"
+#include "io/soup_repair.h"
 
 #include "io/Error.h"
 

@@ -9,7 +9,6 @@
 #include "io/soup_repair.h"
 
 #include "io/Error.h"
-#include "io/soup_check.h"
 
 #include <algorithm>
 #include <numeric>

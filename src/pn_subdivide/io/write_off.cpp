@@ -8,8 +8,6 @@
 
 #include "io/formats.h"
 
-#include <algorithm>
-
 namespace pn_subdivide {
 namespace {
 

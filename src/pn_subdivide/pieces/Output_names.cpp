@@ -9,7 +9,6 @@
 #include "pieces/Output_names.h"
 
 #include "io/Error.h"
-#include "io/Output_file.h"
 #include "io/formats.h"
 
 #include <system_error>

@@ -14,14 +14,10 @@
 
 #include <boost/endian/conversion.hpp>
 
-#include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
-#include <string>
-#include <vector>
 
 // One binary PLY file: every vertex and every face has its place, which follows from its number.
 
@@ -132,15 +128,9 @@ public:
     if (size.vertices > std::numeric_limits<std::uint32_t>::max())
       throw Error("PLY files number vertices with 32 bits, and there would be " +
                   std::to_string(size.vertices) + ": write .pvtp, or ask for fewer levels");
-    Ply_shape shape;
-    shape.vertices = size.vertices;
-    shape.faces = size.faces;
-    shape.has_normals = normals.are_written;
-    shape.has_control_normals = normals.with_control;
-    shape.has_roundness = normals.with_roundness;
-    shape.normal_kind = normals.kind;
-    shape.has_short_lists = has_short_lists_;
-    shape.has_texture = attributes.has_texture();
+    const Ply_shape shape{
+      size.vertices, size.faces,       normals.are_written,    normals.with_control,
+      normals.kind,  has_short_lists_, normals.with_roundness, attributes.has_texture()};
     const Attributes like = attributes.like();
     header_ = ply_header(shape, like);
     bytes_of_vertex_ = 8 * normals_.numbers() + bytes_of(like.of_vertices);

@@ -11,9 +11,7 @@
 #include "io/Error.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <fstream>
-#include <string>
 #include <system_error>
 
 #if __has_include(<unistd.h>)

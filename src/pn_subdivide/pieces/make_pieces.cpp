@@ -6,19 +6,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "pieces/Any_pieces.h"
+#include "pieces/Piece_output.h"
 
 #include "io/Error.h"
-#include "surface/Scheme.h"
-#include "surface/Wedges.h"
 
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
-#include <vector>
 
 namespace pn_subdivide {
 namespace {

@@ -13,7 +13,6 @@
 #include "io/Report.h"
 #include "io/mesh_io.h"
 #include "options.h"
-#include "pieces/Any_pieces.h"
 #include "pieces/Output_names.h"
 #include "pieces/Piece_output.h"
 #include "surface/creases.h"
@@ -57,8 +56,7 @@ Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surfa
 
 // Refines the pieces that are this rank's, and writes them; the output is there when all ranks have done so.
 // Returns what limits have reached.
-Limit_summary write_pieces(const Pieces_job& job, const std::string& output, unsigned threads,
-                           const Report& report);
+Limit_summary write_pieces(const Pieces_job& job, const std::string& output, const Report& report);
 
 } // namespace pn_subdivide
 

@@ -13,8 +13,6 @@
 #include "options.h"
 
 #include <filesystem>
-#include <string>
-#include <utility>
 
 namespace pn_subdivide {
 namespace {

@@ -151,23 +151,14 @@ void Linear_check::make_linear(const Scheme_choice& scheme, const Rounds& rounds
 {
   PN::Attribute_table no_attributes;
   if (rounds.chord) {
-    tessellate_surface(net_, scheme, net_creases_, *rounds.chord, false, rounds.threads,
-                       no_attributes);
+    tessellate_surface(net_, scheme, net_creases_, *rounds.chord, false, no_attributes);
     net_creases_.reset();
     return;
   }
-  Refinement refinement;
-  refinement.levels = rounds.levels;
-  refinement.threads = rounds.threads;
-  refinement.creases = net_creases_;
-  refinement.attributes = &no_attributes;
-  refine_surface(net_, scheme, refinement);
+  refine_surface(net_, scheme, {rounds.levels, net_creases_, nullptr, &no_attributes, {}});
   Limit_choice limit = rounds.limit;
   limit.normals = false;
-  if (limit.points && net_creases_)
-    set_limits(net_, scheme, limit, *net_creases_, rounds.levels, rounds.threads);
-  else if (limit.points)
-    set_limits(net_, scheme, limit, rounds.levels, rounds.threads);
+  if (limit.points) set_limits(net_, scheme, limit, net_creases_, rounds.levels);
 }
 
 void Linear_check::compare(const Surface& result, const Scheme_choice& scheme, const Rounds& rounds)

@@ -100,7 +100,7 @@ public:
   };
   struct Rounds
   {
-    unsigned levels, threads;
+    unsigned levels;
     Limit_choice limit;
     std::optional<double> chord; // triangles within that
   };

@@ -11,7 +11,6 @@
 #include "io/Error.h"
 #include "options.h"
 #include "surface/creases.h"
-#include "surface/output_mesh.h"
 #include "surface/refine_surface.h"
 
 #include <CGAL/PN_recognition_3/triangulate_planes.h>
@@ -199,8 +198,7 @@ Planes_of_part::Planes_of_part(const Surface& control, const Recognized_part& pa
 }
 
 void Planes_of_part::place_inside(Surface& refined, const std::vector<double>& parents,
-                                  const Scheme_choice& scheme, unsigned levels,
-                                  unsigned threads) const
+                                  const Scheme_choice& scheme, unsigned levels) const
 {
   std::vector<bool> is_inside(refined.number_of_vertices(), false);
   for (const Vertex v : refined.vertices()) {
@@ -219,15 +217,9 @@ void Planes_of_part::place_inside(Surface& refined, const std::vector<double>& p
   constexpr double infinity = std::numeric_limits<double>::infinity();
   all.edges.assign(even.number_of_edges(), infinity);
   all.vertices.assign(even.number_of_vertices(), infinity);
-  all.number_of_edges = all.edges.size();
-  all.number_of_vertices = all.vertices.size();
+  all.count();
   PN::Attribute_table no_attributes;
-  Refinement rounds;
-  rounds.levels = levels;
-  rounds.threads = threads;
-  rounds.creases = add_creases(even, all);
-  rounds.attributes = &no_attributes;
-  refine_surface(even, scheme, rounds);
+  refine_surface(even, scheme, {levels, add_creases(even, all), nullptr, &no_attributes, {}});
   std::vector<Vector_3> moves;
   for (const Vertex v : refined.vertices())
     moves.push_back(is_inside[v] ? CGAL::NULL_VECTOR : refined.point(v) - even.point(v));

@@ -46,7 +46,7 @@ public:
   // Masks move vertices inside a plane by vertices beyond its rims, and fold it there. They go where they are when control faces
   // are divided evenly, moved as the rims are: harmonically. `parents`: the control faces of the faces.
   void place_inside(Surface& refined, const std::vector<double>& parents,
-                    const Scheme_choice& scheme, unsigned levels, unsigned threads) const;
+                    const Scheme_choice& scheme, unsigned levels) const;
 
   // How many have rims that cross or touch each other, which those of the control mesh do not. `segments`: of the faces.
   std::size_t number_of_crossed(const Surface& refined, const std::vector<double>& segments) const;

@@ -9,18 +9,14 @@
 #include "surface/Recognized_part.h"
 
 #include "io/mesh_normals.h"
-#include "surface/Wedges.h"
 
 #include <CGAL/PN_recognition_3/internal/recognition.h>
 #include <CGAL/PN_recognition_3/recognize_surfaces.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/boost/graph/iterator.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <optional>
-#include <vector>
 
 namespace pn_subdivide {
 namespace {

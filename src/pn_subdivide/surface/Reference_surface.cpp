@@ -25,8 +25,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace pn_subdivide {
 namespace {

@@ -15,10 +15,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <string>
 #include <unordered_map>
 #include <unordered_set>
-#include <utility>
 
 namespace pn_subdivide {
 namespace {

@@ -6,14 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "surface/Surface_table.h"
+#include "surface/Recognized_part.h"
 
-#include "surface/Surface.h"
 #include "surface/output_mesh.h"
 
 #include <CGAL/PN_recognition_3/internal/recognition.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>

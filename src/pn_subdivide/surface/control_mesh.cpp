@@ -12,7 +12,6 @@
 #include "io/Mesh_data.h"
 #include "io/Text_reader.h"
 #include "io/mesh_normals.h"
-#include "io/soup_check.h"
 #include "io/soup_repair.h"
 #include "surface/Surface.h"
 #include "surface/attributes.h"

@@ -6,13 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "surface/control_normals.h"
+#include "surface/control_mesh.h"
 
 #include "io/Error.h"
 #include "io/Text_reader.h"
 #include "io/mesh_normals.h"
 #include "surface/Surface.h"
-#include "surface/Wedges.h"
 
 #include <CGAL/PN_fitting_3/smooth_control_normals.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
@@ -21,8 +20,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <vector>
 
 namespace pn_subdivide {
 namespace {

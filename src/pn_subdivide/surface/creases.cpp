@@ -16,8 +16,6 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
-#include <limits>
-#include <utility>
 
 namespace pn_subdivide {
 namespace {

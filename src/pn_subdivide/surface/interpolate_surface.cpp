@@ -9,10 +9,10 @@
 #include "surface/refine_surface.h"
 
 #include "io/Error.h"
-#include "surface/Scheme.h"
 
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 
 #if __has_include(<Eigen/Core>)
 #  include <CGAL/PN_fitting_3/interpolate_limit_points.h>
@@ -71,14 +71,13 @@ Interpolation_report interpolate_with_creases(Surface& surface, const Scheme& sc
 } // namespace
 
 Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& choice,
-                                         const Interpolation& interpolation,
+                                         Interpolation_mode mode, bool improves_normals,
                                          const std::optional<Crease_maps>& creases)
 {
-  const Threads most_threads(interpolation.threads);
   const Scheme scheme = scheme_of(choice);
   if (scheme.interpolates()) return {}; // the net is the data
-  if (creases) return interpolate_with_creases(surface, scheme, interpolation.mode, *creases);
-  const auto how = PN::parameters::interpolation_mode(interpolation.mode);
+  if (creases) return interpolate_with_creases(surface, scheme, mode, *creases);
+  const auto how = PN::parameters::interpolation_mode(mode);
   const std::optional<Normal_map> normals = normals_of(surface);
   if (!normals) return PN::interpolate_limit_points<Tag>(surface, PN::linear(scheme), how);
   const bool has_roundness = roundness_of(surface).has_value();
@@ -86,14 +85,14 @@ Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& 
   using Normals = PN::Limit_interpolation::Normals;
   auto report = PN::interpolate_limit_points<Tag>(
     surface, scheme,
-    how.interpolation_normals(interpolation.improves_normals ? Normals::natural : Normals::given)
+    how.interpolation_normals(improves_normals ? Normals::natural : Normals::given)
       .vertex_roundness_map(roundness)
       .vertex_normal_map(*normals));
   if (!has_roundness) surface.remove_property_map(roundness);
   return report;
 }
 #else // parse_interpolation() has refused
-Interpolation_report interpolate_surface(Surface&, const Scheme_choice&, const Interpolation&,
+Interpolation_report interpolate_surface(Surface&, const Scheme_choice&, Interpolation_mode, bool,
                                          const std::optional<Crease_maps>&)
 {
   return {};

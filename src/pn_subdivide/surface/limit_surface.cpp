@@ -9,15 +9,14 @@
 #include "surface/refine_surface.h"
 
 #include "io/Error.h"
-#include "surface/Scheme.h"
 
 #include <CGAL/PN_limit_surface_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -155,10 +154,13 @@ void require_limit_of_vertices(const std::string& scheme, const Limit_choice& ch
 }
 
 Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Limit_choice& choice,
-                         unsigned levels, unsigned threads)
+                         const std::optional<Crease_maps>& creases, unsigned levels)
 {
-  const Threads most_threads(threads);
   const auto options = make_options(choice, levels);
+  if (creases)
+    return {
+      move_to_limits_of(surface, scheme, *creases, choice.normals, options.border(creases->border)),
+      choice};
   const std::optional<Normal_map> control = normals_of(surface);
   std::optional<Normal_map> written = control;
   if (choice.normals && !control) written = add_normals(surface);
@@ -166,26 +168,17 @@ Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Li
           choice};
 }
 
-Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Limit_choice& choice,
-                         const Crease_maps& creases, unsigned levels, unsigned threads)
-{
-  const Threads most_threads(threads);
-  const auto options = make_options(choice, levels).border(creases.border);
-  return {move_to_limits_of(surface, scheme, creases, choice.normals, options), choice};
-}
-
 bool move_to_surface(Surface& surface, const Scheme_choice& scheme,
-                     const std::optional<Crease_maps>& creases, unsigned levels, unsigned threads)
+                     const std::optional<Crease_maps>& creases, unsigned levels)
 {
   if (!are_limits_known(surface, scheme, creases)) return false;
   Limit_choice choice;
   choice.points = choice.normals = true;
   if (creases) {
-    set_limits(surface, scheme, choice, *creases, levels, threads);
+    set_limits(surface, scheme, choice, creases, levels);
     remove_normals_on_creases(surface, *corner_normals_of(surface), *creases);
     return true;
   }
-  const Threads most_threads(threads);
   const std::optional<Normal_map> control = normals_of(surface);
   Normal_map normals = control ? *control : add_normals(surface);
   const Limit_map limits([&](Vertex v, const Limit_point& limit) {

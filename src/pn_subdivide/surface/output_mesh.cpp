@@ -8,20 +8,16 @@
 
 #include "surface/output_mesh.h"
 
-#include "io/Error.h"
-#include "io/Mesh_data.h"
 #include "io/Text_reader.h"
 #include "options.h"
-#include "surface/Surface.h"
+#include "surface/Recognized_part.h"
 
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
-#include <cstddef>
+#include <cmath>
 #include <cstdint>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
 namespace pn_subdivide {
 namespace {
@@ -163,7 +159,7 @@ void set_normals_of_wedges(Mesh_data& mesh, const Surface& surface, const Severa
       [&](std::size_t i) { return place[i]; });
   }
   mesh.normals = sums.take();
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+  for (std::size_t f = 0; f < mesh.number_of_faces() && wedges.size() > 0; ++f) {
     const std::vector<std::size_t>& place = places.of(f);
     for (std::size_t i = 0; i < place.size(); ++i)
       if (place[i] >= vertices)
@@ -178,40 +174,28 @@ void set_normals_of_wedges(Mesh_data& mesh, const Surface& surface, const Severa
     if (wedges.at(v)) mesh.normals[v] = normalized(mesh.normals[v]);
 }
 
-void set_normals_of_vertices(Mesh_data& mesh, double scale)
-{
-  Area_normals sums(mesh.points.size(), scale);
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const Index* const corner = mesh.face(f).begin();
-    sums.add_face(
-      std::size_t(mesh.face(f).size()), [&](std::size_t i) { return mesh.points[corner[i]]; },
-      [&](std::size_t i) { return corner[i]; });
-  }
-  mesh.normals = sums.take();
-}
-
-// If a vertex has several.
-std::optional<Several_wedges> wedges_of(const Surface& surface,
-                                        const std::optional<Crease_maps>& creases)
-{
-  if (!creases) return std::nullopt;
-  Several_wedges wedges(surface, [&](Edge e) { return creases->edges[e] > 0; });
-  if (wedges.size() == 0) return std::nullopt;
-  return wedges;
-}
-
 // Control normals and creases go before others take their room.
 Mesh_data with_normals_of_faces(Surface& surface, std::optional<Crease_maps>& creases, double scale)
 {
   remove_normals(surface);
-  const std::optional<Several_wedges> wedges = wedges_of(surface, creases);
+  const Several_wedges wedges(surface, [&](Edge e) { return creases && creases->edges[e] > 0; });
   if (creases) remove_creases(surface, *creases);
   Mesh_data mesh = to_mesh_data(surface);
-  if (wedges)
-    set_normals_of_wedges(mesh, surface, *wedges, scale);
-  else
-    set_normals_of_vertices(mesh, scale);
+  set_normals_of_wedges(mesh, surface, wedges, scale);
   return mesh;
+}
+
+bool ends_with(const std::string& text, const std::string& end)
+{
+  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+constexpr const char* column_name = "surface";
+constexpr const char* hidden_name = "surface, not to be written";
+
+void add_column(Columns& columns, const char* name, const Recognized_part& part)
+{
+  columns.push_back({name, Scalar_type::int32, {part.segments.begin(), part.segments.end()}});
 }
 
 } // namespace
@@ -292,6 +276,103 @@ void put_control_normals(Mesh_data& mesh, const Output_normals& normals)
   if (!normals.with_control()) return;
   mesh.control_normals = mesh.normals;
   mesh.corner_control_normals = mesh.corner_normals;
+}
+
+void require_tags_place(const Surface_options& options, const std::vector<std::string>& others)
+{
+  if (!options.write_tags) return;
+  const std::string& name = *options.write_tags;
+  if (!ends_with(name, ".selection.txt"))
+    throw Usage_error("--write-tags " + name + ": the name of the file must end in .selection.txt");
+  require_own_file("--write-tags", name, others);
+}
+
+bool are_tags_written(const Surface_options& options, const Output_normals& normals)
+{
+  return options.write_tags || normals.goes_on();
+}
+
+void suit_tags(Mesh_data& mesh, const Mesh_file& output, const Surface_options& options,
+               const Output_normals& normals, Report& report)
+{
+  if (!normals.goes_on()) mesh.tags = Crease_tags();
+  if (!mesh.tags.any()) return;
+  const std::string name = output.title("standard output");
+  const bool has_place = output.format == "ply" || output.format == "obj";
+  if (!has_place && options.write_tags) return;
+  if (!has_place)
+    return report.warn_of_dropped(name + ": not written, " + output.format +
+                                    " files cannot hold it: what is sharp; --write-tags writes "
+                                    "it to a file of its own",
+                                  {"what is sharp"});
+  Columns& columns = mesh.attributes.of_vertices;
+  if (output.format != "ply" || find_column(columns, "sharpness") == nullptr) return;
+  remove_columns(columns, {"sharpness"});
+  report.warn_of_dropped(name +
+                           ": the property 'sharpness' of vertices gives way to that of corners",
+                         {"'sharpness' of vertices"});
+}
+
+Side_file tags_file(const Surface_options& options, const Crease_tags& tags, Report& report)
+{
+  if (!options.write_tags) return {};
+  const std::string& name = *options.write_tags;
+  Side_file file(name, [&](Output_file& out) { write_selection(out, tags); });
+  const auto is_finite = [](double s) { return s > 0 && std::isfinite(s); };
+  const auto edges = std::size_t(
+    std::count_if(tags.edges.begin(), tags.edges.end(),
+                  [&](const Crease_tags::Edge& edge) { return is_finite(edge.sharpness); }));
+  const auto vertices =
+    std::size_t(std::count_if(tags.vertices.begin(), tags.vertices.end(), is_finite));
+  if (edges + vertices > 0)
+    report.warn(name + ": a selection does not say that " + plural(edges, "edge", "edges") +
+                (vertices > 0 ? " and " + plural(vertices, "corner", "corners") : std::string()) +
+                (edges + vertices == 1 ? " is" : " are") + " sharp for some rounds only");
+  return file;
+}
+
+Side_file labels_file(const Surface_options& options, const Recognized_part* part)
+{
+  if (!options.creases.surface_labels || part == nullptr) return {};
+  return Side_file(*options.creases.surface_labels, [part](Output_file& out) {
+    for (const std::size_t segment : part->segments) {
+      out.number(static_cast<std::uint64_t>(segment));
+      out.text("\n");
+    }
+  });
+}
+
+void add_segments(Mesh_data& mesh, const Recognized_part& part, const std::string& name,
+                  Report& report)
+{
+  Columns& columns = mesh.attributes.of_faces;
+  if (find_column(columns, column_name) != nullptr)
+    report.warn_of_dropped(name + ": the property 'surface' of faces gives way to the numbers of "
+                                  "the recognized surfaces",
+                           {"'surface' of faces"});
+  remove_columns(columns, {column_name});
+  add_column(columns, column_name, part);
+}
+
+void add_hidden_segments(Mesh_data& mesh, const Recognized_part& part)
+{
+  add_column(mesh.attributes.of_faces, hidden_name, part);
+}
+
+std::vector<double>* segments_of(Attributes& attributes)
+{
+  std::vector<double>* segments = nullptr;
+  for (Column& column : attributes.of_faces)
+    if (column.name == hidden_name || (column.name == column_name && segments == nullptr))
+      segments = &column.values;
+  return segments;
+}
+
+void suit_segments(Mesh_data& mesh, const Mesh_file& output)
+{
+  Columns& columns = mesh.attributes.of_faces;
+  if (remove_columns(columns, {hidden_name})) return; // one of the user's stays
+  if (output.format != "ply" && output.format != "vtp") remove_columns(columns, {column_name});
 }
 
 } // namespace pn_subdivide

@@ -8,7 +8,6 @@
 
 #include "io/Error.h"
 #include "io/Mesh_data.h"
-#include "pieces/pieces_command.h"
 #include "surface/Recognized_part.h"
 #include "surface/Surface.h"
 

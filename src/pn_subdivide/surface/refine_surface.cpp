@@ -8,21 +8,16 @@
 
 #include "surface/refine_surface.h"
 
-#include "io/Error.h"
-#include "surface/Scheme.h"
-#include "surface/Wedges.h"
-
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Grid_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/estimated_row_entries.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <utility>
 #include <vector>
@@ -124,19 +119,8 @@ double expected_seconds(Surface& surface, const Scheme_choice& choice, unsigned 
   return seconds_of_an_entry * sum;
 }
 
-void require_threads(unsigned threads)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  (void)threads;
-#else
-  if (threads > 1)
-    throw Usage_error("--threads: this program was built without TBB and has one thread only");
-#endif
-}
-
 void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinement& refinement)
 {
-  const Threads most_threads(refinement.threads);
   if (refinement.creases) return refine_with_creases(surface, choice, refinement);
   const std::optional<Normal_map> normals = normals_of(surface);
   const bool is_grid = is_grid_scheme(choice.scheme);

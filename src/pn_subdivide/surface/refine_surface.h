@@ -17,34 +17,12 @@
 #include <CGAL/PN_limit_surface_3/tessellation/Tessellation_result.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#  include <tbb/global_control.h>
-#endif
-
 namespace pn_subdivide {
-
-// So many threads of the library while it lives.
-class Threads
-{
-public:
-#ifdef CGAL_LINKED_WITH_TBB
-  explicit Threads(unsigned number)
-    : most_(tbb::global_control::max_allowed_parallelism, number)
-  {}
-
-private:
-  tbb::global_control most_;
-#else
-  explicit Threads(unsigned)
-  {}
-#endif
-};
 
 // About how many seconds the rounds take on one thread; 0 for meshes without large valences and large
 // faces, whose rounds are reported one by one. Some schemes combine, for each edge at a vertex, all of its
@@ -54,15 +32,11 @@ double expected_seconds(Surface& surface, const Scheme_choice& choice, unsigned 
 struct Refinement
 {
   unsigned levels = 1;
-  unsigned threads = 1;
   std::optional<Crease_maps> creases;
   Wedge_list* wedges = nullptr;                          // with creases: gets the normals
   PN::Attribute_table* attributes = nullptr;             // there must be one, perhaps empty
   std::function<void(unsigned, std::size_t)> round_done; // (round, faces), after each round
 };
-
-// Throws Usage_error if this program was built without TBB and there is more than one thread.
-void require_threads(unsigned threads);
 
 // f(named parameters) of the normals of vertices, and the roundness if there is some
 template <class Function>
@@ -84,64 +58,41 @@ void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinem
 // --chord and --chord-bound: throws Usage_error if they are wrong.
 std::optional<Box_length> parse_chord(const Surface_options& options);
 
-// What the library tells of one.
-struct Tessellation
-{
-  double bound = 0;
-  bool reached = true;
-  PN::Tessellation_result::Obstacle obstacle = PN::Tessellation_result::Obstacle::none;
-  std::size_t triangles = 0;
-  unsigned depth = 0;
-  std::size_t worst_face = 0;
-  std::array<double, 3> worst_place{};
-  bool is_proven = false;
-};
-
 // The surface becomes triangles between points of its limit surface, of which these are no farther than `chord`, as is estimated or
 // proved. With
 // normals of vertices, with creases of corners; without creases and control data. Passes on the library's exceptions.
-Tessellation tessellate_surface(Surface& surface, const Scheme_choice& scheme,
-                                const std::optional<Crease_maps>& creases, double chord,
-                                bool is_proven, unsigned threads, PN::Attribute_table& attributes);
+PN::Tessellation_result tessellate_surface(Surface& surface, const Scheme_choice& scheme,
+                                           const std::optional<Crease_maps>& creases, double chord,
+                                           bool is_proven, PN::Attribute_table& attributes);
 
 // Says what was reached, and warns if that is not what was asked for.
-void report_tessellation(const Tessellation& tessellation, double chord, const std::string& output,
-                         Report& report);
+void report_tessellation(const PN::Tessellation_result& tessellation, double chord, bool is_proven,
+                         const std::string& output, Report& report);
 
 // Throws Usage_error if the scheme has no limit points at vertices.
 void require_limit_of_vertices(const std::string& scheme, const Limit_choice& choice);
 
 // Puts the vertices of a mesh of the given level on the limit surface, gives them the surface's normals,
-// or both. Points without normals count as those of the linear scheme. Passes on the library's
-// exceptions.
+// or both. Points without normals count as those of the linear scheme. Of a mesh that has creases or crease borders, with
+// their tangents if it is refined, normals are those of corners afterwards. Passes on the library's exceptions.
 Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Limit_choice& choice,
-                         unsigned levels, unsigned threads);
-// The same of a mesh that has creases or crease borders, with their tangents if it is refined; normals are
-// those of corners afterwards.
-Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Limit_choice& choice,
-                         const Crease_maps& creases, unsigned levels, unsigned threads);
+                         const std::optional<Crease_maps>& creases, unsigned levels);
 
 // Puts the vertices on the limit surface, with its normals: zero where it is not known to have one, on creases for
 // instance. False if limits are not known: of schemes without limits at vertices, and of edges that are sharp for some
 // more rounds.
 bool move_to_surface(Surface& surface, const Scheme_choice& scheme,
-                     const std::optional<Crease_maps>& creases, unsigned levels, unsigned threads);
-
-struct Interpolation
-{
-  Interpolation_mode mode = Interpolation_mode::slide;
-  bool improves_normals = false; // they were estimated
-  unsigned threads = 1;
-};
+                     const std::optional<Crease_maps>& creases, unsigned levels);
 
 // Throws Usage_error if surfaces of the scheme cannot be made to pass through points.
 void require_interpolation(const Scheme_choice& choice);
 bool can_interpolate(const Scheme_choice& choice);
 
 // Makes a mesh the control net of a surface through its vertices; without normals by the linear scheme. With creases
-// it gets the normals of their wedges, and the tangents. Passes on the library's exceptions.
+// it gets the normals of their wedges, and the tangents. Normals that were estimated are improved. Passes on the library's
+// exceptions.
 Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& choice,
-                                         const Interpolation& interpolation,
+                                         Interpolation_mode mode, bool improves_normals,
                                          const std::optional<Crease_maps>& creases);
 
 } // namespace pn_subdivide

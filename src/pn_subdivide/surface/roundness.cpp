@@ -8,7 +8,7 @@
 
 #include "io/Error.h"
 #include "io/Text_reader.h"
-#include "surface/control_normals.h"
+#include "surface/control_mesh.h"
 
 #include <algorithm>
 #include <utility>

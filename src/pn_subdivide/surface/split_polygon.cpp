@@ -8,13 +8,6 @@
 
 #include "surface/split_polygon.h"
 
-#include "surface/Surface.h"
-
-#include <algorithm>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 namespace pn_subdivide {
 namespace {
 

@@ -6,10 +6,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "command_line.h"
+#include "options.h"
 
 #include "io/Error.h"
-#include "io/Report.h"
 #include "io/formats.h"
 #include "io/mesh_io.h"
 #include "io/mesh_normals.h"
@@ -19,21 +18,22 @@
 #include "surface/Linear_check.h"
 #include "surface/Planes_of_part.h"
 #include "surface/Recognized_part.h"
-#include "surface/Surface_table.h"
 #include "surface/attributes.h"
 #include "surface/control_mesh.h"
-#include "surface/control_normals.h"
 #include "surface/creases.h"
 #include "surface/output_mesh.h"
 #include "surface/refine_surface.h"
 #include "surface/verification.h"
 #include "surface/vertex_curvature.h"
 
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/global_control.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <new>
-#include <optional>
 #include <thread>
 #include <utility>
 
@@ -78,7 +78,10 @@ unsigned number_of_threads(const Surface_options& options)
 {
   const unsigned threads =
     options.threads != 0 ? options.threads : (std::max)(1u, std::thread::hardware_concurrency());
-  require_threads(threads);
+#ifndef CGAL_LINKED_WITH_TBB
+  if (threads > 1)
+    throw Usage_error("--threads: this program was built without TBB and has one thread only");
+#endif
   return threads;
 }
 
@@ -484,7 +487,7 @@ private:
     Kept_normals control = put_limits(surface, rounds, wedges);
     if (part_ && is_to_be_on_surfaces()) put_on_surfaces(surface, *segments_of(attributes), *part_);
     if (planes) settle_planes(*planes, surface, attributes, has_rims);
-    Linear_check::Rounds compared{options_.levels, plan_.threads, plan_.limit, std::nullopt};
+    Linear_check::Rounds compared{options_.levels, plan_.limit, std::nullopt};
     if (plan_.chord) compared.chord = chord_;
     if (check_ && !has_rims) check_->compare(surface, scheme_, compared);
     Crease_tags tags;
@@ -504,7 +507,6 @@ private:
   {
     Refinement r;
     r.levels = options_.levels;
-    r.threads = plan_.threads;
     if (report_.is_quiet()) return r;
     r.round_done = [this](unsigned k, std::size_t faces) {
       if (faces >= faces_worth_a_report)
@@ -557,16 +559,13 @@ private:
   // The mesh becomes a control net of the surface through its vertices.
   void interpolate(Surface& surface, const std::optional<Crease_maps>& creases)
   {
-    Interpolation interpolation;
-    interpolation.mode = *plan_.interpolation;
-    interpolation.threads = plan_.threads;
+    const Interpolation_mode mode = *plan_.interpolation;
     const Source source = plan_.normals.source;
-    interpolation.improves_normals =
-      interpolation.mode == Interpolation_mode::slide &&
-      (source == Source::estimate || (source == Source::automatic && !has_file_normals_));
-    const Interpolation_report result =
-      interpolate_surface(surface, scheme_, interpolation, creases);
-    tell(result, interpolation.mode, input_, report_);
+    const bool are_estimated =
+      source == Source::estimate || (source == Source::automatic && !has_file_normals_);
+    tell(interpolate_surface(surface, scheme_, mode,
+                             mode == Interpolation_mode::slide && are_estimated, creases),
+         mode, input_, report_);
   }
 
   Attributes refine(Surface& surface, Refinement& rounds, Attributes attributes)
@@ -587,12 +586,12 @@ private:
     if (!rounds.attributes->corners.empty() && !options_.texture_rule)
       report_.remark(input_ + ": with --chord texture coordinates are linear inside the control "
                               "faces, as --texture-rule all has them");
-    const Tessellation result =
-      tessellate_surface(surface, scheme_, rounds.creases, chord_, options_.chord_bound == "proven",
-                         plan_.threads, *rounds.attributes);
+    const bool is_proven = options_.chord_bound == "proven";
+    const PN::Tessellation_result result =
+      tessellate_surface(surface, scheme_, rounds.creases, chord_, is_proven, *rounds.attributes);
     options_.levels = result.depth;
     rounds.creases.reset(); // of the control mesh
-    report_tessellation(result, chord_, output_, report_);
+    report_tessellation(result, chord_, is_proven, output_, report_);
   }
 
   // The control mesh is measured with its control normals, what has been refined with the normals of its limit.
@@ -603,9 +602,9 @@ private:
       report_.progress("measuring the curvature at " +
                        std::to_string(surface.number_of_vertices()) + " vertices");
     if (options_.levels == 0 && !plan_.limit.is_used())
-      return measure_curvature(surface, creases, *plan_.curvature, plan_.threads);
+      return measure_curvature(surface, creases, *plan_.curvature);
     return measure_limit_curvature(surface, wedges, scheme_, creases, options_.levels,
-                                   *plan_.curvature, plan_.threads);
+                                   *plan_.curvature);
   }
 
   void add_curvature(Curvature_values values)
@@ -615,13 +614,6 @@ private:
     if (range.replaces_attributes)
       report_.warn(output_ +
                    ": the file's colors or values of vertices give way to those of the curvature");
-  }
-
-  Limit_summary limits(Surface& surface, const std::optional<Crease_maps>& creases,
-                       const Limit_choice& limit) const
-  {
-    return creases ? set_limits(surface, scheme_, limit, *creases, options_.levels, plan_.threads)
-                   : set_limits(surface, scheme_, limit, options_.levels, plan_.threads);
   }
 
   // Returns the control normals that are written beside others: those of the limit.
@@ -634,10 +626,11 @@ private:
       Surface copy = surface;
       Limit_choice limit = plan_.limit;
       limit.normals = false;
-      limits(copy, creases_of(copy, rounds.creases), limit);
+      set_limits(copy, scheme_, limit, creases_of(copy, rounds.creases), options_.levels);
       control = kept_normals(copy);
     }
-    limits(surface, rounds.creases, plan_.limit).tell(plan_.limit, output_, report_);
+    set_limits(surface, scheme_, plan_.limit, rounds.creases, options_.levels)
+      .tell(plan_.limit, output_, report_);
     return control;
   }
 
@@ -654,8 +647,7 @@ private:
                      bool has_rims)
   {
     if (!has_rims && (options_.levels > 0 || plan_.limit.points))
-      planes.place_inside(surface, *segments_of(attributes), scheme_, options_.levels,
-                          plan_.threads);
+      planes.place_inside(surface, *segments_of(attributes), scheme_, options_.levels);
     table_->measure(surface, attributes);
     table_->set_crossed_planes(planes.number_of_crossed(surface, *segments_of(attributes)));
   }
@@ -758,7 +750,7 @@ private:
                        " faces, " + pieces);
     warn_of_lost_normals(pieces_.has_lost_normals, true);
     warn_of_lost_attributes(pieces_.lost_attributes);
-    const Limit_summary reached = write_pieces(pieces_, output_, plan_.threads, report_);
+    const Limit_summary reached = write_pieces(pieces_, output_, report_);
     if (plan_.limit.is_used()) reached.tell(plan_.limit, output_, report_);
     report_.note(output_ + ": " + std::to_string(size.vertices) + " vertices, " +
                  std::to_string(size.faces) + " faces, " + rounds_of(pieces_.has_normals) + ", " +
@@ -806,6 +798,10 @@ private:
   Surface_options options_;
   Report report_;
   Plan plan_;
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control most_threads_{tbb::global_control::max_allowed_parallelism,
+                                          plan_.threads};
+#endif
   const std::string input_, output_; // for messages
   const bool in_pieces_;
   Mesh_data mesh_;

@@ -9,17 +9,19 @@
 #include "surface/surface_schemes.h"
 
 #include "io/Error.h"
-#include "surface/Scheme.h"
 
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Grid_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 #include <type_traits>
 
 namespace pn_subdivide {
+
+namespace PN = CGAL::PN_subdivision_3;
+
 namespace {
 
 constexpr const char* grid_name = PN::CatmullClark_scheme::Grid::name();
@@ -164,6 +166,11 @@ Scheme make_scheme(const std::string& option, const std::string& name, const Sch
     throw Usage_error(option + (" '" + name) + "': there is no such scheme, only " +
                       enumeration(all_names(), "and") + did_you_mean(name, all_names()));
   return *found;
+}
+
+Scheme scheme_of(const Scheme_choice& choice)
+{
+  return make_scheme("--scheme", choice.scheme, choice);
 }
 
 Scheme scheme_with_normals(const Scheme_choice& choice)

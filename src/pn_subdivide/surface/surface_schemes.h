@@ -18,6 +18,11 @@
 // the command knows about them by name comes from there. Besides there is CatmullClark_scheme::Grid, which refines and
 // does nothing else.
 
+namespace CGAL::PN_subdivision_3 {
+template <class FT>
+class Any_scheme; // options need not wait for its header
+} // namespace CGAL::PN_subdivision_3
+
 namespace pn_subdivide {
 
 struct Scheme_choice
@@ -43,6 +48,14 @@ std::string scheme_names();
 std::vector<Scheme_parameter> scheme_parameters();
 // As scheme_names(), of those that have a first round.
 std::string modified_scheme_names();
+
+using Scheme = CGAL::PN_subdivision_3::Any_scheme<double>;
+
+// Throws Usage_error, which begins with the option, if there is no such scheme.
+Scheme make_scheme(const std::string& option, const std::string& name, const Scheme_choice& choice);
+Scheme scheme_of(const Scheme_choice& choice);
+// The same, with the scheme of the normals if that is another one.
+Scheme scheme_with_normals(const Scheme_choice& choice);
 
 // Throws Usage_error if there is no such scheme, or if these do not go together.
 void require_surface_schemes(const Scheme_choice& choice);

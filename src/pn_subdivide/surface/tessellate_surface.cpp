@@ -11,13 +11,11 @@
 #include "io/Error.h"
 #include "io/Text_reader.h"
 #include "options.h"
-#include "surface/Scheme.h"
-#include "surface/Surface.h"
-#include "surface/creases.h"
 
 #include <CGAL/PN_limit_surface_3/tessellate.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 
 #include <utility>
 
@@ -27,12 +25,6 @@ namespace {
 using Tag = CGAL::Parallel_if_available_tag;
 using PN::Attribute_table;
 using Result = PN::Tessellation_result;
-
-struct Chord
-{
-  double error;
-  bool is_proven;
-};
 
 // Returns f(scheme, named parameters) of a tessellation of the surface, but for attributes and bounds.
 template <class Function>
@@ -58,16 +50,17 @@ auto with_tessellation_parameters(Surface& surface, const Scheme_choice& choice,
 
 // With maps of the result's normals, of vertices or of corners.
 template <class S, class NamedParameters>
-Result tessellated(const Surface& surface, const S& scheme, Chord chord, Surface& result,
-                   bool has_corners, const NamedParameters& np, Attribute_table& attributes)
+Result tessellated(const Surface& surface, const S& scheme, double chord, bool is_proven,
+                   Surface& result, bool has_corners, const NamedParameters& np,
+                   Attribute_table& attributes)
 {
   const Normal_map normals = add_normals(result);
   const auto all =
-    PN::parameters::join(PN::parameters::attributes(attributes).proven_bound(chord.is_proven), np);
+    PN::parameters::join(PN::parameters::attributes(attributes).proven_bound(is_proven), np);
   if (!has_corners)
-    return PN::tessellate<Tag>(surface, scheme, chord.error, result, all,
+    return PN::tessellate<Tag>(surface, scheme, chord, result, all,
                                CGAL::parameters::vertex_normal_map(normals));
-  return PN::tessellate<Tag>(surface, scheme, chord.error, result, all,
+  return PN::tessellate<Tag>(surface, scheme, chord, result, all,
                              CGAL::parameters::vertex_normal_map(add_corner_normals(result)));
 }
 
@@ -105,30 +98,27 @@ std::optional<Box_length> parse_chord(const Surface_options& options)
   return chord;
 }
 
-Tessellation tessellate_surface(Surface& surface, const Scheme_choice& scheme,
-                                const std::optional<Crease_maps>& creases, double chord,
-                                bool is_proven, unsigned threads, Attribute_table& attributes)
+Result tessellate_surface(Surface& surface, const Scheme_choice& scheme,
+                          const std::optional<Crease_maps>& creases, double chord, bool is_proven,
+                          Attribute_table& attributes)
 {
-  const Threads most_threads(threads);
   Surface result;
-  const Chord within{chord, is_proven};
-  const Result r =
+  const Result reached =
     with_tessellation_parameters(surface, scheme, creases, [&](const auto& s, const auto& np) {
-      return tessellated(surface, s, within, result, creases.has_value(), np, attributes);
+      return tessellated(surface, s, chord, is_proven, result, creases.has_value(), np, attributes);
     });
   surface = std::move(result);
-  return {r.bound, r.reached,    r.obstacle,    r.number_of_triangles,
-          r.depth, r.worst_face, r.worst_place, is_proven};
+  return reached;
 }
 
-void report_tessellation(const Tessellation& tessellation, double chord, const std::string& output,
-                         Report& report)
+void report_tessellation(const Result& tessellation, double chord, bool is_proven,
+                         const std::string& output, Report& report)
 {
   report.set_tessellation({{"reached", tessellation.reached},
                            {"bound", tessellation.bound},
                            {"asked", chord},
-                           {"triangles", tessellation.triangles}});
-  const char* const what = tessellation.is_proven ? "proven bound" : "estimated error";
+                           {"triangles", tessellation.number_of_triangles}});
+  const char* const what = is_proven ? "proven bound" : "estimated error";
   report.note(formatted("chord: %.6g asked for, %s %.3g against the limit surface", chord, what,
                         tessellation.bound));
   if (tessellation.reached) return;

@@ -10,7 +10,6 @@
 
 #include "io/Error.h"
 #include "io/Text_reader.h"
-#include "surface/Wedges.h"
 #include "surface/refine_surface.h"
 
 #include <algorithm>
@@ -123,11 +122,10 @@ struct Scalar_map
 };
 #endif
 
-Curvature_values measure(const Surface& surface, Curvature_kind kind, unsigned threads)
+Curvature_values measure(const Surface& surface, Curvature_kind kind)
 {
   Curvature_values result;
 #if __has_include(<Eigen/Core>)
-  const Threads most_threads(threads);
   result.values.resize(surface.number_of_vertices());
   using Tag = CGAL::Parallel_if_available_tag;
   const Scalar_map map{&result, kind};
@@ -138,7 +136,6 @@ Curvature_values measure(const Surface& surface, Curvature_kind kind, unsigned t
 #else
   (void)surface;
   (void)kind;
-  (void)threads;
 #endif
   return result;
 }
@@ -250,25 +247,24 @@ std::string Curvature_range::description(Curvature_kind kind) const
 }
 
 Curvature_values measure_curvature(const Surface& surface,
-                                   const std::optional<Crease_maps>& creases, Curvature_kind kind,
-                                   unsigned threads)
+                                   const std::optional<Crease_maps>& creases, Curvature_kind kind)
 {
   require_size_for_curvature(surface);
-  if (!creases) return measure(surface, kind, threads);
+  if (!creases) return measure(surface, kind);
   const Wedges wedges(surface, [&](Edge e) { return creases->edges[e] > 0; });
-  return means_of_wedges(measure(cut_between(surface, wedges), kind, threads), wedges);
+  return means_of_wedges(measure(cut_between(surface, wedges), kind), wedges);
 }
 
 Curvature_values measure_limit_curvature(Surface mesh, const Wedge_list& wedges,
                                          const Scheme_choice& scheme,
                                          const std::optional<Crease_maps>& creases, unsigned levels,
-                                         Curvature_kind kind, unsigned threads)
+                                         Curvature_kind kind)
 {
   require_size_for_curvature(mesh);
   if (!wedges.empty()) put_corner_normals(mesh, wedges);
   const std::optional<Crease_maps> of_copy = creases_of(mesh, creases);
-  if (!move_to_surface(mesh, scheme, of_copy, levels, threads)) remove_normals(mesh);
-  return measure_curvature(mesh, of_copy, kind, threads);
+  if (!move_to_surface(mesh, scheme, of_copy, levels)) remove_normals(mesh);
+  return measure_curvature(mesh, of_copy, kind);
 }
 
 Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, Curvature_values curvature)

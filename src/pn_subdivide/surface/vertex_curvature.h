@@ -52,13 +52,12 @@ struct Curvature_values
 // Of points and normals of the surface. Across creases nothing is measured: vertices with several wedges have the mean of
 // their curvatures.
 Curvature_values measure_curvature(const Surface& surface,
-                                   const std::optional<Crease_maps>& creases, Curvature_kind kind,
-                                   unsigned threads);
+                                   const std::optional<Crease_maps>& creases, Curvature_kind kind);
 // Of the limit of a mesh of the given level with its control normals; of its points alone where limits are not known.
 Curvature_values measure_limit_curvature(Surface mesh, const Wedge_list& wedges,
                                          const Scheme_choice& scheme,
                                          const std::optional<Crease_maps>& creases, unsigned levels,
-                                         Curvature_kind kind, unsigned threads);
+                                         Curvature_kind kind);
 
 // Gives the vertices the values and colors for them, in place of attributes of the same name.
 Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, Curvature_values curvature);

@@ -11,8 +11,8 @@
 #include "Command_test.h"
 #include "Failing_allocations.h"
 
-#include "command_line.h"
 #include "io/Error.h"
+#include "options.h"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,6 @@
 
 #include "io/Error.h"
 #include "io/mesh_io.h"
-#include "io/soup_check.h"
 #include "io/soup_repair.h"
 #include "surface/Surface.h"
 

@@ -11,9 +11,9 @@
 //
 // The first bytes of the input are options (see options_of()), the others are the file.
 
-#include "command_line.h"
 #include "io/Error.h"
 #include "io/mesh_io.h"
+#include "options.h"
 
 #include <cstdint>
 #include <cstdio>

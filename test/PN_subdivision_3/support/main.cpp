@@ -7,7 +7,7 @@
 // Author(s): PN_subdivision_3 developers
 
 // main() of the GoogleTest programs, each of which is one entry of ctest: tells how to run a test that fails alone, and
-// names tests that are skipped without a reason, for scripts/left_out.sh. Single tests of long_tests.txt are left to PN_TEST_FULL,
+// names tests that are skipped without a reason, for scripts/test_logs.py. Single tests of long_tests.txt are left to PN_TEST_FULL,
 // unless a filter is given.
 
 #include <gtest/gtest.h>
