@@ -29,11 +29,9 @@
 namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
-// What a mask is for interpolation.
-enum class Curve_limit { of_the_points, cubic };
-
+// Whether limits are those of cubic splines, and not the points themselves.
 template <class Mask>
-Curve_limit curve_limit_of(const Mask& mask)
+bool has_cubic_limits(const Mask& mask)
 {
   const std::vector<double> a = mask.template coefficients<double>();
   const auto at = [&](int i) {
@@ -48,8 +46,8 @@ Curve_limit curve_limit_of(const Mask& mask)
     const double cubic = d == 0 ? 6. / 8 : d == 1 ? 4. / 8 : d == 2 ? 1. / 8 : 0.;
     if (std::abs(at(i) - cubic) > 1e-15) is_cubic = false;
   }
-  if (interpolates) return Curve_limit::of_the_points;
-  if (is_cubic && mask.first_index() <= -2 && last >= 2) return Curve_limit::cubic;
+  if (interpolates) return false;
+  if (is_cubic && mask.first_index() <= -2 && last >= 2) return true;
   throw std::invalid_argument(
     "PN_subdivision_3: interpolation is not known for this mask: take the "
     "cubic B-spline, or a mask that interpolates");
@@ -183,14 +181,14 @@ auto interpolate_curve(const Range& polygon, const Mask& mask, Curve_end end,
   if (options.normals == Limit_interpolation::Normals::natural)
     throw std::invalid_argument("PN_subdivision_3: a curve has no natural normals here: take "
                                 "estimate_control_normals()");
-  const internal::Curve_limit limit = internal::curve_limit_of(mask);
+  const bool is_cubic = internal::has_cubic_limits(mask);
   if (end == Curve_end::none)
     throw std::invalid_argument("PN_subdivision_3: a curve without its ends does not pass through "
                                 "them: take Curve_end::reflect");
   const auto roundness = internal::Curve_parameters<Range, NamedParameters>::roundness(np);
   auto result = internal::points_with_normals(polygon, np);
   Limit_interpolation report;
-  if (limit == internal::Curve_limit::cubic) {
+  if (is_cubic) {
     constexpr bool is_linear = internal::Is_linear_mask<Mask>::value;
     const bool slides = options.mode == Limit_interpolation::Mode::slide;
     if (slides || (!is_linear && !Points::has_normals)) internal::estimate_missing(result, end);

@@ -10,7 +10,7 @@
 #define CGAL_PN_FITTING_3_INTERNAL_CONTROL_NORMAL_SOLUTION_H
 
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
-#include <CGAL/PN_fitting_3/internal/Limit_matrix.h>
+#include <CGAL/PN_fitting_3/internal/solvers.h>
 
 #include <Eigen/Core>
 
@@ -81,7 +81,7 @@ private:
       solver.set(&matrix, dimension);
       const Eigen::VectorXd g = solver.solve(f);
       ++steps_;
-      const Eigen::VectorXd x = to_vector(normals);
+      const Eigen::VectorXd x = gathered<dimension>(normals, active_);
       set(normals, accelerated(x, g));
       if (drop_turned(normals)) return false;
       f = defects(normals, error);
@@ -154,16 +154,10 @@ private:
     Data part;
     part.vertices = active_;
     part.is_at_border = data_.is_at_border;
-    return internal::make_limit_matrix(part, functionals_, Unknowns(active_, data_.points.size()));
+    return internal::make_limit_matrix(part, functionals_,
+                                       unknowns_of(active_, data_.points.size()));
   }
 
-  Eigen::VectorXd to_vector(const Vectors<dimension>& normals) const
-  {
-    Eigen::VectorXd x(dimension * static_cast<Eigen::Index>(active_.size()));
-    for (std::size_t i = 0; i < active_.size(); ++i)
-      x.template segment<dimension>(dimension * static_cast<Eigen::Index>(i)) = normals[active_[i]];
-    return x;
-  }
   void set(Vectors<dimension>& normals, const Eigen::VectorXd& x) const
   {
     for (std::size_t i = 0; i < active_.size(); ++i) {
@@ -220,30 +214,18 @@ private:
   unsigned steps_ = 0;
 };
 
-// Control normals, and what it took to find them.
-template <int dimension>
-struct Solved_normals
+// The control net that `net` makes of control normals: of those that are given, or are solved for if the options say so.
+template <int dimension, int tangents, class Options, class Net>
+Interpolation_result<dimension>
+with_control_normals(const Options& options, const Interpolation_data<dimension>& data,
+                     Limit_source<dimension, tangents>& source, const Net& net)
 {
-  Vectors<dimension> normals;
-  std::size_t left_out = 0;
-  unsigned steps = 0;
-
-  void note(Limit_interpolation& report) const
-  {
-    report.left_out = left_out;
-    report.steps += steps;
-  }
-};
-
-template <int dimension, int tangents>
-Solved_normals<dimension> solved_or_given(bool solves, const Interpolation_data<dimension>& data,
-                                          Limit_source<dimension, tangents>& source)
-{
-  if (!solves) return {data.normals};
+  if (options.normals != Limit_interpolation::Normals::solved || !data.takes_normals)
+    return net(data.normals);
   Control_normal_solution<dimension, tangents> solution(data, source);
-  Solved_normals<dimension> result{solution(data.max_steps)};
-  result.left_out = solution.left_out();
-  result.steps = solution.steps();
+  auto result = net(solution(data.max_steps));
+  result.report.left_out = solution.left_out();
+  result.report.steps += solution.steps();
   return result;
 }
 

@@ -226,9 +226,7 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
   multiply_by_size<FT>(data, result);
 
   Undoable_vertices<Access, std::decay_t<decltype(points)>> new_points(access, points);
-  for (Level_connectivity::Index v = 0; v < n; ++v)
-    if (result.points[v] != data.points[v])
-      new_points.change_vector(v, coordinates_of<FT>(result.points[v]));
+  put_changed<FT>(new_points, data.points, result.points);
   using Writers = Normal_writers<Access, Normal_map>;
   typename Writers::Corner_writer corners(access, level, normals);
   if constexpr (Writers::Corner_writer::takes_corners && is_pn_v<Scheme>)

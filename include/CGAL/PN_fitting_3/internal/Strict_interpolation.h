@@ -9,10 +9,9 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_STRICT_INTERPOLATION_H
 #define CGAL_PN_FITTING_3_INTERNAL_STRICT_INTERPOLATION_H
 
-#include <CGAL/PN_fitting_3/internal/Anderson_iteration.h>
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
 #include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
-#include <CGAL/PN_fitting_3/internal/Limit_matrix.h>
+#include <CGAL/PN_fitting_3/internal/solvers.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -39,7 +38,7 @@ public:
   Strict_interpolation(const Data& data, Source& source)
     : data_(data)
     , source_(source)
-    , unknowns_(data.vertices, data.points.size())
+    , unknowns_(unknowns_of(data.vertices, data.points.size()))
   {}
 
   // with these control normals, of all vertices
@@ -153,7 +152,7 @@ private:
 
   const Data& data_;
   Source& source_;
-  Unknowns unknowns_;
+  std::vector<int> unknowns_;
   const Vectors<dimension>* normals_ = nullptr;
   std::vector<Functionals> functionals_;
   Iterate best_;
@@ -205,15 +204,12 @@ private:
     estimate_all_normals(level_, estimate_, points, estimates_roundness_, data_);
     functionals_ =
       source_(to_values<3>(points, data_.normals, data_), data_.vertices, data_.precision());
-    const auto n = static_cast<Eigen::Index>(data_.vertices.size());
-    x_.resize(3 * n);
-    rest_.resize(3 * n);
+    x_ = gathered<3>(points, data_.vertices);
+    rest_.resize(x_.size());
     double largest = 0;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const auto v = data_.vertices[std::size_t(i)];
-      const Eigen_vector<3> r = data_.points[v] - functionals_[std::size_t(i)].limit_point;
-      x_.segment<3>(3 * i) = points[v];
-      rest_.segment<3>(3 * i) = r;
+    for (std::size_t i = 0; i < data_.vertices.size(); ++i) {
+      const Eigen_vector<3> r = data_.points[data_.vertices[i]] - functionals_[i].limit_point;
+      rest_.segment<3>(3 * Eigen::Index(i)) = r;
       largest = (std::max)(largest, finite_or_infinite(r.norm()));
     }
     return largest;

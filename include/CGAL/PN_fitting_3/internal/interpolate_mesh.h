@@ -41,6 +41,14 @@ Coordinates<FT, 3> coordinates_of(const Eigen_vector<3>& x)
   return {FT(x[0]), FT(x[1]), FT(x[2])};
 }
 
+template <class FT, class Undoable>
+void put_changed(Undoable& map, const Vectors<3>& old, const Vectors<3>& now)
+{
+  for (std::size_t v = 0; v < now.size(); ++v)
+    if (now[v] != old[v])
+      map.change_vector(static_cast<Level_connectivity::Index>(v), coordinates_of<FT>(now[v]));
+}
+
 // Writes the control net in place of the data; points and normals that are the same stay untouched.
 template <class FT, class Access, class Point_map, class Normal_map>
 void write_control_net(const Access& access, Point_map points, [[maybe_unused]] Normal_map normals,
@@ -48,16 +56,11 @@ void write_control_net(const Access& access, Point_map points, [[maybe_unused]] 
                        [[maybe_unused]] const Vectors<3>& old_normals,
                        [[maybe_unused]] const Vectors<3>& new_normals)
 {
-  using Index = Level_connectivity::Index;
   Undoable_vertices<Access, Point_map> new_point(access, points);
-  for (std::size_t v = 0; v < new_points.size(); ++v)
-    if (new_points[v] != old_points[v])
-      new_point.change_vector(static_cast<Index>(v), coordinates_of<FT>(new_points[v]));
+  put_changed<FT>(new_point, old_points, new_points);
   if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
     Undoable_vertices<Access, Normal_map> new_normal(access, normals);
-    for (std::size_t v = 0; v < new_normals.size(); ++v)
-      if (new_normals[v] != old_normals[v])
-        new_normal.change_vector(static_cast<Index>(v), coordinates_of<FT>(new_normals[v]));
+    put_changed<FT>(new_normal, old_normals, new_normals);
     new_normal.keep();
   }
   new_point.keep();
@@ -133,8 +136,13 @@ Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme
     throw std::invalid_argument("PN_subdivision_3: surfaces of " + name_in_message(scheme) +
                                 " pass through the control points as they are, and have no "
                                 "tangent planes there: nothing is left to interpolate");
-  refuse_interpolated_creases(scheme, access, level, Parameters::edge_constraint_map(np),
-                              Parameters::vertex_constraint_map(np));
+  refuse_sharp_elements(scheme, access, level, Parameters::edge_constraint_map(np),
+                        Parameters::vertex_constraint_map(np), [](const std::string& element) {
+                          throw std::invalid_argument(
+                            "PN_subdivision_3: " + element +
+                            " is sharp, but interpolation is for surfaces without creases: make "
+                            "all edges and vertices smooth");
+                        });
   Interpolation_data<3> data = read_points_and_normals<FT>(
     access, scheme, level, Parameters::const_point_map(mesh, np), normals);
   data.takes_normals = is_pn_v<Scheme>;
