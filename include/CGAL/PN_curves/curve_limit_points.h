@@ -107,23 +107,6 @@ Limit to_curve_limit_point(const Result& result, double parameter)
   return l;
 }
 
-// the largest side of the box of the points
-template <int dimension, class Value>
-double box_size_of(const std::vector<Value>& values)
-{
-  double size = 0;
-  for (std::size_t c = 0; c < dimension; ++c) {
-    double least = std::numeric_limits<double>::infinity(), greatest = -least;
-    for (const Value& v : values) {
-      const double x = CGAL::to_double(point_of(v)[c]);
-      least = (std::min)(least, x);
-      greatest = (std::max)(greatest, x);
-    }
-    size = (std::max)(size, greatest - least);
-  }
-  return size;
-}
-
 // Of masks of which the last one is that of all further rounds these are the limits that it gives the points after the
 // other rounds.
 template <class Range, class Mask, class NamedParameters>
@@ -165,7 +148,10 @@ auto limits_of_curve(const Range& polygon, const Mask& mask, Curve_end end,
 
   Limit_options options = limit_options(np);
   options.surface_normals = options.curve_normals || options.curvatures;
-  const Limit_demand demand = limit_demand<FT>(options, box_size_of<dimension>(values));
+  const double box = box_size(values.size(), dimension, [&](std::size_t i, std::size_t c) {
+    return CGAL::to_double(point_of(values[i])[c]);
+  });
+  const Limit_demand demand = limit_demand<FT>(options, box);
   Limits limits(mask_in_round(mask, rounds), end, demand, roundness);
   const auto [first, last] = limits.range(curve.size());
   std::vector<typename Limits::Result> results;

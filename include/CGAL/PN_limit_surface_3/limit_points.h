@@ -11,7 +11,6 @@
 
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_writer.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/vertex_limits.h>
 #include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>

@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_CURVES_INTERNAL_CURVE_WINDOWS_H
 #define CGAL_PN_CURVES_INTERNAL_CURVE_WINDOWS_H
 
-#include <CGAL/PN_curves/internal/Univariate_rows.h>
+#include <CGAL/PN_curves/internal/Curve_subdivision.h>
 #include <CGAL/PN_curves/masks/curve_masks.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_weights.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_eigenvectors.h>

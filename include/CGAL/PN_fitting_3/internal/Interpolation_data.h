@@ -103,17 +103,12 @@ std::vector<Point_normal<double, dimension>> to_values(const Vectors<dimension>&
   return values;
 }
 
-// the largest side of the box of the points
 template <int dimension>
 double box_size(const std::vector<Eigen::Matrix<double, dimension, 1>>& points)
 {
-  if (points.empty()) return 0;
-  Eigen_vector<dimension> least = points[0], greatest = points[0];
-  for (const Eigen_vector<dimension>& p : points) {
-    least = least.cwiseMin(p);
-    greatest = greatest.cwiseMax(p);
-  }
-  return (greatest - least).maxCoeff();
+  return box_size(points.size(), dimension, [&](std::size_t i, std::size_t c) {
+    return points[i][static_cast<Eigen::Index>(c)];
+  });
 }
 
 // Divides points of which squares would be out of range by a power of two, which changes no bit of the coordinates.

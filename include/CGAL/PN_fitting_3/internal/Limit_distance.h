@@ -10,7 +10,6 @@
 #define CGAL_PN_FITTING_3_INTERNAL_LIMIT_DISTANCE_H
 
 #include <CGAL/PN_fitting_3/internal/Ring_limit_functionals.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Jet.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Spline_piece.h>
@@ -147,20 +146,16 @@ private:
   void find(const Level_connectivity& level, const Values& values, unsigned rounds,
             Foot& foot) const
   {
-    const Index first = level.halfedge_of_vertex(foot.center);
     foot.in_face = {};
-    Index h = first;
-    do {
-      if (!level.is_border(h)) {
-        const Foot_in_piece f = in_face(level, values, rounds, h, foot.point);
-        if (f.distance < foot.in_face.distance) {
-          foot.in_face = f;
-          foot.base = h;
-        }
-        if (f.u > 0 && f.v > 0 && (degree == 3 ? f.u + f.v < 1 : f.u < 1 && f.v < 1)) break;
+    for (const Index h : halfedges_around_target(level, level.halfedge_of_vertex(foot.center))) {
+      if (level.is_border(h)) continue;
+      const Foot_in_piece f = in_face(level, values, rounds, h, foot.point);
+      if (f.distance < foot.in_face.distance) {
+        foot.in_face = f;
+        foot.base = h;
       }
-      h = level.next_around_target(h);
-    } while (h != first);
+      if (f.u > 0 && f.v > 0 && (degree == 3 ? f.u + f.v < 1 : f.u < 1 && f.v < 1)) break;
+    }
     foot.note(foot.in_face.distance);
   }
 
@@ -189,11 +184,8 @@ private:
         }
         return Jet_average(std::move(entries), true);
       }
-      Index h = base;
-      do {
+      for (const Index h : halfedges_around_face(level, base))
         entries.push_back(entry(level.target(h)));
-        h = level.next(h);
-      } while (h != base);
       return patch_average(std::move(entries), u, v);
     };
     return foot_in_piece(at, degree == 3, point, 0.25, 0.25);

@@ -238,19 +238,13 @@ private:
   {
     std::vector<std::size_t> arcs;
     if (level_.is_isolated(v)) return arcs;
-    const Index first = level_.halfedge_of_vertex(v);
-    Index h = first;
-    do {
-      if (!level_.is_border(h)) {
-        Index g = h;
-        do {
+    for (const Index h : halfedges_around_target(level_, level_.halfedge_of_vertex(v)))
+      if (!level_.is_border(h))
+        for (const Index g : halfedges_around_face(level_, h)) {
+          if (arcs.size() > 2 * most_arcs) break;
           const std::size_t arc = arc_of_edge_[Level_connectivity::edge(g)];
           if (arc != none) arcs.push_back(arc);
-          g = level_.next(g);
-        } while (g != h && arcs.size() <= 2 * most_arcs);
-      }
-      h = level_.next_around_target(h);
-    } while (h != first && arcs.size() <= 2 * most_arcs);
+        }
     std::sort(arcs.begin(), arcs.end());
     arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
     return arcs;

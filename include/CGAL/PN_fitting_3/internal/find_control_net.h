@@ -9,7 +9,6 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_FIND_CONTROL_NET_H
 #define CGAL_PN_FITTING_3_INTERNAL_FIND_CONTROL_NET_H
 
-#include <CGAL/PN_fitting_3/internal/Control_normal_solution.h>
 #include <CGAL/PN_fitting_3/internal/Curvature_prescription.h>
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
 #include <CGAL/PN_fitting_3/internal/Prescription.h>

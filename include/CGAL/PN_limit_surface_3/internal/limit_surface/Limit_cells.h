@@ -8,7 +8,6 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_LIMIT_CELLS_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_LIMIT_CELLS_H
 
-#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Spline_piece.h>
@@ -67,11 +66,7 @@ struct Limit_cell
   std::vector<Index> halfedges() const
   {
     std::vector<Index> all;
-    Index h = base;
-    do {
-      all.push_back(h);
-      h = level.level.next(h);
-    } while (h != base);
+    for (const Index h : halfedges_around_face(level.level, base)) all.push_back(h);
     return all;
   }
   std::vector<Index> corners() const
