@@ -13,7 +13,6 @@
 #include <CGAL/PN_curves/internal/Curve_subdivision.h>
 #include <CGAL/PN_curves/subdivide_curve.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
-#include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
@@ -113,7 +112,7 @@ template <class Range, class Mask, class NamedParameters>
 auto limits_of_curve(const Range& polygon, const Mask& mask, Curve_end end,
                      const NamedParameters& np)
 {
-  static_assert(!Is_level_dependent<Mask>::value || Is_listed<Mask>::value,
+  static_assert(!is_level_dependent_v<Mask> || is_listed_v<Mask>,
                 "PN_subdivision_3: limits are known of masks that are the same from some round on: "
                 "make the mask of a vector of masks, level_dependent_mask(masks)");
   using Parameters = Curve_parameters<Range, NamedParameters>;
@@ -130,7 +129,7 @@ auto limits_of_curve(const Range& polygon, const Mask& mask, Curve_end end,
   std::vector<std::int64_t> places(static_cast<std::size_t>(curve.size()));
   std::iota(places.begin(), places.end(), 0);
   unsigned rounds = 1;
-  if constexpr (Is_listed<Mask>::value) rounds = static_cast<unsigned>(mask.function.masks.size());
+  if constexpr (is_listed_v<Mask>) rounds = static_cast<unsigned>(mask.function.masks.size());
   const bool is_primal = curve.is_primal();
   for (unsigned k = 1; !places.empty(); ++k) {
     curve.begin_round(k);

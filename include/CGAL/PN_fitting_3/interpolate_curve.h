@@ -12,7 +12,6 @@
 #include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
 
 #include <CGAL/PN_curves/subdivide_curve.h>
-#include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
 #include <CGAL/PN_fitting_3/internal/interpolate_mesh.h>
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 
@@ -52,13 +51,6 @@ bool has_cubic_limits(const Mask& mask)
     "PN_subdivision_3: interpolation is not known for this mask: take the "
     "cubic B-spline, or a mask that interpolates");
 }
-
-template <class Mask>
-struct Has_own_normal_mask : std::false_type
-{};
-template <class Mask, class Normal_mask>
-struct Has_own_normal_mask<Mask_with_normals<Mask, Normal_mask>> : std::true_type
-{};
 
 // the mean length of the edges at each point; binormals of curves in space
 template <int dimension>
@@ -165,8 +157,8 @@ template <class Range, class Mask, class NamedParameters = parameters::Default_n
 auto interpolate_curve(const Range& polygon, const Mask& mask, Curve_end end,
                        const NamedParameters& np = parameters::default_values())
 {
-  static_assert(!internal::Has_own_normal_mask<Mask>::value &&
-                  !internal::Is_level_dependent<Mask>::value,
+  static_assert(!internal::Normal_rows<double, Mask>::differ &&
+                  !internal::is_level_dependent_v<Mask>,
                 "PN_subdivision_3: interpolation is for one mask of points and normals");
   internal::check_are_read<NamedParameters, internal::roundness_t, internal::interpolation_mode_t,
                            internal::interpolation_normals_t, internal::tolerance_t,
@@ -189,7 +181,7 @@ auto interpolate_curve(const Range& polygon, const Mask& mask, Curve_end end,
   auto result = internal::points_with_normals(polygon, np);
   Limit_interpolation report;
   if (is_cubic) {
-    constexpr bool is_linear = internal::Is_linear_mask<Mask>::value;
+    constexpr bool is_linear = internal::is_linear_mask_v<Mask>;
     const bool slides = options.mode == Limit_interpolation::Mode::slide;
     if (slides || (!is_linear && !Points::has_normals)) internal::estimate_missing(result, end);
     internal::Interpolation_data<dimension> data = internal::curve_data<dimension>(result);

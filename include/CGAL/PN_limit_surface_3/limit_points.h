@@ -245,12 +245,14 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Schem
 Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
                           const NamedParameters& np = parameters::default_values())
 {
-  if constexpr (internal::are_named_parameters_v<LimitMap>) {
-    internal::check_are_read<
-      LimitMap, internal::Read_of_control_mesh, internal::tolerance_t, internal::normal_tolerance_t,
-      internal::max_depth_t, internal::points_t, internal::surface_normals_t,
-      internal::curvatures_t, internal::rounds_done_t, internal::limit_point_map_t,
-      internal::limit_normal_map_t, internal::limit_error_map_t>();
+  constexpr bool has_parameters_alone = internal::are_named_parameters_v<LimitMap>;
+  internal::check_are_read<std::conditional_t<has_parameters_alone, LimitMap, NamedParameters>,
+                           internal::Read_of_control_mesh, internal::tolerance_t,
+                           internal::normal_tolerance_t, internal::max_depth_t, internal::points_t,
+                           internal::surface_normals_t, internal::curvatures_t,
+                           internal::rounds_done_t, internal::limit_point_map_t,
+                           internal::limit_normal_map_t, internal::limit_error_map_t>();
+  if constexpr (has_parameters_alone) {
     using Keys = internal::Key_of_limits<PolygonMesh, LimitMap>;
     using Kernel = typename internal::Surface_parameters<PolygonMesh, LimitMap>::Geom_traits;
     static_assert(Keys::is_given,
@@ -263,11 +265,6 @@ Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMa
     else
       return {};
   } else {
-    internal::check_are_read<
-      NamedParameters, internal::Read_of_control_mesh, internal::tolerance_t,
-      internal::normal_tolerance_t, internal::max_depth_t, internal::points_t,
-      internal::surface_normals_t, internal::curvatures_t, internal::rounds_done_t,
-      internal::limit_point_map_t, internal::limit_normal_map_t, internal::limit_error_map_t>();
     static_assert(
       !internal::is_given_v<internal::limit_point_map_t, NamedParameters> &&
         !internal::is_given_v<internal::limit_normal_map_t, NamedParameters> &&

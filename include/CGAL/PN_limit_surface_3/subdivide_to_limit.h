@@ -18,7 +18,6 @@
 #include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Call_attributes.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Refined_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
@@ -48,7 +47,7 @@ namespace internal {
 
 // The rounds of a call, and then the limits of the vertices that they make. The mesh and its maps are touched when
 // all limits are known; attributes are those of the rounds.
-template <class Concurrency_tag, class Scheme, class FT>
+template <class Concurrency_tag, class Scheme, class Kernel>
 class Limit_subdivision
 {
 public:
@@ -68,21 +67,22 @@ public:
   Limit_subdivision(const Scheme&, unsigned, const Limit_options&, const Function&&) = delete;
 
   template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
-            class Attributes, class Limit_maps>
+            class Attributes, class NamedParameters>
   Limit_report operator()(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
                           Vertex_map vertex_map, const Attributes& attributes,
-                          const Limit_maps& maps) const
+                          const NamedParameters& np) const
   {
     static_assert(check_no_grid_rows<Scheme>());
     Limit_report report;
     if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
       require_crease_rules(scheme_, access, normals, edge_map, vertex_map);
-      report = subdivide(access, points, normals, edge_map, vertex_map, attributes, maps);
+      report = subdivide(access, points, normals, edge_map, vertex_map, attributes, np);
     }
     return report;
   }
 
 private:
+  using FT = typename Kernel::FT;
   using Index = Level_connectivity::Index;
   using Host = typename Scheme::Host;
   using Average = Average_of_scheme<Scheme, FT>;
@@ -91,10 +91,10 @@ private:
   using Limit_value = Point_normal<FT, 3>;
 
   template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
-            class Attributes, class Limit_maps>
+            class Attributes, class NamedParameters>
   Limit_report subdivide(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
                          Vertex_map vertex_map, const Attributes& attributes,
-                         const Limit_maps& maps) const
+                         const NamedParameters& np) const
   {
     Level_connectivity level = checked_level(access);
     check_scheme<Scheme, Element_names>(scheme_, level, access);
@@ -130,8 +130,8 @@ private:
     const auto put = [&](auto vertex_normals) {
       Mesh_writer<Limit_value, Access, Point_map, decltype(vertex_normals)> writer(
         access, points, vertex_normals, false);
-      using Maps_writer = typename Limit_maps::template Writer<Access>;
-      Maps_writer of_limits(access, maps.np);
+      using Maps_writer = Limit_maps_writer<Access, Kernel, NamedParameters>;
+      Maps_writer of_limits(access, np);
       access.grow(size);
       put_limits(limits, refined.values, static_cast<Index>(size.vertices), writer);
       put_corner_normals<Maps_writer::is_any_given>(corners, refined.level, limit_creases, limits);
@@ -322,17 +322,15 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
       const internal::Call_attributes<PolygonMesh, Visitor,
                                       std::remove_reference_t<decltype(carried)>>
         attributes_of_call{unwrapped, carried};
-      const internal::Limit_maps_of_call<typename Parameters::Geom_traits, NamedParameters> maps{
-        np};
       internal::with_mesh_access(mesh, [&](auto& access) {
         report =
           internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
             const internal::Limit_subdivision<Concurrency_tag, std::decay_t<decltype(s)>,
-                                              typename Parameters::FT>
+                                              typename Parameters::Geom_traits>
               subdivision(s, rounds, options, round_done);
             return subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
                                Parameters::edge_constraint_map(np),
-                               Parameters::vertex_constraint_map(np), attributes_of_call, maps);
+                               Parameters::vertex_constraint_map(np), attributes_of_call, np);
           });
       });
     }

@@ -181,11 +181,9 @@ private:
 };
 
 template <class Mask>
-struct Is_linear_mask : std::false_type
-{};
+constexpr bool is_linear_mask_v = false;
 template <class Mask>
-struct Is_linear_mask<Linear_mask<Mask>> : std::true_type
-{};
+constexpr bool is_linear_mask_v<Linear_mask<Mask>> = true;
 
 // The rows of the normals: the points' own, or those of another mask with the same center.
 template <class FT, class Mask>
@@ -210,7 +208,7 @@ class Curve_subdivision
   using Round_mask = Mask_in_round<Mask>;
 
 public:
-  static constexpr bool is_pn = !Is_linear_mask<Round_mask>::value;
+  static constexpr bool is_pn = !is_linear_mask_v<Round_mask>;
   using Average = Average_of<is_pn, FT, dimension>;
   using Value = typename Average::Value;
   using Index = typename Univariate_rows<FT>::Index;
@@ -288,7 +286,7 @@ public:
 
   void begin_round([[maybe_unused]] unsigned k)
   {
-    if constexpr (Is_level_dependent<Mask>::value) {
+    if constexpr (is_level_dependent_v<Mask>) {
       const Round_mask mask = mask_in_round(mask_, k);
       rows_ = Univariate_rows<FT>(mask);
       normal_rows_ = Normal_rows<FT, Round_mask>(mask);
@@ -353,8 +351,7 @@ private:
                                 std::to_string(iterations) + " would make " +
                                 std::to_string(last - first) +
                                 " points, more than can be numbered: ask for fewer rounds");
-      if (last - first == n && !Is_level_dependent<Mask>::value)
-        return; // in all further rounds, too
+      if (last - first == n && !is_level_dependent_v<Mask>) return; // in all further rounds, too
       n = last - first;
     }
   }

@@ -166,15 +166,12 @@ private:
     Ring_row<FT> result;
     if constexpr (is_exact_v<FT>) {
       for (const FT& x : window_limit_row(matrix<FT>(window)))
-        result.emplace_back(static_cast<std::uint32_t>(result.size()), x);
+        result.push_back({static_cast<std::uint32_t>(result.size()), x});
       return result;
     } else {
       Ring_matrix<FT> m;
-      for (const Entry_row<FT>& row : window.rows) {
-        m.emplace_back();
-        for (const auto& e : row) m.back().emplace_back(e.vertex, e.weight);
-      }
-      return limit_weights(window_limit_row(reals), m);
+      for (const Entry_row<FT>& row : window.rows) m.emplace_back(row.begin(), row.end());
+      return limit_weights<FT>(window_limit_row(reals), m);
     }
   }
 

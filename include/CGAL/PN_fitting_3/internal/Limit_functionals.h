@@ -203,12 +203,6 @@ public:
     return result;
   }
 
-  Farthest_point farthest(const Values& values, const Vectors<dimension>& points,
-                          const std::vector<Index>& vertices, double tolerance) const
-  {
-    return Curve_distance<dimension>(is_closed_)(values, points, vertices, tolerance);
-  }
-
 private:
   bool is_closed_;
   Ring_averages inner_, end_;

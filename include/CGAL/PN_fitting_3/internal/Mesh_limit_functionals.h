@@ -17,7 +17,6 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #ifdef CGAL_PN_SUBDIVISION_3_FITTING
@@ -202,10 +201,10 @@ private:
     if (!is_new) return *ring;
     const auto& c = *kind.ring_rules;
     Ring_averages& rule = ring->second;
-    rule.rows_of_points = Ring_averages::rows(c.matrix());
-    rule.rows_of_normals = Ring_averages::rows(c.normal_matrix());
-    rule.limit = Ring_averages::row(c.limit_row());
-    rule.normal_limit = Ring_averages::row(c.normal_limit_row());
+    rule.rows_of_points = c.matrix();
+    rule.rows_of_normals = c.normal_matrix();
+    rule.limit = c.limit_row();
+    rule.normal_limit = c.normal_limit_row();
     if (c.has_tangents()) rule.tangents.assign(c.tangents().begin(), c.tangents().end());
     rule.error_factor = c.error_factor();
     rule.error_ratio = c.error_ratio();

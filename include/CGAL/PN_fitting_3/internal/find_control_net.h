@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_fitting_3/internal/Curvature_prescription.h>
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
+#include <CGAL/PN_fitting_3/internal/Limit_distance.h>
 #include <CGAL/PN_fitting_3/internal/Prescription.h>
 #include <CGAL/PN_fitting_3/internal/Slide_interpolation.h>
 #include <CGAL/PN_fitting_3/internal/Strict_interpolation.h>
@@ -219,8 +220,7 @@ Interpolation_result<dimension> interpolate_polygon(bool is_closed, const Option
 {
   Curve_limit_functionals<dimension> source(is_closed);
   if (options.mode == Limit_interpolation::Mode::slide)
-    return interpolate_by_sliding<dimension, 1>(
-      data, source, [&](const auto&... arguments) { return source.farthest(arguments...); });
+    return interpolate_by_sliding<dimension, 1>(data, source, Curve_distance<dimension>(is_closed));
   return with_control_normals<dimension, 1>(options, data, source, [&](Vectors<dimension> normals) {
     return Strict_interpolation<dimension, 1>(data, source)(std::move(normals));
   });

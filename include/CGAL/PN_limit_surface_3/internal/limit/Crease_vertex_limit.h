@@ -148,13 +148,11 @@ class Dart_rules
 {
 public:
   using Index = Level_connectivity::Index;
-  using Entry = typename Entry_row<FT>::Entry;
-  using Row = std::vector<Entry>;
 
   struct Weights
   {
-    std::vector<Row> rows;
-    Row limit;
+    Ring_matrix<FT> rows;
+    Ring_row<FT> limit;
   };
 
   // of an interior vertex in a round with the rules of all later ones
@@ -177,8 +175,8 @@ public:
   // of a vertex on a border that is a crease on one side, by the ring class of a plain one
   Dart_rules(const Ring_rules<Scheme, FT>& border, Index crease_place)
     : crease_places_{crease_place}
-    , points_(rules(border.matrix(), border.limit_row()))
-    , normals_(rules(border.normal_matrix(), border.normal_limit_row()))
+    , points_{border.matrix(), border.limit_row()}
+    , normals_{border.normal_matrix(), border.normal_limit_row()}
     , has_own_normals_(border.has_own_normals())
   {}
 
@@ -191,20 +189,6 @@ public:
 private:
   using Host = typename Scheme::Host;
 
-  static Row entries(const Ring_row<FT>& row)
-  {
-    Row result;
-    for (const auto& [place, weight] : row) result.push_back({place, weight});
-    return result;
-  }
-  static Weights rules(const Ring_matrix<FT>& matrix, const Ring_row<FT>& limit)
-  {
-    Weights result;
-    for (const auto& row : matrix) result.rows.push_back(entries(row));
-    result.limit = entries(limit);
-    return result;
-  }
-
   template <class Mask_of>
   static void set_rules(const Mask_of& mask_of, Index valence, unsigned round, Weights& result)
   {
@@ -214,7 +198,7 @@ private:
     const auto real_matrix = dart_matrix<Real>(mask_of, wheel, valence);
     const Ring_eigenvectors masks(real_matrix, Ring_layout());
     if (masks.limit().empty()) throw std::invalid_argument(no_mask(valence));
-    result = rules(matrix, limit_weights(masks.limit(), matrix));
+    result = {matrix, limit_weights<FT>(masks.limit(), matrix)};
   }
   static std::string no_mask(Index valence)
   {
@@ -262,8 +246,8 @@ private:
     for (const auto* e = row.begin(); e != row.end(); ++e) {
       const auto place = std::find(rings.ring.begin(), rings.ring.end(), e->vertex);
       if (place == rings.ring.end()) throw std::invalid_argument(no_mask(valence));
-      matrix->front().emplace_back(static_cast<std::uint32_t>(place - rings.ring.begin()),
-                                   e->weight);
+      matrix->front().push_back(
+        {static_cast<std::uint32_t>(place - rings.ring.begin()), e->weight});
     }
     return *matrix;
   }
@@ -315,7 +299,7 @@ private:
   static constexpr bool is_pn = is_pn_v<Scheme>;
   using Rule = Crease_average<FT, 3>;
   using Entry = typename Rule::Entry;
-  using Row = typename Rules_of_dart::Row;
+  using Row = Ring_row<FT>;
 
   // without a row of their own the normals are averaged as the points
   Value average(const Row& row, [[maybe_unused]] const Row* normal_row) const

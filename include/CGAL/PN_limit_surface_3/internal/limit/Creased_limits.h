@@ -11,7 +11,6 @@
 
 #include <CGAL/PN_limit_surface_3/internal/limit/Crease_vertex_limit.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>

@@ -301,20 +301,21 @@ Limit_report vertex_limits(const Access& access, const Scheme& scheme, Point_map
   return report;
 }
 
-// Puts limits into the maps of a mesh, and the old values back if that fails.
-template <class Scheme, class FT, class Access, class Limits, class Of_mesh, class Point_map,
-          class Normal_map, class Limit_maps>
+// Puts limits into the maps of a mesh and of a call, and the old values back if that fails.
+template <class Scheme, class Kernel, class Access, class Limits, class Of_mesh, class Point_map,
+          class Normal_map, class NamedParameters>
 void put_limits(const Access& access, const Limits& limits, Of_mesh& of_mesh, Point_map points,
-                Normal_map normals, const Limit_options& options, const Limit_maps& maps)
+                Normal_map normals, const Limit_options& options, const NamedParameters& np)
 {
-  using Maps_writer = typename Limit_maps::template Writer<Access>;
-  Maps_writer of_limits(access, maps.np);
+  using Maps_writer = Limit_maps_writer<Access, Kernel, NamedParameters>;
+  Maps_writer of_limits(access, np);
   using Writers = Normal_writers<Access, Normal_map>;
   typename Writers::Corner_writer corners(access, limits.level, normals);
   if constexpr (Writers::Corner_writer::takes_corners) {
     if (is_pn_v<Scheme> || options.surface_normals)
-      corners.put_all(limits.level, limits.creases,
-                      limit_normals<Scheme, FT>(limits.results, options.surface_normals));
+      corners.put_all(
+        limits.level, limits.creases,
+        limit_normals<Scheme, typename Kernel::FT>(limits.results, options.surface_normals));
   }
   if constexpr (!Writers::Corner_writer::takes_corners || Maps_writer::is_any_given)
     put_mean_normals<Scheme>(limits.creases, limits.results);
@@ -343,9 +344,8 @@ Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const NamedParamete
           access, s, points, normals, Parameters::edge_constraint_map(np),
           Parameters::vertex_constraint_map(np), options, For_chunks::with(Concurrency_tag()),
           [&](const auto& limits, auto& of_mesh) {
-            put_limits<Scheme, FT>(
-              access, limits, of_mesh, points, normals, options,
-              Limit_maps_of_call<typename Parameters::Geom_traits, NamedParameters>{np});
+            put_limits<Scheme, typename Parameters::Geom_traits>(access, limits, of_mesh, points,
+                                                                 normals, options, np);
           });
       });
     });
