@@ -18,11 +18,9 @@
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/number_type_basic.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>

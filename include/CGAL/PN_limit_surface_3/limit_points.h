@@ -66,26 +66,17 @@ Limit_report vertex_limit_points(const PolygonMesh& mesh, const Scheme& scheme, 
                                  const NamedParameters& np)
 {
   using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
-  using FT = typename Parameters::FT;
   using Vertex = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
   if constexpr (Check_map<Map_of_limits>::check<LimitMap, Vertex, Parameters, Writable>() &&
                 check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
     using Limit = typename boost::property_traits<LimitMap>::value_type;
-    const auto points = Parameters::const_point_map(mesh, np);
-    const auto normals = Parameters::normal_map(np);
-    return with_mesh_access(mesh, [&](const auto& access) {
-      const auto put_all = [&](const auto& of_mesh, const auto&) {
-        put_mean_normals<Scheme>(of_mesh.creases, of_mesh.results);
-        for (Level_connectivity::Index v = 0; v < of_mesh.level.number_of_vertices(); ++v)
-          put(limits, access.vertex(v), to_limit_point<Limit>(of_mesh.results[v]));
-      };
-      return with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
-        return vertex_limits<FT, asks_for_points_alone<NamedParameters>()>(
-          access, s, points, normals, Parameters::edge_constraint_map(np),
-          Parameters::vertex_constraint_map(np), limit_options(np),
-          For_chunks::with(Concurrency_tag()), put_all);
-      });
-    });
+    const auto put_all = [&](const auto& access, const auto& of_mesh, const auto&) {
+      put_mean_normals<Scheme>(of_mesh.creases, of_mesh.results);
+      for (Level_connectivity::Index v = 0; v < of_mesh.level.number_of_vertices(); ++v)
+        put(limits, access.vertex(v), to_limit_point<Limit>(of_mesh.results[v]));
+    };
+    return vertex_limits<Concurrency_tag, Parameters>(
+      mesh, scheme, Parameters::const_point_map(mesh, np), np, put_all);
   } else
     return {};
 }

@@ -36,7 +36,6 @@
 #  include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
 #endif
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -45,6 +44,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -274,48 +274,58 @@ struct Vertex_limits
   std::vector<Result>& results;
 };
 
-// Calls sink(limits, creases of the mesh) with the limits of a mesh as its maps tell of it.
-template <class FT, bool points_alone, class Access, class Scheme, class Point_map,
-          class Normal_map, class Edge_map, class Vertex_map, class Sink>
-Limit_report vertex_limits(const Access& access, const Scheme& scheme, Point_map points,
-                           Normal_map normals, Edge_map edge_map, Vertex_map vertex_map,
-                           const Limit_options& options, const For_chunks& for_chunks,
-                           const Sink& sink)
+// Calls sink(access, limits, creases of the mesh) with the limits of a mesh as a call tells of it.
+template <class Concurrency_tag, class Parameters, class Mesh, class Scheme, class Point_map,
+          class NamedParameters, class Sink>
+Limit_report vertex_limits(Mesh& mesh, const Scheme& scheme, Point_map points,
+                           const NamedParameters& np, const Sink& sink)
 {
+  using FT = typename Parameters::FT;
+  const Limit_options options = limit_options(np);
   Limit_report report;
-  const auto evaluate = [&](auto& level, auto& creases, auto& of_mesh) {
-    const Limit_demand demand = limit_demand<FT>(options, box_size(level));
-    auto results = limits_at_slots<FT, points_alone>(rules_of(scheme), demand, for_chunks, level,
-                                                     creases, options.rounds_done + 1);
-    std::decay_t<decltype(level.values)>().swap(level.values);
-    check_limits<FT>(results, [&](std::size_t v) {
-      return access.vertex_name(static_cast<Level_connectivity::Index>(v));
+  with_mesh_access(mesh, [&](const auto& access) {
+    with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+      const auto evaluate = [&](auto& level, auto& creases, auto& of_mesh) {
+        const Limit_demand demand = limit_demand<FT>(options, box_size(level));
+        auto results = limits_at_slots<FT, asks_for_points_alone<NamedParameters>()>(
+          rules_of(s), demand, For_chunks::with(Concurrency_tag()), level, creases,
+          options.rounds_done + 1);
+        std::decay_t<decltype(level.values)>().swap(level.values);
+        check_limits<FT>(results, [&](std::size_t v) {
+          return access.vertex_name(static_cast<Level_connectivity::Index>(v));
+        });
+        using Result = typename decltype(results)::value_type;
+        sink(access,
+             Vertex_limits<Result, std::decay_t<decltype(creases)>>{level.level, creases, results},
+             of_mesh);
+        results.resize(level.level.number_of_vertices());
+        report = limit_report(results, demand);
+      };
+      with_slot_level<FT>(access, s, points, Parameters::normal_map(np),
+                          Parameters::edge_constraint_map(np),
+                          Parameters::vertex_constraint_map(np), 0, evaluate);
     });
-    using Result = typename decltype(results)::value_type;
-    sink(Vertex_limits<Result, std::decay_t<decltype(creases)>>{level.level, creases, results},
-         of_mesh);
-    results.resize(level.level.number_of_vertices());
-    report = limit_report(results, demand);
-  };
-  with_slot_level<FT>(access, scheme, points, normals, edge_map, vertex_map, 0, evaluate);
+  });
   return report;
 }
 
 // Puts limits into the maps of a mesh and of a call, and the old values back if that fails.
-template <class Scheme, class Kernel, class Access, class Limits, class Of_mesh, class Point_map,
-          class Normal_map, class NamedParameters>
+template <class Scheme, class Parameters, class Access, class Limits, class Of_mesh,
+          class Point_map, class NamedParameters>
 void put_limits(const Access& access, const Limits& limits, Of_mesh& of_mesh, Point_map points,
-                Normal_map normals, const Limit_options& options, const NamedParameters& np)
+                const NamedParameters& np)
 {
-  using Maps_writer = Limit_maps_writer<Access, Kernel, NamedParameters>;
+  const Limit_options options = limit_options(np);
+  const auto normals = Parameters::normal_map(np);
+  using Maps_writer = Limit_maps_writer<Access, typename Parameters::Geom_traits, NamedParameters>;
   Maps_writer of_limits(access, np);
-  using Writers = Normal_writers<Access, Normal_map>;
+  using Writers = Normal_writers<Access, std::decay_t<decltype(normals)>>;
   typename Writers::Corner_writer corners(access, limits.level, normals);
   if constexpr (Writers::Corner_writer::takes_corners) {
     if (is_pn_v<Scheme> || options.surface_normals)
       corners.put_all(
         limits.level, limits.creases,
-        limit_normals<Scheme, typename Kernel::FT>(limits.results, options.surface_normals));
+        limit_normals<Scheme, typename Parameters::FT>(limits.results, options.surface_normals));
   }
   if constexpr (!Writers::Corner_writer::takes_corners || Maps_writer::is_any_given)
     put_mean_normals<Scheme>(limits.creases, limits.results);
@@ -334,21 +344,11 @@ Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const NamedParamete
   static_assert(Scheme::Host::keeps_vertices,
                 "the limit points of a dual scheme belong to the faces: see limit_points()");
   if constexpr (check_creased_limit_arguments<Mesh, Scheme, NamedParameters>()) {
-    using FT = typename Parameters::FT;
-    const Limit_options options = limit_options(np);
     const auto points = Parameters::point_map(mesh, np);
-    const auto normals = Parameters::normal_map(np);
-    return with_mesh_access(mesh, [&](const auto& access) {
-      return with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
-        return vertex_limits<FT, asks_for_points_alone<NamedParameters>()>(
-          access, s, points, normals, Parameters::edge_constraint_map(np),
-          Parameters::vertex_constraint_map(np), options, For_chunks::with(Concurrency_tag()),
-          [&](const auto& limits, auto& of_mesh) {
-            put_limits<Scheme, typename Parameters::Geom_traits>(access, limits, of_mesh, points,
-                                                                 normals, options, np);
-          });
+    return vertex_limits<Concurrency_tag, Parameters>(
+      mesh, scheme, points, np, [&](const auto& access, const auto& limits, auto& of_mesh) {
+        put_limits<Scheme, Parameters>(access, limits, of_mesh, points, np);
       });
-    });
   } else
     return {};
 }
