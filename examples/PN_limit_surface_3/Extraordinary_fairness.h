@@ -11,7 +11,7 @@
 #include "Extraordinary_data.h"
 #include "analysis/extraordinary_curvature.h"
 
-#include <CGAL/PN_limit_surface_3/internal/curvature/Regular_jet.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
 
 #include <array>
 #include <cmath>

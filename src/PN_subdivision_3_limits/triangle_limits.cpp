@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_limit_surface_3/internal/limit/compiled_limits.h>
-#include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/run_tessellation.h>
 
 namespace CGAL::PN_subdivision_3::internal {
 

@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_TEST_SUPPORT_CURVE_ANALYSIS_H
 
 #include <CGAL/PN_curves/internal/Curve_points.h>
-#include <CGAL/PN_curves/internal/Univariate_rows.h>
+#include <CGAL/PN_curves/internal/Curve_subdivision.h>
 
 #include <algorithm>
 #include <array>

@@ -12,7 +12,7 @@
 #include "analysis/Extraordinary_limit.h"
 #include "analysis/Extraordinary_net.h"
 
-#include <CGAL/PN_limit_surface_3/internal/curvature/Regular_jet.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>

@@ -10,8 +10,8 @@
 #define CGAL_PN_CURVES_CURVE_CONTROL_NORMALS_H
 
 #include <CGAL/PN_curves/internal/Curve_points.h>
-#include <CGAL/PN_curves/internal/Univariate_rows.h>
 #include <CGAL/PN_curves/internal/polygon_normals.h>
+#include <CGAL/PN_curves/masks/curve_masks.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 
 #include <cmath>

@@ -11,7 +11,10 @@
 
 #include <CGAL/PN_curves/curve_control_normals.h>
 #include <CGAL/PN_curves/internal/Curve_points.h>
-#include <CGAL/PN_curves/internal/Univariate_rows.h>
+#include <CGAL/PN_curves/masks/curve_masks.h>
+#include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -13,17 +13,14 @@
 #include <CGAL/PN_curves/internal/Curve_subdivision.h>
 #include <CGAL/PN_curves/subdivide_curve.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
-#include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/number_type_basic.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -107,30 +104,13 @@ Limit to_curve_limit_point(const Result& result, double parameter)
   return l;
 }
 
-// the largest side of the box of the points
-template <int dimension, class Value>
-double box_size_of(const std::vector<Value>& values)
-{
-  double size = 0;
-  for (std::size_t c = 0; c < dimension; ++c) {
-    double least = std::numeric_limits<double>::infinity(), greatest = -least;
-    for (const Value& v : values) {
-      const double x = CGAL::to_double(point_of(v)[c]);
-      least = (std::min)(least, x);
-      greatest = (std::max)(greatest, x);
-    }
-    size = (std::max)(size, greatest - least);
-  }
-  return size;
-}
-
 // Of masks of which the last one is that of all further rounds these are the limits that it gives the points after the
 // other rounds.
 template <class Range, class Mask, class NamedParameters>
 auto limits_of_curve(const Range& polygon, const Mask& mask, Curve_end end,
                      const NamedParameters& np)
 {
-  static_assert(!Is_level_dependent<Mask>::value || Is_listed<Mask>::value,
+  static_assert(!is_level_dependent_v<Mask> || is_listed_v<Mask>,
                 "PN_subdivision_3: limits are known of masks that are the same from some round on: "
                 "make the mask of a vector of masks, level_dependent_mask(masks)");
   using Parameters = Curve_parameters<Range, NamedParameters>;
@@ -147,7 +127,7 @@ auto limits_of_curve(const Range& polygon, const Mask& mask, Curve_end end,
   std::vector<std::int64_t> places(static_cast<std::size_t>(curve.size()));
   std::iota(places.begin(), places.end(), 0);
   unsigned rounds = 1;
-  if constexpr (Is_listed<Mask>::value) rounds = static_cast<unsigned>(mask.function.masks.size());
+  if constexpr (is_listed_v<Mask>) rounds = static_cast<unsigned>(mask.function.masks.size());
   const bool is_primal = curve.is_primal();
   for (unsigned k = 1; !places.empty(); ++k) {
     curve.begin_round(k);
@@ -165,7 +145,10 @@ auto limits_of_curve(const Range& polygon, const Mask& mask, Curve_end end,
 
   Limit_options options = limit_options(np);
   options.surface_normals = options.curve_normals || options.curvatures;
-  const Limit_demand demand = limit_demand<FT>(options, box_size_of<dimension>(values));
+  const double box = box_size(values.size(), dimension, [&](std::size_t i, std::size_t c) {
+    return CGAL::to_double(point_of(values[i])[c]);
+  });
+  const Limit_demand demand = limit_demand<FT>(options, box);
   Limits limits(mask_in_round(mask, rounds), end, demand, roundness);
   const auto [first, last] = limits.range(curve.size());
   std::vector<typename Limits::Result> results;

@@ -23,18 +23,6 @@
 namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
-// the vectors of the normals that are given, or those of the points
-template <class Points, class Normal_map>
-struct Curve_vector
-{
-  using type = typename boost::property_traits<Normal_map>::value_type;
-};
-template <class Points>
-struct Curve_vector<Points, No_curve_normal_map>
-{
-  using type = typename Points::Vector;
-};
-
 // The named parameters of the curve functions.
 template <class Range, class NamedParameters>
 struct Curve_parameters : Curve_maps<Range, NamedParameters>
@@ -42,7 +30,10 @@ struct Curve_parameters : Curve_maps<Range, NamedParameters>
   using Points = Curve_points<Range, NamedParameters>;
   using typename Curve_maps<Range, NamedParameters>::Normal_map;
   using typename Curve_maps<Range, NamedParameters>::Point;
-  using Vector = typename Curve_vector<Points, Normal_map>::type;
+  // of the normals that are given, or those of the points
+  using Vector =
+    typename std::conditional_t<Points::has_normals, boost::property_traits<Normal_map>,
+                                typename Points::Own_vectors>::value_type;
   using Geom_traits =
     typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
                                                  typename CGAL::Kernel_traits<Point>::Kernel>::type;
@@ -169,8 +160,8 @@ auto subdivide_curve(const Range& polygon, const Mask& mask, Curve_end end,
   if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {
     internal::Curve_subdivision<typename Parameters::FT, Parameters::dimension, Mask> curve(
       mask, end, Parameters::roundness(np));
-    internal::for_each_point_and_normal<
-      Parameters, !internal::Is_linear_mask<internal::Mask_in_round<Mask>>::value>(
+    internal::for_each_point_and_normal<Parameters,
+                                        !internal::is_linear_mask_v<internal::Mask_in_round<Mask>>>(
       polygon, end, np, [&](const auto& point, const auto& normal) { curve.add(point, normal); });
     return curve.template result<typename Parameters::Point, typename Parameters::Vector>(
       Parameters::number_of_iterations(np));

@@ -12,7 +12,6 @@
 #include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
 
 #include <CGAL/PN_curves/subdivide_curve.h>
-#include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
 #include <CGAL/PN_fitting_3/internal/interpolate_mesh.h>
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 
@@ -22,18 +21,15 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
-// What a mask is for interpolation.
-enum class Curve_limit { of_the_points, cubic };
-
+// Whether limits are those of cubic splines, and not the points themselves.
 template <class Mask>
-Curve_limit curve_limit_of(const Mask& mask)
+bool has_cubic_limits(const Mask& mask)
 {
   const std::vector<double> a = mask.template coefficients<double>();
   const auto at = [&](int i) {
@@ -48,19 +44,12 @@ Curve_limit curve_limit_of(const Mask& mask)
     const double cubic = d == 0 ? 6. / 8 : d == 1 ? 4. / 8 : d == 2 ? 1. / 8 : 0.;
     if (std::abs(at(i) - cubic) > 1e-15) is_cubic = false;
   }
-  if (interpolates) return Curve_limit::of_the_points;
-  if (is_cubic && mask.first_index() <= -2 && last >= 2) return Curve_limit::cubic;
+  if (interpolates) return false;
+  if (is_cubic && mask.first_index() <= -2 && last >= 2) return true;
   throw std::invalid_argument(
     "PN_subdivision_3: interpolation is not known for this mask: take the "
     "cubic B-spline, or a mask that interpolates");
 }
-
-template <class Mask>
-struct Has_own_normal_mask : std::false_type
-{};
-template <class Mask, class Normal_mask>
-struct Has_own_normal_mask<Mask_with_normals<Mask, Normal_mask>> : std::true_type
-{};
 
 // the mean length of the edges at each point; binormals of curves in space
 template <int dimension>
@@ -167,8 +156,8 @@ template <class Range, class Mask, class NamedParameters = parameters::Default_n
 auto interpolate_curve(const Range& polygon, const Mask& mask, Curve_end end,
                        const NamedParameters& np = parameters::default_values())
 {
-  static_assert(!internal::Has_own_normal_mask<Mask>::value &&
-                  !internal::Is_level_dependent<Mask>::value,
+  static_assert(!internal::Normal_rows<double, Mask>::differ &&
+                  !internal::is_level_dependent_v<Mask>,
                 "PN_subdivision_3: interpolation is for one mask of points and normals");
   internal::check_are_read<NamedParameters, internal::roundness_t, internal::interpolation_mode_t,
                            internal::interpolation_normals_t, internal::tolerance_t,
@@ -183,15 +172,15 @@ auto interpolate_curve(const Range& polygon, const Mask& mask, Curve_end end,
   if (options.normals == Limit_interpolation::Normals::natural)
     throw std::invalid_argument("PN_subdivision_3: a curve has no natural normals here: take "
                                 "estimate_control_normals()");
-  const internal::Curve_limit limit = internal::curve_limit_of(mask);
+  const bool is_cubic = internal::has_cubic_limits(mask);
   if (end == Curve_end::none)
     throw std::invalid_argument("PN_subdivision_3: a curve without its ends does not pass through "
                                 "them: take Curve_end::reflect");
   const auto roundness = internal::Curve_parameters<Range, NamedParameters>::roundness(np);
   auto result = internal::points_with_normals(polygon, np);
   Limit_interpolation report;
-  if (limit == internal::Curve_limit::cubic) {
-    constexpr bool is_linear = internal::Is_linear_mask<Mask>::value;
+  if (is_cubic) {
+    constexpr bool is_linear = internal::is_linear_mask_v<Mask>;
     const bool slides = options.mode == Limit_interpolation::Mode::slide;
     if (slides || (!is_linear && !Points::has_normals)) internal::estimate_missing(result, end);
     internal::Interpolation_data<dimension> data = internal::curve_data<dimension>(result);

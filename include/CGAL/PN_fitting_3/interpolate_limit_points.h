@@ -11,7 +11,6 @@
 
 #include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
 
-#include <CGAL/PN_fitting_3/internal/Creased_interpolation.h>
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
 #include <CGAL/PN_fitting_3/internal/interpolate_mesh.h>
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>

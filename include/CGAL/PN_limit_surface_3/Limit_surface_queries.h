@@ -10,7 +10,6 @@
 
 #include <CGAL/PN_limit_surface_3/Limit_surface.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Jet.h>
-#include <CGAL/PN_limit_surface_3/internal/limit_surface/Ray_search.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Surface_places.h>
 
 #include <CGAL/AABB_tree.h>

@@ -11,7 +11,6 @@
 
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_writer.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/vertex_limits.h>
 #include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
@@ -67,26 +66,17 @@ Limit_report vertex_limit_points(const PolygonMesh& mesh, const Scheme& scheme, 
                                  const NamedParameters& np)
 {
   using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
-  using FT = typename Parameters::FT;
   using Vertex = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
   if constexpr (Check_map<Map_of_limits>::check<LimitMap, Vertex, Parameters, Writable>() &&
                 check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
     using Limit = typename boost::property_traits<LimitMap>::value_type;
-    const auto points = Parameters::const_point_map(mesh, np);
-    const auto normals = Parameters::normal_map(np);
-    return with_mesh_access(mesh, [&](const auto& access) {
-      const auto put_all = [&](const auto& of_mesh, const auto&) {
-        put_mean_normals<Scheme>(of_mesh.creases, of_mesh.results);
-        for (Level_connectivity::Index v = 0; v < of_mesh.level.number_of_vertices(); ++v)
-          put(limits, access.vertex(v), to_limit_point<Limit>(of_mesh.results[v]));
-      };
-      return with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
-        return vertex_limits<FT, asks_for_points_alone<NamedParameters>()>(
-          access, s, points, normals, Parameters::edge_constraint_map(np),
-          Parameters::vertex_constraint_map(np), limit_options(np),
-          For_chunks::with(Concurrency_tag()), put_all);
-      });
-    });
+    const auto put_all = [&](const auto& access, const auto& of_mesh, const auto&) {
+      put_mean_normals<Scheme>(of_mesh.creases, of_mesh.results);
+      for (Level_connectivity::Index v = 0; v < of_mesh.level.number_of_vertices(); ++v)
+        put(limits, access.vertex(v), to_limit_point<Limit>(of_mesh.results[v]));
+    };
+    return vertex_limits<Concurrency_tag, Parameters>(
+      mesh, scheme, Parameters::const_point_map(mesh, np), np, put_all);
   } else
     return {};
 }
@@ -246,12 +236,14 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Schem
 Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
                           const NamedParameters& np = parameters::default_values())
 {
-  if constexpr (internal::are_named_parameters_v<LimitMap>) {
-    internal::check_are_read<
-      LimitMap, internal::Read_of_control_mesh, internal::tolerance_t, internal::normal_tolerance_t,
-      internal::max_depth_t, internal::points_t, internal::surface_normals_t,
-      internal::curvatures_t, internal::rounds_done_t, internal::limit_point_map_t,
-      internal::limit_normal_map_t, internal::limit_error_map_t>();
+  constexpr bool has_parameters_alone = internal::are_named_parameters_v<LimitMap>;
+  internal::check_are_read<std::conditional_t<has_parameters_alone, LimitMap, NamedParameters>,
+                           internal::Read_of_control_mesh, internal::tolerance_t,
+                           internal::normal_tolerance_t, internal::max_depth_t, internal::points_t,
+                           internal::surface_normals_t, internal::curvatures_t,
+                           internal::rounds_done_t, internal::limit_point_map_t,
+                           internal::limit_normal_map_t, internal::limit_error_map_t>();
+  if constexpr (has_parameters_alone) {
     using Keys = internal::Key_of_limits<PolygonMesh, LimitMap>;
     using Kernel = typename internal::Surface_parameters<PolygonMesh, LimitMap>::Geom_traits;
     static_assert(Keys::is_given,
@@ -264,11 +256,6 @@ Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMa
     else
       return {};
   } else {
-    internal::check_are_read<
-      NamedParameters, internal::Read_of_control_mesh, internal::tolerance_t,
-      internal::normal_tolerance_t, internal::max_depth_t, internal::points_t,
-      internal::surface_normals_t, internal::curvatures_t, internal::rounds_done_t,
-      internal::limit_point_map_t, internal::limit_normal_map_t, internal::limit_error_map_t>();
     static_assert(
       !internal::is_given_v<internal::limit_point_map_t, NamedParameters> &&
         !internal::is_given_v<internal::limit_normal_map_t, NamedParameters> &&

@@ -241,8 +241,7 @@ public:
   /// sets it to that of the box of all pieces, before the first piece is made.
   void set_box(const Bbox_3& box)
   {
-    if (limits_)
-      std::call_once(limits_->is_size_known, [&] { limits_->size = internal::size_of(box); });
+    if (limits_) std::call_once(limits_->is_size_known, [&] { limits_->size = size_of(box); });
   }
   /// @}
 
@@ -254,12 +253,16 @@ private:
     double size = 0;
   };
 
+  static double size_of(const Bbox_3& box)
+  {
+    return (std::max)({0., box.x_span(), box.y_span(), box.z_span()});
+  }
   double size_of_surface() const
   {
     std::call_once(limits_->is_size_known, [this] {
       Bbox_3 box;
       for (std::size_t i = 0; i < number_of_pieces_; ++i) box += box_of_piece(i);
-      limits_->size = internal::size_of(box);
+      limits_->size = size_of(box);
     });
     return limits_->size;
   }

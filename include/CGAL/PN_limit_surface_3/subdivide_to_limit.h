@@ -10,19 +10,233 @@
 #define CGAL_PN_LIMIT_SURFACE_3_SUBDIVIDE_TO_LIMIT_H
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_subdivision.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_writer.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
+#include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_limit_surface_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Call_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL::PN_subdivision_3 {
+namespace internal {
+
+// The rounds of a call, and then the limits of the vertices that they make. The mesh and its maps are touched when
+// all limits are known; attributes are those of the rounds.
+template <class Concurrency_tag, class Scheme, class Kernel>
+class Limit_subdivision
+{
+public:
+  using Round_done = Function_ref<void(unsigned, std::size_t)>;
+
+  // options and round_done have to live as long
+  template <class Function>
+  Limit_subdivision(const Scheme& scheme, unsigned rounds, const Limit_options& options,
+                    const Function& round_done)
+    : scheme_(scheme)
+    , options_(options)
+    , rounds_(rounds)
+    , round_done_(round_done)
+    , for_chunks_(For_chunks::with(Concurrency_tag()))
+  {}
+  template <class Function>
+  Limit_subdivision(const Scheme&, unsigned, const Limit_options&, const Function&&) = delete;
+
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
+            class Attributes, class NamedParameters>
+  Limit_report operator()(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
+                          Vertex_map vertex_map, const Attributes& attributes,
+                          const NamedParameters& np) const
+  {
+    static_assert(check_no_grid_rows<Scheme>());
+    Limit_report report;
+    if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
+      require_crease_rules(scheme_, access, normals, edge_map, vertex_map);
+      report = subdivide(access, points, normals, edge_map, vertex_map, attributes, np);
+    }
+    return report;
+  }
+
+private:
+  using FT = typename Kernel::FT;
+  using Index = Level_connectivity::Index;
+  using Host = typename Scheme::Host;
+  using Average = Average_of_scheme<Scheme, FT>;
+  using Value = typename Average::Value;
+  using Level = Valued_level<Value>;
+  using Limit_value = Point_normal<FT, 3>;
+
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
+            class Attributes, class NamedParameters>
+  Limit_report subdivide(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
+                         Vertex_map vertex_map, const Attributes& attributes,
+                         const NamedParameters& np) const
+  {
+    Level_connectivity level = checked_level(access);
+    check_scheme<Scheme, Element_names>(scheme_, level, access);
+    Mesh_values_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
+      scheme_, access, level, edge_map, vertex_map);
+    auto creases = of_mesh.creases(level);
+    const unsigned rounds = number_of_rounds(level, rounds_);
+    require_sharp_for_ever<FT>(access, creases, rounds);
+    of_mesh.read_tangents(creases);
+    const Level_size size = checked_refined_size<Host>(level.size(), rounds, Access::index_limit());
+    std::vector<Value> values = of_mesh.values(level, points, normals, creases);
+    using Writers = Normal_writers<Access, Normal_map>;
+    typename Writers::Corner_writer corners(access, level, normals);
+    Call_attribute_rounds<FT, Host, Attributes> attribute_rounds(
+      attributes, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()),
+      Attributes::is_empty ? Control_sharpness() : of_mesh.sharpness(level), for_chunks_);
+    const Rules_of<Scheme>& rules = rules_of(scheme_);
+    Level_refiner<Rules_of<Scheme>, Average, decltype(creases)> refiner(
+      rules, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
+    std::vector<Value>().swap(values);
+    refine(rounds, rules, refiner, attribute_rounds);
+    auto last = refiner.next_round();
+    attribute_rounds.begin_round(rules, refiner, last, Kind_of_round::last_put_later);
+    Level refined = refined_level(refiner, last, attribute_rounds.rows());
+    refiner.release_values();
+    report_last_round(round_done_, rounds, rounds_, size);
+    auto limit_creases = last.refined_creases();
+    const Limit_demand demand = limit_demand<FT>(options_, box_size(refined));
+    auto limits = limits_of(refined, limit_creases, demand, rounds + 1);
+
+    if constexpr (!Writers::Corner_writer::takes_corners)
+      put_mean_normals<Scheme>(limit_creases, limits);
+    const auto put = [&](auto vertex_normals) {
+      Mesh_writer<Limit_value, Access, Point_map, decltype(vertex_normals)> writer(
+        access, points, vertex_normals, false);
+      using Maps_writer = Limit_maps_writer<Access, Kernel, NamedParameters>;
+      Maps_writer of_limits(access, np);
+      access.grow(size);
+      put_limits(limits, refined.values, static_cast<Index>(size.vertices), writer);
+      put_corner_normals<Maps_writer::is_any_given>(corners, refined.level, limit_creases, limits);
+      of_limits.write(limits, static_cast<Index>(size.vertices));
+      attribute_rounds.put(refiner, last.round());
+      of_mesh.put_sharpness(limit_creases, size, rounds);
+      of_mesh.put_tangents(limit_creases, size);
+      put_connectivity(last.round(), access, for_chunks_, [&] {
+        writer.keep();
+        of_limits.keep();
+        corners.keep();
+        of_mesh.keep();
+        attribute_rounds.keep();
+      });
+    };
+    if (puts_normals())
+      put(Writers::vertex_map(normals));
+    else
+      put(No_normal_map());
+    attribute_rounds.visit(access, refiner, last.round());
+    limits.resize(size.vertices);
+    return limit_report(limits, demand);
+  }
+
+  // with a linear scheme normals are written as surface normals only
+  bool puts_normals() const { return is_pn_v<Scheme> || options_.surface_normals; }
+
+  // all rounds but the last one
+  template <class Refiner, class Attribute_rounds>
+  void refine(unsigned rounds, const Rules_of<Scheme>& rules, Refiner& refiner,
+              Attribute_rounds& attribute_rounds) const
+  {
+    for (unsigned k = 1; k < rounds; ++k) {
+      attribute_rounds.refine(rules, refiner);
+      round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
+    }
+    attribute_rounds.before_cut(refiner);
+  }
+
+  // at the slots of the refined level; the creases get the tangents of the limit
+  template <class Level_creases>
+  auto limits_of(Level& refined, Level_creases& creases, const Limit_demand& demand,
+                 unsigned next_round) const
+  {
+    auto limits =
+      limits_at_slots<FT>(rules_of(scheme_), demand, for_chunks_, refined, creases, next_round);
+    if (asks_for_points(options_))
+      std::vector<Value>().swap(refined.values); // else they are written
+    check_limits<FT>(limits, [](std::size_t v) { return "vertex number " + std::to_string(v); });
+    return limits;
+  }
+
+  // the normals of the wedges at the corners; then vertices have the means, where another map takes these
+  template <bool needs_means, class Corner_writer, class Level_creases, class Limits>
+  void put_corner_normals([[maybe_unused]] Corner_writer& corners,
+                          [[maybe_unused]] const Level_connectivity& level,
+                          [[maybe_unused]] const Level_creases& creases,
+                          [[maybe_unused]] Limits& limits) const
+  {
+    if constexpr (Corner_writer::takes_corners) {
+      if (puts_normals())
+        corners.put_all(level, creases,
+                        limit_normals<Scheme, FT>(limits, options_.surface_normals));
+      if constexpr (needs_means) put_mean_normals<Scheme>(creases, limits);
+    }
+  }
+
+  // The refined level with the values of its slots; the level before it is whole again afterwards.
+  template <class Refiner, class Last>
+  Level refined_level(const Refiner& refiner, Last& last,
+                      const typename Refiner::Rows_sink* rows) const
+  {
+    const auto values = refiner.refined_values(last, rows);
+    Level refined;
+    refined.values.assign(values.begin(), values.end());
+    refined.level = refiner.child(last, last.refined_creases());
+    return refined;
+  }
+
+  template <class Limits, class Writer>
+  void put_limits(const Limits& limits, const std::vector<Value>& refined, Index number,
+                  Writer& writer) const
+  {
+    const bool moves = asks_for_points(options_);
+    const auto put_range = [&](Index begin, Index end) {
+      for (Index v = begin; v < end; ++v) {
+        const Limit_value value{point_of(moves ? limits[v].value : refined[v]),
+                                limit_normal<Scheme>(limits[v], options_.surface_normals)};
+        writer.put_values(v, &value, 1);
+      }
+    };
+    const Index old_vertices = (std::min)(number, writer.number_of_old_vertices());
+    put_range(old_vertices, number);
+    writer.begin_old_vertices();
+    put_range(0, old_vertices);
+  }
+
+  const Scheme& scheme_;
+  const Limit_options& options_;
+  unsigned rounds_;
+  Round_done round_done_;
+  For_chunks for_chunks_;
+};
+
+} // namespace internal
 
 /*!
 \ingroup PkgPNSubdivision3Limit
@@ -108,17 +322,15 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
       const internal::Call_attributes<PolygonMesh, Visitor,
                                       std::remove_reference_t<decltype(carried)>>
         attributes_of_call{unwrapped, carried};
-      const internal::Limit_maps_of_call<typename Parameters::Geom_traits, NamedParameters> maps{
-        np};
       internal::with_mesh_access(mesh, [&](auto& access) {
         report =
           internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
             const internal::Limit_subdivision<Concurrency_tag, std::decay_t<decltype(s)>,
-                                              typename Parameters::FT>
+                                              typename Parameters::Geom_traits>
               subdivision(s, rounds, options, round_done);
             return subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
                                Parameters::edge_constraint_map(np),
-                               Parameters::vertex_constraint_map(np), attributes_of_call, maps);
+                               Parameters::vertex_constraint_map(np), attributes_of_call, np);
           });
       });
     }

@@ -10,23 +10,198 @@
 #define CGAL_PN_LIMIT_SURFACE_3_TESSELLATE_H
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/PN_limit_surface_3/internal/tessellation/Tessellation.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Proven_distance.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/run_tessellation.h>
 #include <CGAL/PN_limit_surface_3/tessellation/Tessellation_result.h>
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL::PN_subdivision_3 {
-
 namespace internal {
+
+// A call of tessellate(): reads the control mesh, refines it adaptively, and builds the mesh of the triangles.
+template <class Concurrency_tag, class FaceGraph, class NamedParameters>
+class Tessellation
+{
+  using Parameters = Surface_parameters<FaceGraph, NamedParameters>;
+  using FT = typename Parameters::FT;
+  using Index = Level_connectivity::Index;
+
+public:
+  Tessellation(double chord_error, const NamedParameters& np, Attribute_table* table)
+    : chord_error_(chord_error)
+    , np_(np)
+    , table_(table)
+    , for_chunks_(For_chunks::with(Concurrency_tag()))
+  {}
+
+  template <class OutputMesh, class Access, class Scheme, class Out_access, class Out_parameters>
+  Tessellation_result operator()(const FaceGraph& control, const Access& access,
+                                 const Scheme& scheme, OutputMesh& out, Out_access& out_access,
+                                 const Out_parameters& np_out) const
+  {
+    require_empty(out_access);
+    Tessellation_result report;
+    Tessellation_runs<FT> runs(most_runs);
+    const auto build_out = [&](const Split_edges<FT>& all, const Tessellation_mesh<FT>& mesh) {
+      using Out = Surface_parameters<OutputMesh, Out_parameters>;
+      build(all, mesh, out_access, Out::point_map(out, np_out), Out::normal_map(np_out));
+    };
+    const auto run = [&](const auto& s) {
+      bool goes_on = false;
+      read(access, s, Parameters::const_point_map(control, np_),
+           [&](const Tessellation_demand& demand, auto& level, auto& creases, auto* bounds) {
+             goes_on = run_tessellation<FT>(rules_of(s), demand, for_chunks_, table_, level,
+                                            creases, bounds, runs, report, build_out);
+           });
+      return goes_on;
+    };
+    with_roundness_of_call<Parameters>(access, scheme, np_, [&](const auto& s) {
+      while (run(s)) {
+      }
+    });
+    return report;
+  }
+
+private:
+  static constexpr bool may_be_proven =
+    is_given_v<proven_bound_t, NamedParameters> && std::is_same_v<FT, double>;
+
+  // calls sink(demand, level, creases, bounds)
+  template <class Access, class Scheme, class Point_map, class Sink>
+  void read(const Access& access, const Scheme& scheme, Point_map points, const Sink& sink) const
+  {
+    const auto take = [&](auto& control, auto& creases, const auto&) {
+      const Tessellation_demand demand = this->demand(box_size(control));
+      using Level_creases = std::decay_t<decltype(creases)>;
+      Face_bounds<typename Average_of_scheme<Scheme, FT>::Value, Level_creases>* none = nullptr;
+      if constexpr (may_be_proven)
+        if (demand.is_proven) {
+          Proven_bounds<Rules_of<Scheme>, Level_creases> bounds(rules_of(scheme), demand.exponent);
+          bounds.require_all(control, creases, chord_error_);
+          return sink(demand, control, creases, none = &bounds);
+        }
+      sink(demand, control, creases, none);
+    };
+    with_slot_level<FT>(
+      access, scheme, points, normal_map<Scheme>(), Parameters::edge_constraint_map(np_),
+      Parameters::vertex_constraint_map(np_), rounds_of_all(access.size().faces), take);
+  }
+
+  static constexpr unsigned most_runs = 64;
+
+  // how many rounds may be made of all faces, until nothing is sharp but forever
+  static unsigned rounds_of_all(std::size_t faces)
+  {
+    constexpr std::size_t most_faces = std::size_t(1) << 22;
+    unsigned rounds = 0;
+    for (std::size_t n = 4 * faces; 0 < n && n <= most_faces; n *= 4) ++rounds;
+    return rounds;
+  }
+
+  // a linear scheme has no use for normals
+  template <class Scheme>
+  auto normal_map() const
+  {
+    if constexpr (is_pn_v<Scheme>)
+      return Parameters::normal_map(np_);
+    else
+      return No_normal_map();
+  }
+
+  Tessellation_demand demand(double box) const
+  {
+    Tessellation_demand demand;
+    // 2^-exponent is a number, too
+    demand.exponent = box > 0 && std::isfinite(box) ? (std::max)(std::ilogb(box), -1000) : 0;
+    demand.tolerance = std::ldexp(chord_error_, -demand.exponent);
+    constexpr bool is_given = is_given_v<internal_np::number_of_iterations_t, NamedParameters>;
+    demand.most_rounds = is_given ? Parameters::number_of_iterations(np_) : 12;
+    demand.most_triangles = std::uint64_t(1) << 31;
+    Limit_options options;
+    options.surface_normals = true;
+    options.normal_tolerance = 1e-4;
+    demand.limits = limit_demand<FT>(options, box);
+    demand.limits.tolerance =
+      (std::min)(demand.limits.tolerance, (std::max)(chord_error_ / 1024, std::ldexp(box, -50)));
+    demand.is_proven = parameter_or<proven_bound_t>(np_, false);
+    if (demand.is_proven && !std::is_same_v<FT, double>)
+      throw std::invalid_argument(
+        "PN_subdivision_3: distances are proven of coordinates in double only: "
+        "leave proven_bound out");
+    return demand;
+  }
+
+  template <class Access>
+  static void require_empty(const Access& access)
+  {
+    const Level_size size = access.size();
+    if (size.vertices != 0 || size.edges != 0 || size.faces != 0)
+      throw std::invalid_argument("PN_subdivision_3: the mesh of the tessellation has vertices "
+                                  "already: it must be empty");
+  }
+
+  template <class Access, class Point_map, class Normal_map>
+  static void build(const Split_edges<FT>& all, const Tessellation_mesh<FT>& mesh, Access& access,
+                    Point_map point_map, Normal_map normal_map)
+  {
+    using Writers = Normal_writers<Access, Normal_map>;
+    using Point = typename boost::property_traits<Point_map>::value_type;
+    std::vector<Point> points;
+    points.reserve(all.number_of_vertices());
+    for (Index v = 0; v < all.number_of_vertices(); ++v) {
+      const auto& p = all.point(v);
+      points.emplace_back(p[0], p[1], p[2]);
+    }
+    build_mesh(access, mesh.level(), point_map, points, Writers::vertex_map(normal_map),
+               vertex_normals<typename Writers::Vertex_map>(mesh), [&] {
+                 if constexpr (Writers::Corner_writer::takes_corners)
+                   mesh.for_each_corner([&](Index h, const flatness::Vector& n) {
+                     using Normal = typename boost::property_traits<Normal_map>::value_type;
+                     put(normal_map, access.halfedge_at(h), Normal(n[0], n[1], n[2]));
+                   });
+               });
+  }
+
+  template <class Normal_map>
+  static auto vertex_normals([[maybe_unused]] const Tessellation_mesh<FT>& mesh)
+  {
+    if constexpr (std::is_same_v<Normal_map, No_normal_map>)
+      return std::vector<char>();
+    else {
+      std::vector<typename boost::property_traits<Normal_map>::value_type> normals;
+      normals.reserve(mesh.level().number_of_vertices());
+      for (const flatness::Vector& n : mesh.normals()) normals.emplace_back(n[0], n[1], n[2]);
+      return normals;
+    }
+  }
+
+  double chord_error_;
+  const NamedParameters& np_;
+  const Tessellation_table table_;
+  For_chunks for_chunks_;
+};
 
 // the table of attributes of a call, or null
 template <class NamedParameters>

@@ -9,7 +9,7 @@
 // The smoothest change of control points that meets conditions, against a dense matrix of what it is defined by, at
 // vertices of small and of large valence; a part of the program of test_interpolation.cpp.
 
-#include <CGAL/PN_fitting_3/internal/Smooth_correction.h>
+#include <CGAL/PN_fitting_3/internal/Prescription.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>

@@ -28,8 +28,7 @@
 #include <utility>
 
 namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace PN_subdivision_3::internal {
 
 // What a mask is told when it asks for the point of a vertex: the point, the normal read as a
 // point, or the vertex's share (chi h, chi, 0) in the height over q along n.
@@ -200,8 +199,7 @@ private:
   Point_map point_map_;
 };
 
-} // namespace internal
-} // namespace PN_subdivision_3
+} // namespace PN_subdivision_3::internal
 
 template <class PolygonMesh, class PointNormalMap>
 struct graph_has_property<PN_subdivision_3::internal::Mask_mesh_view<PolygonMesh, PointNormalMap>,
@@ -235,9 +233,7 @@ struct property_map<CGAL::PN_subdivision_3::internal::Mask_mesh_view<PolygonMesh
 
 } // namespace boost
 
-namespace CGAL {
-namespace PN_subdivision_3 {
-namespace internal {
+namespace CGAL::PN_subdivision_3::internal {
 
 // The user's mask template on the view: Mask<View>, or Mask<View, point map> if that is needed.
 template <class View, template <class...> class Mask, class = void>
@@ -298,8 +294,6 @@ void check_mask_input(const PolygonMesh& mesh, const PointNormalMap& point_norma
   }
 }
 
-} // namespace internal
-} // namespace PN_subdivision_3
-} // namespace CGAL
+} // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_CGAL_MASKS_3_INTERNAL_MASK_MESH_VIEW_H

@@ -28,29 +28,20 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-template <class Item>
-struct Default_curve_point_map
-{
-  using type = CGAL::Identity_property_map<const Item>;
-};
-template <class Point, class Vector>
-struct Default_curve_point_map<std::pair<Point, Vector>>
-{
-  using type = CGAL::First_of_pair_property_map<std::pair<Point, Vector>>;
-};
-
 struct No_curve_normal_map
 {};
 
 template <class Item>
-struct Default_curve_normal_map
+struct Default_curve_maps
 {
-  using type = No_curve_normal_map;
+  using Points = CGAL::Identity_property_map<const Item>;
+  using Normals = No_curve_normal_map;
 };
 template <class Point, class Vector>
-struct Default_curve_normal_map<std::pair<Point, Vector>>
+struct Default_curve_maps<std::pair<Point, Vector>>
 {
-  using type = CGAL::Second_of_pair_property_map<std::pair<Point, Vector>>;
+  using Points = CGAL::First_of_pair_property_map<std::pair<Point, Vector>>;
+  using Normals = CGAL::Second_of_pair_property_map<std::pair<Point, Vector>>;
 };
 
 template <class FT, int dimension, class Point_or_vector>
@@ -86,9 +77,9 @@ struct Curve_maps
   using Item =
     typename std::iterator_traits<decltype(std::begin(std::declval<const Range&>()))>::value_type;
   using Point_map = std::decay_t<typename internal_np::Lookup_named_param_def<
-    internal_np::point_t, NamedParameters, typename Default_curve_point_map<Item>::type>::type>;
+    internal_np::point_t, NamedParameters, typename Default_curve_maps<Item>::Points>::type>;
   using Normal_map = std::decay_t<typename internal_np::Lookup_named_param_def<
-    internal_np::normal_t, NamedParameters, typename Default_curve_normal_map<Item>::type>::type>;
+    internal_np::normal_t, NamedParameters, typename Default_curve_maps<Item>::Normals>::type>;
   using Point = std::remove_const_t<typename boost::property_traits<Point_map>::value_type>;
 
   static Point_map point_map(const NamedParameters& np)
@@ -117,6 +108,10 @@ struct Curve_points : Curve_maps<Range, NamedParameters>
   static constexpr bool has_normals = !std::is_same_v<Normal_map, No_curve_normal_map>;
   using Vector =
     std::conditional_t<dimension == 2, typename Kernel::Vector_2, typename Kernel::Vector_3>;
+  struct Own_vectors
+  {
+    using value_type = Vector;
+  };
 
   // the points in the number type Number
   template <class Number>

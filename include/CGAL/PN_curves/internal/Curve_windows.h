@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_CURVES_INTERNAL_CURVE_WINDOWS_H
 #define CGAL_PN_CURVES_INTERNAL_CURVE_WINDOWS_H
 
-#include <CGAL/PN_curves/internal/Univariate_rows.h>
+#include <CGAL/PN_curves/internal/Curve_subdivision.h>
 #include <CGAL/PN_curves/masks/curve_masks.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_weights.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_eigenvectors.h>
@@ -166,15 +166,12 @@ private:
     Ring_row<FT> result;
     if constexpr (is_exact_v<FT>) {
       for (const FT& x : window_limit_row(matrix<FT>(window)))
-        result.emplace_back(static_cast<std::uint32_t>(result.size()), x);
+        result.push_back({static_cast<std::uint32_t>(result.size()), x});
       return result;
     } else {
       Ring_matrix<FT> m;
-      for (const Entry_row<FT>& row : window.rows) {
-        m.emplace_back();
-        for (const auto& e : row) m.back().emplace_back(e.vertex, e.weight);
-      }
-      return limit_weights(window_limit_row(reals), m);
+      for (const Entry_row<FT>& row : window.rows) m.emplace_back(row.begin(), row.end());
+      return limit_weights<FT>(window_limit_row(reals), m);
     }
   }
 

@@ -338,18 +338,14 @@ template <class Mask>
 using Mask_in_round = std::decay_t<decltype(mask_in_round(std::declval<const Mask&>(), 1u))>;
 
 template <class Mask>
-struct Is_level_dependent : std::false_type
-{};
+constexpr bool is_level_dependent_v = false;
 template <class Function>
-struct Is_level_dependent<Level_dependent_mask<Function>> : std::true_type
-{};
+constexpr bool is_level_dependent_v<Level_dependent_mask<Function>> = true;
 
 template <class Mask>
-struct Is_listed : std::false_type
-{};
+constexpr bool is_listed_v = false;
 template <class Mask>
-struct Is_listed<Level_dependent_mask<Listed_masks<Mask>>> : std::true_type
-{};
+constexpr bool is_listed_v<Level_dependent_mask<Listed_masks<Mask>>> = true;
 
 } // namespace internal
 } // namespace CGAL::PN_subdivision_3

@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_fitting_3/internal/Prescription.h>
 #include <CGAL/PN_fitting_3/internal/Ring_limit_functionals.h>
-#include <CGAL/PN_limit_surface_3/internal/curvature/Regular_jet.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

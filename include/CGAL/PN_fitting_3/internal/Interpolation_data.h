@@ -12,7 +12,6 @@
 #include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -103,17 +102,12 @@ std::vector<Point_normal<double, dimension>> to_values(const Vectors<dimension>&
   return values;
 }
 
-// the largest side of the box of the points
 template <int dimension>
 double box_size(const std::vector<Eigen::Matrix<double, dimension, 1>>& points)
 {
-  if (points.empty()) return 0;
-  Eigen_vector<dimension> least = points[0], greatest = points[0];
-  for (const Eigen_vector<dimension>& p : points) {
-    least = least.cwiseMin(p);
-    greatest = greatest.cwiseMax(p);
-  }
-  return (greatest - least).maxCoeff();
+  return box_size(points.size(), dimension, [&](std::size_t i, std::size_t c) {
+    return points[i][static_cast<Eigen::Index>(c)];
+  });
 }
 
 // Divides points of which squares would be out of range by a power of two, which changes no bit of the coordinates.
@@ -178,23 +172,25 @@ std::size_t leave_out_without_normal(Interpolation_data<dimension>& data)
   return before - data.vertices.size();
 }
 
-// The numbers of the unknowns: those of some vertices.
-class Unknowns
+// The number of each vertex among the unknowns, which are some of the vertices; negative of the others.
+inline std::vector<int> unknowns_of(const std::vector<std::uint32_t>& vertices,
+                                    std::size_t number_of_vertices)
 {
-public:
-  using Index = std::uint32_t;
+  std::vector<int> number(number_of_vertices, -1);
+  for (std::size_t i = 0; i < vertices.size(); ++i) number[vertices[i]] = static_cast<int>(i);
+  return number;
+}
 
-  Unknowns(const std::vector<Index>& vertices, std::size_t number_of_vertices)
-    : number_(number_of_vertices, -1)
-  {
-    for (std::size_t i = 0; i < vertices.size(); ++i) number_[vertices[i]] = static_cast<int>(i);
-  }
-  // of a vertex; negative if it has none
-  int operator[](Index v) const { return number_[v]; }
-
-private:
-  std::vector<int> number_;
-};
+// The values of some vertices, one vertex after the other.
+template <int dimension>
+Eigen::VectorXd gathered(const Vectors<dimension>& values,
+                         const std::vector<std::uint32_t>& vertices)
+{
+  Eigen::VectorXd x(dimension * static_cast<Eigen::Index>(vertices.size()));
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    x.segment<dimension>(dimension * static_cast<Eigen::Index>(i)) = values[vertices[i]];
+  return x;
+}
 
 template <class Functionals>
 void note_evaluation(const std::vector<Functionals>& functionals, Limit_interpolation& report)
@@ -211,21 +207,6 @@ void note_evaluation(const std::vector<Functionals>& functionals, Limit_interpol
 inline double finite_or_infinite(double x)
 {
   return std::isfinite(x) ? x : std::numeric_limits<double>::infinity();
-}
-
-// Refuses what is sharp in a mesh, by its name.
-template <class Scheme, class Access, class Edge_map, class Vertex_map>
-void refuse_interpolated_creases(const Scheme& scheme, const Access& access,
-                                 const Level_connectivity& level, Edge_map edge_map,
-                                 Vertex_map vertex_map)
-{
-  refuse_sharp_elements(scheme, access, level, edge_map, vertex_map,
-                        [](const std::string& element) {
-                          throw std::invalid_argument(
-                            "PN_subdivision_3: " + element +
-                            " is sharp, but interpolation is for surfaces without creases: make "
-                            "all edges and vertices smooth");
-                        });
 }
 
 inline double in_degrees(double radians)

@@ -9,9 +9,9 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_LIMIT_DISTANCE_H
 #define CGAL_PN_FITTING_3_INTERNAL_LIMIT_DISTANCE_H
 
-#include <CGAL/PN_fitting_3/internal/Foot_of_point.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
+#include <CGAL/PN_fitting_3/internal/Ring_limit_functionals.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
+#include <CGAL/PN_limit_surface_3/internal/limit_surface/Jet.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Spline_piece.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
@@ -20,12 +20,71 @@
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
+
+// Where a piece of a surface or curve is nearest to a point.
+struct Foot_in_piece
+{
+  double u = 0, v = 0, distance = std::numeric_limits<double>::infinity();
+};
+
+// A point whose distance from a surface or curve is sought, in better and better approximations of these. Their errors fall
+// by 1/4 a round at least.
+struct Foot_of_point
+{
+  std::array<double, 3> point{};
+  std::uint32_t vertex = 0; // to which it belongs
+  double distance = std::numeric_limits<double>::infinity(), error = distance, step = 0;
+
+  void note(double next)
+  {
+    const double last_step = step;
+    step = std::abs(next - distance);
+    error = (std::max)(step, last_step / 8);
+    distance = next;
+  }
+  bool is_settled(double tolerance) const { return error <= (std::max)(tolerance, distance / 64); }
+};
+
+// The largest of some distances, with its estimated error.
+struct Farthest_point
+{
+  double distance = 0, error = 0;
+  std::uint32_t vertex = 0;
+
+  void add(const Foot_of_point& foot)
+  {
+    if (foot.distance > distance) *this = {foot.distance, foot.error, foot.vertex};
+  }
+};
+
+// at(u, v): the Jet_average of the piece, over the unit square or the triangle u + v <= 1; of a curve v does not matter
+template <class At>
+Foot_in_piece foot_in_piece(const At& at, bool is_triangle, const std::array<double, 3>& point,
+                            double u, double v)
+{
+  constexpr int most_steps = 16;
+  Foot_in_piece best;
+  for (int i = 0; i < most_steps; ++i) {
+    Jet_vector r = at(u, v).point;
+    for (std::size_t k = 0; k < 3; ++k) r[k].value -= point[k];
+    if (const double distance = std::sqrt(jet_product(r, r).value); distance < best.distance)
+      best = {u, v, distance};
+    const auto [next_u, next_v] = next_foot(r, is_triangle, u, v);
+    if (!(std::abs(next_u - u) + std::abs(next_v - v) > 1e-15)) break;
+    u = next_u;
+    v = next_v;
+  }
+  return best;
+}
 
 // The largest distance of points from a limit surface, each sought about a vertex. As in Surface_evaluation the averages of
 // the spline pieces of a level stand for the surface, and the patch of a face where it has no such piece. Each point has its foot in
@@ -87,20 +146,16 @@ private:
   void find(const Level_connectivity& level, const Values& values, unsigned rounds,
             Foot& foot) const
   {
-    const Index first = level.halfedge_of_vertex(foot.center);
     foot.in_face = {};
-    Index h = first;
-    do {
-      if (!level.is_border(h)) {
-        const Foot_in_piece f = in_face(level, values, rounds, h, foot.point);
-        if (f.distance < foot.in_face.distance) {
-          foot.in_face = f;
-          foot.base = h;
-        }
-        if (f.u > 0 && f.v > 0 && (degree == 3 ? f.u + f.v < 1 : f.u < 1 && f.v < 1)) break;
+    for (const Index h : halfedges_around_target(level, level.halfedge_of_vertex(foot.center))) {
+      if (level.is_border(h)) continue;
+      const Foot_in_piece f = in_face(level, values, rounds, h, foot.point);
+      if (f.distance < foot.in_face.distance) {
+        foot.in_face = f;
+        foot.base = h;
       }
-      h = level.next_around_target(h);
-    } while (h != first);
+      if (f.u > 0 && f.v > 0 && (degree == 3 ? f.u + f.v < 1 : f.u < 1 && f.v < 1)) break;
+    }
     foot.note(foot.in_face.distance);
   }
 
@@ -129,11 +184,8 @@ private:
         }
         return Jet_average(std::move(entries), true);
       }
-      Index h = base;
-      do {
+      for (const Index h : halfedges_around_face(level, base))
         entries.push_back(entry(level.target(h)));
-        h = level.next(h);
-      } while (h != base);
       return patch_average(std::move(entries), u, v);
     };
     return foot_in_piece(at, degree == 3, point, 0.25, 0.25);
@@ -189,6 +241,134 @@ private:
   const Scheme& scheme_;
   const Limit_neighborhood neighborhood_;
   For_chunks for_chunks_;
+};
+
+// What Limit_distance is for surfaces, for cubic B-spline curves: about each point a few control points are refined.
+template <int dimension>
+class Curve_distance
+{
+public:
+  using Value = Point_normal<double, dimension>;
+  using Values = std::vector<Value>;
+
+  explicit Curve_distance(bool is_closed)
+    : is_closed_(is_closed)
+  {}
+
+  Farthest_point operator()(const Values& values, const Vectors<dimension>& points,
+                            const std::vector<std::uint32_t>& vertices, double tolerance) const
+  {
+    constexpr unsigned most_rounds = 16;
+    Farthest_point farthest;
+    for (const auto v : vertices) {
+      Foot_of_point foot;
+      foot.vertex = v;
+      std::copy_n(points[v].data(), dimension, foot.point.begin());
+      Part part = part_about(values, v);
+      for (unsigned rounds = 0;; ++rounds) {
+        const auto [at, distance] = find(part, foot.point);
+        foot.note(distance);
+        if (rounds == most_rounds || foot.is_settled(tolerance)) {
+          farthest.add(foot);
+          break;
+        }
+        if (foot.distance + foot.error <= farthest.distance) break;
+        part = refined(part, at);
+      }
+    }
+    return farthest;
+  }
+
+private:
+  static constexpr std::ptrdiff_t reach = 3; // on both sides of the center
+
+  struct Part
+  {
+    Values net;
+    std::ptrdiff_t center = 0;
+    bool begins = false, ends = false; // at the first or last value of an open curve
+  };
+
+  Part part_about(const Values& values, std::size_t v) const
+  {
+    const auto n = static_cast<std::ptrdiff_t>(values.size()), at = static_cast<std::ptrdiff_t>(v);
+    Part part;
+    for (auto i = at - reach; i <= at + reach; ++i) {
+      if (!is_closed_ && (i < 0 || i >= n)) continue;
+      if (i == at) part.center = static_cast<std::ptrdiff_t>(part.net.size());
+      part.net.push_back(values[static_cast<std::size_t>((i % n + n) % n)]);
+    }
+    part.begins = !is_closed_ && at <= reach;
+    part.ends = !is_closed_ && at + reach >= n - 1;
+    return part;
+  }
+
+  // in the two pieces about the center: twice the parameter of the foot, rounded, and the distance
+  static std::pair<std::ptrdiff_t, double> find(const Part& part,
+                                                const std::array<double, 3>& point)
+  {
+    const auto n = static_cast<std::ptrdiff_t>(part.net.size());
+    const auto entry = [&](std::ptrdiff_t i, const Jet& weight) {
+      Jet_entry e;
+      const Value& value = part.net[static_cast<std::size_t>(i)];
+      e.weight = weight;
+      std::copy_n(value.point.begin(), dimension, e.point.begin());
+      std::copy_n(value.normal.begin(), dimension, e.normal.begin());
+      e.roundness = value.roundness;
+      return e;
+    };
+    std::pair<std::ptrdiff_t, double> best{2 * part.center,
+                                           std::numeric_limits<double>::infinity()};
+    if (n == 1) best.second = quick_length(difference(entry(0, {}).point, point));
+    for (auto i = (std::max)(std::ptrdiff_t(0), part.center - 1); i <= part.center && i + 1 < n;
+         ++i) {
+      const bool is_inner = i > 0 && i + 2 < n;
+      const auto at = [&](double u, double) {
+        const Jet x = Jet::of_u(u), y = x * -1 + 1;
+        std::vector<Jet_entry> entries;
+        if (is_inner) {
+          const Jet left = y * y * y * (1. / 6), right = x * x * x * (1. / 6);
+          const Jet first = x * x * x * 0.5 - x * x + 2. / 3;
+          entries = {entry(i, first), entry(i + 1, (left + first + right) * -1 + 1),
+                     entry(i - 1, left), entry(i + 2, right)};
+        } else
+          entries = {entry(i, y), entry(i + 1, x)};
+        return Jet_average(std::move(entries), true);
+      };
+      const Foot_in_piece f = foot_in_piece(at, false, point, 0.5, 0);
+      if (f.distance < best.second)
+        best = {2 * i + static_cast<std::ptrdiff_t>(std::lround(2 * f.u)), f.distance};
+    }
+    return best;
+  }
+
+  // `center`: twice the number of the old value, one more for the middle to the next one
+  Part refined(const Part& old, std::ptrdiff_t center) const
+  {
+    const auto n = static_cast<std::ptrdiff_t>(old.net.size());
+    const auto average = [&](const Ring_averages::Row& row) {
+      return average_(row.data(), row.data() + row.size(), old.net.data());
+    };
+    Part part;
+    const std::ptrdiff_t first = (std::max)(center - reach, std::ptrdiff_t(old.begins ? 0 : 1)),
+                         last = (std::min)(center + reach, 2 * n - (old.ends ? 2 : 3));
+    for (auto i = first; i <= last; ++i) {
+      const auto j = static_cast<std::uint32_t>(i / 2);
+      if (i % 2 == 1)
+        part.net.push_back(average({{j, 1. / 2}, {j + 1, 1. / 2}}));
+      else if (i == 0 || i == 2 * n - 2)
+        part.net.push_back(old.net[j]);
+      else
+        part.net.push_back(average({{j - 1, 1. / 8}, {j + 1, 1. / 8}, {j, 6. / 8}}));
+    }
+    part.center = center - first;
+    part.begins = old.begins && first == 0;
+    part.ends = old.ends && last == 2 * n - 2;
+    return part;
+  }
+
+  bool is_closed_;
+  PN_average<double, dimension> average_;
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -10,8 +10,7 @@
 #define CGAL_PN_FITTING_3_INTERNAL_LIMIT_FUNCTIONALS_H
 
 #include <CGAL/PN_curves/masks/curve_masks.h>
-#include <CGAL/PN_fitting_3/internal/Curve_distance.h>
-#include <CGAL/PN_fitting_3/internal/Foot_of_point.h>
+#include <CGAL/PN_fitting_3/internal/Limit_distance.h>
 #include <CGAL/PN_fitting_3/internal/Ring_limit_functionals.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 
@@ -202,12 +201,6 @@ public:
       result.back().run(of_ring, ring.size() == 1 ? end_ : inner_, values, ring, precision);
     }
     return result;
-  }
-
-  Farthest_point farthest(const Values& values, const Vectors<dimension>& points,
-                          const std::vector<Index>& vertices, double tolerance) const
-  {
-    return Curve_distance<dimension>(is_closed_)(values, points, vertices, tolerance);
   }
 
 private:

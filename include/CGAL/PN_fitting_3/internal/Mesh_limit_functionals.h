@@ -11,15 +11,12 @@
 
 #include <CGAL/PN_fitting_3/internal/Limit_distance.h>
 #include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
-#include <CGAL/PN_limit_surface_3/internal/curvature/Regular_jet.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules_cache.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #ifdef CGAL_PN_SUBDIVISION_3_FITTING
@@ -87,8 +84,6 @@ public:
     , rules_cache_(scheme)
   {}
 
-  const Level_connectivity& level() const { return level_; }
-
   std::vector<Functionals> operator()(const Values& values, const std::vector<Index>& vertices,
                                       const Limit_precision& precision) override;
 
@@ -144,11 +139,8 @@ private:
     const Value& operator[](std::size_t v) const { return values[origin[v]]; }
   };
 
-  struct Ring_of_kind
-  {
-    const Kind* kind = nullptr;
-    Ring_averages rule;
-  };
+  using Rings = std::map<const Kind*, Ring_averages>;
+  using Ring_of_kind = typename Rings::value_type;
 
   // result[positions[i]] is that of vertices[i]
   void evaluate(const Stage& stage, const std::vector<Index>& vertices,
@@ -205,29 +197,30 @@ private:
   const Ring_of_kind& ring_of_kind(const Level_connectivity& level, Index v, unsigned next_round)
   {
     const Kind& kind = rules_cache_.at(level, v, next_round);
-    Ring_of_kind& ring = rings_[&kind];
-    if (ring.kind != nullptr) return ring;
+    const auto [ring, is_new] = rings_.try_emplace(&kind);
+    if (!is_new) return *ring;
     const auto& c = *kind.ring_rules;
-    ring.kind = &kind;
-    ring.rule.rows_of_points = Ring_averages::rows(c.matrix());
-    ring.rule.rows_of_normals = Ring_averages::rows(c.normal_matrix());
-    ring.rule.limit = Ring_averages::row(c.limit_row());
-    ring.rule.normal_limit = Ring_averages::row(c.normal_limit_row());
-    if (c.has_tangents()) ring.rule.tangents.assign(c.tangents().begin(), c.tangents().end());
-    ring.rule.error_factor = c.error_factor();
-    ring.rule.error_ratio = c.error_ratio();
-    return ring;
+    Ring_averages& rule = ring->second;
+    rule.rows_of_points = c.matrix();
+    rule.rows_of_normals = c.normal_matrix();
+    rule.limit = c.limit_row();
+    rule.normal_limit = c.normal_limit_row();
+    if (c.has_tangents()) rule.tangents.assign(c.tangents().begin(), c.tangents().end());
+    rule.error_factor = c.error_factor();
+    rule.error_ratio = c.error_ratio();
+    return *ring;
   }
 
-  void run(const Stage& stage, Index v, const Ring_of_kind& kind, Functionals_of_ring& of_ring,
+  void run(const Stage& stage, Index v, const Ring_of_kind& of_kind, Functionals_of_ring& of_ring,
            std::vector<Index>& ring, Functionals& f) const
   {
+    const auto& [kind, rule] = of_kind;
     ring.clear();
-    Ring_rules_cache<Scheme, double>::append_ring(stage.level, v, *kind.kind, ring);
-    f.run(of_ring, kind.rule, stage.values, ring,
-          precision_at(*kind.kind->ring_rules, stage.level.is_border_vertex(v)));
+    Ring_rules_cache<Scheme, double>::append_ring(stage.level, v, *kind, ring);
+    f.run(of_ring, rule, stage.values, ring,
+          precision_at(*kind->ring_rules, stage.level.is_border_vertex(v)));
     if (precision_.second_forms > 0)
-      if (const auto jet = surface_jet(stage.level, v, *kind.kind->ring_rules, of_ring)) {
+      if (const auto jet = surface_jet(stage.level, v, *kind->ring_rules, of_ring)) {
         f.second_form = second_form(*jet);
         f.has_second_form = true;
         if (!is_spline_at(stage.level, v)) f.share_of_slopes = of_ring.limit().roundness;
@@ -325,7 +318,7 @@ private:
   const Level_connectivity& level_;
   For_chunks for_chunks_;
   Ring_rules_cache<Scheme, double> rules_cache_;
-  std::map<const Kind*, Ring_of_kind> rings_;
+  Rings rings_;
   Limit_precision precision_;
 };
 

@@ -94,23 +94,9 @@ private:
 // What is done to the rings of a kind in every round, in double.
 struct Ring_averages
 {
-  using Entry = Stencil<double>::Entry;
-  using Row = std::vector<Entry>;
+  using Row = Ring_row<double>;
 
-  static Row row(const Ring_row<double>& r)
-  {
-    Row result;
-    for (const auto& [place, weight] : r) result.push_back({place, weight});
-    return result;
-  }
-  static std::vector<Row> rows(const Ring_matrix<double>& m)
-  {
-    std::vector<Row> result;
-    for (const auto& r : m) result.push_back(row(r));
-    return result;
-  }
-
-  std::vector<Row> rows_of_points, rows_of_normals;
+  Ring_matrix<double> rows_of_points, rows_of_normals;
   Row limit, normal_limit;
   std::vector<std::vector<double>> tangents; // over all places; none if there is no tangent plane
   double error_factor = 1, error_ratio = 0;  // see Ring_rules

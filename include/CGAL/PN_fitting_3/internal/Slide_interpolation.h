@@ -9,8 +9,8 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_SLIDE_INTERPOLATION_H
 #define CGAL_PN_FITTING_3_INTERNAL_SLIDE_INTERPOLATION_H
 
-#include <CGAL/PN_fitting_3/internal/Anderson_iteration.h>
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
+#include <CGAL/PN_fitting_3/internal/solvers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -184,19 +184,21 @@ private:
   Limit_interpolation report_;
 };
 
-// The same; the residual is the distance of the points from the limit, of which w is an estimate. Where the limit point is the
-// point, nothing need be sought. Where the net is so coarse that arcs may mislead, a component for which the data
+// The points that have a normal are interpolated; the residual is their distance from the limit, of which w is an estimate. Where
+// the limit point is the point, nothing need be sought. Where the net is so coarse that arcs may mislead, a component for which the data
 // would be the better net becomes these.
 template <int dimension, int tangents>
 Interpolation_result<dimension>
-slide_and_measure(const Interpolation_data<dimension>& data,
-                  Limit_source<dimension, tangents>& source,
-                  typename Limit_source<dimension, tangents>::Farthest farthest_point)
+interpolate_by_sliding(Interpolation_data<dimension>& data,
+                       Limit_source<dimension, tangents>& source,
+                       typename Limit_source<dimension, tangents>::Farthest farthest_point)
 {
   constexpr double coarse_slip = 0.25;
   constexpr unsigned most_changes = 8;
+  const std::size_t left_out = leave_out_without_normal(data);
   auto result = Slide_interpolation<dimension, tangents>(data, source)();
   Limit_interpolation& report = result.report;
+  report.left_out = left_out;
   if (report.slip <= report.tolerance) return result;
   const auto farthest_of = [&](const Vectors<dimension>& points) {
     return farthest_point(to_values<dimension>(points, result.normals, data), data.points,
@@ -220,75 +222,49 @@ slide_and_measure(const Interpolation_data<dimension>& data,
   return result;
 }
 
-// of the points that have a normal
-template <int dimension, int tangents>
-Interpolation_result<dimension>
-interpolate_by_sliding(Interpolation_data<dimension>& data,
-                       Limit_source<dimension, tangents>& source,
-                       typename Limit_source<dimension, tangents>::Farthest farthest)
-{
-  const std::size_t left_out = leave_out_without_normal(data);
-  auto result = slide_and_measure<dimension, tangents>(data, source, farthest);
-  result.report.left_out = left_out;
-  return result;
-}
-
 // Normals M that are those of the surface that slides along them: the surface that interpolates with M
 // tells its normals at the points P, and they become the next M. The normal at P is that at the limit
 // point L, carried from L to P by the second fundamental form.
 template <int dimension>
-class Natural_normals
+Vectors<3> next_natural_normals(const Interpolation_data<dimension>& data, Surface_limits& source,
+                                const Vectors<3>& points)
 {
-public:
-  // the data, the normals of which are the first ones
-  Natural_normals(Interpolation_data<dimension>& data, Surface_limits& source)
-    : data_(data)
-    , source_(source)
-  {}
-
-  void operator()()
-  {
-    double last_change = 0;
-    for (unsigned k = 0; k < most_rounds; ++k) {
-      const auto result = Slide_interpolation<3, 2>(data_, source_)();
-      if (result.report.steps == 0) return; // they are exact
-      Vectors<3> next = next_normals(result.points);
-      double change = 0;
-      for (const auto v : data_.vertices)
-        change = (std::max)(change, (next[v] - data_.normals[v]).norm());
-      if (k > 0 && !(change < 0.8 * last_change)) return;
-      data_.normals = std::move(next);
-      if (change <= 1e-5) return;
-      last_change = change;
-    }
+  Limit_precision precision = data.precision();
+  precision.second_forms = 2e-5;
+  const auto functionals =
+    source(to_values<3>(points, data.normals, data), data.vertices, precision);
+  Vectors<3> next = data.normals;
+  for (std::size_t i = 0; i < functionals.size(); ++i) {
+    const auto v = data.vertices[i];
+    const auto& f = functionals[i];
+    if (data.is_at_border[v] != 0 || !f.has_tangents) continue;
+    const Eigen_vector<3> nu = f.surface_normal(points, data.normals[v]);
+    const Eigen_vector<3> n = nu - f.second_form * (data.points[v] - f.limit(points));
+    const double length = n.norm();
+    if (!(length > 0.1) || !std::isfinite(length) || n.dot(data.normals[v]) <= 0) continue;
+    next[v] = n / length;
   }
+  return next;
+}
 
-private:
-  static constexpr unsigned most_rounds = 10;
-
-  Vectors<3> next_normals(const Vectors<3>& points)
-  {
-    Limit_precision precision = data_.precision();
-    precision.second_forms = 2e-5;
-    const auto functionals =
-      source_(to_values<3>(points, data_.normals, data_), data_.vertices, precision);
-    Vectors<3> next = data_.normals;
-    for (std::size_t i = 0; i < functionals.size(); ++i) {
-      const auto v = data_.vertices[i];
-      const auto& f = functionals[i];
-      if (data_.is_at_border[v] != 0 || !f.has_tangents) continue;
-      const Eigen_vector<3> nu = f.surface_normal(points, data_.normals[v]);
-      const Eigen_vector<3> n = nu - f.second_form * (data_.points[v] - f.limit(points));
-      const double length = n.norm();
-      if (!(length > 0.1) || !std::isfinite(length) || n.dot(data_.normals[v]) <= 0) continue;
-      next[v] = n / length;
-    }
-    return next;
+template <int dimension>
+void find_natural_normals(Interpolation_data<dimension>& data, Limit_source<dimension, 2>& source)
+{
+  constexpr unsigned most_rounds = 10;
+  double last_change = 0;
+  for (unsigned k = 0; k < most_rounds; ++k) {
+    const auto result = Slide_interpolation<3, 2>(data, source)();
+    if (result.report.steps == 0) return; // they are exact
+    Vectors<3> next = next_natural_normals(data, source, result.points);
+    double change = 0;
+    for (const auto v : data.vertices)
+      change = (std::max)(change, (next[v] - data.normals[v]).norm());
+    if (k > 0 && !(change < 0.8 * last_change)) return;
+    data.normals = std::move(next);
+    if (change <= 1e-5) return;
+    last_change = change;
   }
-
-  Interpolation_data<3>& data_;
-  Surface_limits& source_;
-};
+}
 
 } // namespace CGAL::PN_subdivision_3::internal
 

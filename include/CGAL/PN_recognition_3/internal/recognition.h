@@ -13,7 +13,6 @@
 
 #include <CGAL/PN_recognition_3/internal/recognition_interface.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/number_utils.h>
 

@@ -9,10 +9,8 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_CREASED_LIMITS_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_CREASED_LIMITS_H
 
-#include <CGAL/PN_limit_surface_3/internal/limit/Dart_limit.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Crease_vertex_limit.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits_by_kind.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
@@ -156,14 +154,6 @@ private:
     const std::vector<Index>&here, &whole;
   };
 
-  static std::vector<Index> selected(const std::vector<Index>& all,
-                                     const std::vector<Index>& positions)
-  {
-    std::vector<Index> result;
-    for (const Index i : positions) result.push_back(all[i]);
-    return result;
-  }
-
   // of the level cut open; returns the positions of the vertices that have to be refined first
   std::vector<Index> evaluate_rest(const Level& level, const Creases<FT>& creases,
                                    Creases<FT>& limits, const Vertices& vertices,
@@ -233,8 +223,8 @@ private:
                              depth, results);
       }
       if (rest.empty()) return;
-      vertices = selected(vertices, rest);
-      part = part_about(refined, refiner.creases(), selected(here, rest));
+      vertices = values_of_part(vertices, rest);
+      part = part_about(refined, refiner.creases(), values_of_part(here, rest));
     }
   }
 
@@ -422,8 +412,8 @@ auto Creased_limits<Scheme, FT, points_alone>::operator()(Level& level, Creases<
     evaluate_creases(level, creases, limits, results);
     if constexpr (!is_pn && !points_alone)
       if (demand_.surface_normals) evaluate_normals(level, creases, next_round, results);
-    rest =
-      selected(rest, evaluate_rest(level, creases, limits, {rest, rest}, next_round, 0, results));
+    rest = values_of_part(
+      rest, evaluate_rest(level, creases, limits, {rest, rest}, next_round, 0, results));
   }
   if (!rest.empty()) refine(level, creases, limits, std::move(rest), next_round, results);
   if constexpr (!points_alone)

@@ -9,15 +9,12 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_EVALUATION_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_EVALUATION_H
 
-#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Rim_closure.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits_by_kind.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_planes.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules_cache.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/orient_normals.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/made_levels.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
@@ -63,7 +60,7 @@ Valued_level<Value> level_of_round(const One_round& round, const std::vector<Val
 }
 
 // The limits at vertices of a level of a scheme that keeps its vertices. What is defined behind the class may be compiled once,
-// see compiled_limits.h. Where the neighborhood of a
+// see limits_at_slots.h. Where the neighborhood of a
 // vertex is not settled yet but will be after one round, the round makes its ring and nothing else;
 // the faces around all other such vertices are cut out and refined until it is.
 template <class Scheme, class FT, bool points_alone = false>

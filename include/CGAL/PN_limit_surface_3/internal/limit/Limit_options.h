@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -37,6 +38,23 @@ void refuse_intervals()
       "them "
       "need not contain them: take linear() of the scheme, or a number type that is not an "
       "interval");
+}
+
+// The largest side of the box of some points, of which coordinate(i, c) is a coordinate.
+template <class Coordinate>
+double box_size(std::size_t number, std::size_t dimension, const Coordinate& coordinate)
+{
+  double size = 0;
+  for (std::size_t c = 0; c < dimension; ++c) {
+    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    for (std::size_t i = 0; i < number; ++i) {
+      const double x = coordinate(i, c);
+      least = (std::min)(least, x);
+      greatest = (std::max)(greatest, x);
+    }
+    size = (std::max)(size, greatest - least);
+  }
+  return size;
 }
 
 // what limits are to have, and how well; parameters.h says more

@@ -85,7 +85,7 @@ public:
       round(x);
     Ring_row<FT> row;
     for (std::size_t k = 0; k < x.size(); ++k)
-      if (!CGAL::certainly(x[k] == FT(0))) row.emplace_back(places_[k], x[k]);
+      if (!CGAL::certainly(x[k] == FT(0))) row.push_back({places_[k], x[k]});
     return row;
   }
 
@@ -244,8 +244,7 @@ private:
 
 // whether a row times the matrix is the row, exactly
 template <class FT>
-bool is_left_eigenvector(const std::vector<std::pair<std::uint32_t, FT>>& row,
-                         const Ring_matrix<FT>& matrix)
+bool is_left_eigenvector(const Ring_row<FT>& row, const Ring_matrix<FT>& matrix)
 {
   std::vector<FT> difference(matrix.size(), FT(0));
   for (const auto& [i, x] : row) {
@@ -260,23 +259,22 @@ bool is_left_eigenvector(const std::vector<std::pair<std::uint32_t, FT>>& row,
 // to, if these make it the limit mask exactly; otherwise they are rounded, as those of the rows are. Other
 // types than those of the processor get them from the matrix, with all the precision that they have.
 template <class FT>
-std::vector<std::pair<std::uint32_t, FT>>
-limit_weights(const Ring_eigenvectors::Vector& limit,
-              [[maybe_unused]] const Ring_matrix<FT>& matrix)
+Ring_row<FT> limit_weights(const Ring_eigenvectors::Vector& limit,
+                           [[maybe_unused]] const Ring_matrix<FT>& matrix)
 {
   if constexpr (!is_exact_v<FT> && !std::is_floating_point_v<FT>) return Limit_row<FT>(matrix)();
   std::size_t largest = 0;
   for (std::size_t i = 0; i < limit.size(); ++i)
     if (std::abs(limit[i]) > std::abs(limit[largest])) largest = i;
   const auto row_of = [&](const auto& weight_of) {
-    std::vector<std::pair<std::uint32_t, FT>> row;
+    Ring_row<FT> row;
     FT sum(0);
     for (std::size_t i = 0; i < limit.size(); ++i) {
       if (i == largest || std::abs(limit[i]) <= 1e-17L) continue;
-      row.emplace_back(static_cast<std::uint32_t>(i), weight_of(limit[i]));
-      sum += row.back().second;
+      row.push_back({static_cast<std::uint32_t>(i), weight_of(limit[i])});
+      sum += row.back().weight;
     }
-    row.emplace_back(static_cast<std::uint32_t>(largest), FT(1) - sum);
+    row.push_back({static_cast<std::uint32_t>(largest), FT(FT(1) - sum)});
     return row;
   };
   if constexpr (is_exact_v<FT>) {
@@ -284,7 +282,7 @@ limit_weights(const Ring_eigenvectors::Vector& limit,
       const auto fraction = as_fraction(x);
       return fraction ? FT(FT(fraction->first) / FT(fraction->second)) : rounded_weight<FT>(x);
     });
-    if (is_left_eigenvector(row, matrix)) return row;
+    if (is_left_eigenvector<FT>(row, matrix)) return row;
   }
   return row_of([](long double x) { return rounded_weight<FT>(x); });
 }

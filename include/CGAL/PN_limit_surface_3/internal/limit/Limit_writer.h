@@ -11,7 +11,6 @@
 
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules.h>
 #include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
@@ -19,9 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -196,16 +193,6 @@ private:
   Undoable<limit_point_map_t> points_;
   Undoable<limit_normal_map_t> normals_;
   Undoable<limit_error_map_t> errors_;
-};
-
-// the maps of limits that a call has
-template <class Kernel, class NamedParameters>
-struct Limit_maps_of_call
-{
-  template <class Access>
-  using Writer = Limit_maps_writer<Access, Kernel, NamedParameters>;
-
-  const NamedParameters& np;
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -9,19 +9,20 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_EIGENVECTORS_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_EIGENVECTORS_H
 
+#include <CGAL/PN_subdivision_3/rows/Stencil.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// A row over the places of a ring: (place, weight).
+// A row over the places of a ring, which stand for vertices.
 template <class FT>
-using Ring_row = std::vector<std::pair<std::uint32_t, FT>>;
+using Ring_row = std::vector<typename Stencil<FT>::Entry>;
 
 // The matrix that maps the values of a ring to those of the next round, by its rows.
 template <class FT>

@@ -13,16 +13,23 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_planes.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules_cache.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
+#include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
+#include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
+#include <memory>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -302,6 +309,72 @@ private:
   Ring_planes<Scheme, FT> planes_;
   std::optional<Normal_transfer<FT>> transfer_;
   std::size_t count_ = 0;
+};
+
+// The limits of vertices of several kinds: rings are gathered until there are as many of a kind as are refined at once.
+template <class Scheme, class FT, bool points_alone = false>
+class Ring_limits_by_kind
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Limits = Ring_limits<Scheme, FT, points_alone>;
+  using Kind = typename Ring_rules_cache<Scheme, FT>::Kind;
+
+  // what its limit is stored in, and of which kind its ring is
+  struct Vertex
+  {
+    Index v;
+    typename Limits::Result* result;
+    const Kind* kind;
+  };
+
+  explicit Ring_limits_by_kind(const Limit_demand& demand)
+    : demand_(demand)
+  {}
+
+  // of a vertex whose ring is given by value(place)
+  template <class Value_of>
+  void add(const Vertex& vertex, bool is_spline, const Value_of& value)
+  {
+    if (last_ == nullptr || vertex.kind != last_kind_ || is_spline != last_is_spline_) {
+      auto& limits = limits_[{vertex.kind, is_spline}];
+      if (!limits) limits = std::make_unique<Limits>(*vertex.kind->ring_rules, demand_, is_spline);
+      last_ = limits.get();
+      last_kind_ = vertex.kind;
+      last_is_spline_ = is_spline;
+    }
+    last_->add(value, *vertex.result);
+    if (last_->is_full()) evaluate(*last_, vertex.v);
+  }
+
+  // the rest
+  void finish()
+  {
+    for (auto& entry : limits_) entry.second->evaluate();
+  }
+
+private:
+  // of number types that may not decide a comparison one ring is refined at once
+  static void evaluate(Limits& limits, [[maybe_unused]] Index v)
+  {
+    if constexpr (std::is_floating_point_v<FT>)
+      limits.evaluate();
+    else
+      try {
+        limits.evaluate();
+      } catch (const Uncertain_conversion_exception&) {
+        throw std::domain_error(
+          "PN_subdivision_3: the precision of the number type does not decide whether a normal "
+          "next to vertex number " +
+          std::to_string(v) + " vanishes or is opposite to a neighbor's: use a higher precision");
+      }
+  }
+
+  const Limit_demand& demand_;
+  std::map<std::pair<const Kind*, bool>, std::unique_ptr<Limits>> limits_;
+  Limits* last_ = nullptr;
+  const Kind* last_kind_ = nullptr;
+  bool last_is_spline_ = false;
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

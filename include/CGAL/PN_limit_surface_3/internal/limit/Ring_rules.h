@@ -9,17 +9,14 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_RULES_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_RULES_H
 
-#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_weights.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_eigenvectors.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
-#include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/rows/PN_average_block.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 
 #include <algorithm>
 #include <array>
@@ -56,11 +53,11 @@ void put_rest_last([[maybe_unused]] Ring_row<FT>& row)
     FT largest(0), sum(0);
     for (const auto& [place, weight] : row) largest = (std::max)(largest, std::abs(weight));
     const auto rest = std::find_if(row.begin(), row.end(), [&](const auto& e) {
-      return std::abs(e.second) >= largest * FT(1 - 1e-5);
+      return std::abs(e.weight) >= largest * FT(1 - 1e-5);
     });
     std::rotate(rest, rest + 1, row.end());
-    for (std::size_t i = 0; i + 1 < row.size(); ++i) sum += row[i].second;
-    row.back().second = FT(1) - sum;
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) sum += row[i].weight;
+    row.back().weight = FT(1) - sum;
   }
 }
 
@@ -82,9 +79,9 @@ std::optional<Ring_matrix<FT>> ring_matrix(const Host& host, const Mask& mask,
     for (auto e = rows.begin(0); e != rows.end(0); ++e) {
       const auto found = place.find(e->vertex);
       if (found == place.end()) return std::nullopt;
-      matrix.back().emplace_back(found->second, e->weight);
+      matrix.back().push_back({found->second, e->weight});
     }
-    sort_stably(matrix.back(), [](const auto& entry) { return entry.first; });
+    sort_stably(matrix.back(), [](const auto& entry) { return entry.vertex; });
     put_rest_last<FT>(matrix.back());
   }
   return matrix;
@@ -102,7 +99,8 @@ Ring_matrix<FT> product(const Ring_matrix<FT>& last, const Ring_matrix<FT>& firs
         const auto at = sums.emplace(j, FT(0)).first;
         at->second += x * weight;
       }
-    result.emplace_back(sums.begin(), sums.end());
+    result.emplace_back();
+    for (const auto& [j, sum] : sums) result.back().push_back({j, sum});
   }
   return result;
 }
@@ -152,23 +150,18 @@ public:
     for (const Ring_round& r : rounds)
       largest_size_ = (std::max)(largest_size_, r.rings.ring.size());
     copies_ = (std::max)(std::size_t(1), block_size_v<FT> / largest_size_);
-    const auto matrix_of = [&](auto number, const Ring_round& r) {
-      using Number = decltype(number);
-      const typename Scheme::Host host(r.level, r.number);
-      return ring_matrix<Number>(host, scheme.template mask<Number>(r.level, r.number), r.rings);
+    const auto mask_of = [&](auto number, const Ring_round& r) {
+      return scheme.template mask<decltype(number)>(r.level, r.number);
     };
-    const auto masks = set_rules(rounds, layout, matrix_of, points_);
+    const auto masks = set_rules(rounds, layout, mask_of, points_);
     if (!masks) return;
     is_interpolating_ = points_.limit_row.size() == 1;
     if constexpr (may_have_normal_rows) {
       has_normal_rows_ = has_normal_mask(scheme);
-      const auto normal_matrix_of = [&](auto number, const Ring_round& r) {
-        using Number = decltype(number);
-        const typename Scheme::Host host(r.level, r.number);
-        return ring_matrix<Number>(host, scheme.template normal_mask<Number>(r.level, r.number),
-                                   r.rings);
+      const auto normal_mask_of = [&](auto number, const Ring_round& r) {
+        return scheme.template normal_mask<decltype(number)>(r.level, r.number);
       };
-      if (has_normal_rows_ && !set_rules(rounds, layout, normal_matrix_of, normals_)) return;
+      if (has_normal_rows_ && !set_rules(rounds, layout, normal_mask_of, normals_)) return;
     }
     if (transfers_curvature(scheme) && !layout.at_border && layout.number > 2 &&
         layout.number != (Scheme::Host::refined_degree == 4 ? 4 : 6))
@@ -269,25 +262,26 @@ private:
     double lambda, normal_ratio, largest_other;
   };
 
-  // matrix_of(number, round) gives the rows of a round in a number type
-  template <class Matrix_of>
+  // mask_of(number, round) gives the mask of a round in a number type
+  template <class Mask_of>
   std::optional<Tangents> set_rules(const std::vector<Ring_round>& rounds,
-                                    const Ring_layout& layout, const Matrix_of& matrix_of,
+                                    const Ring_layout& layout, const Mask_of& mask_of,
                                     Weights& rules) const
   {
     using Real = Ring_eigenvectors::Real;
     Ring_matrix<Real> real_matrix;
     for (const Ring_round& r : rounds) {
-      const auto rows = matrix_of(FT(), r);
-      const auto real_rows = matrix_of(Real(), r);
+      const typename Scheme::Host host(r.level, r.number);
+      const auto rows = ring_matrix<FT>(host, mask_of(FT(), r), r.rings);
+      const auto real_rows = ring_matrix<Real>(host, mask_of(Real(), r), r.rings);
       if (!rows || !real_rows) return std::nullopt;
-      rules.matrix = rules.rows.empty() ? *rows : product(*rows, rules.matrix);
-      real_matrix = rules.rows.empty() ? *real_rows : product(*real_rows, real_matrix);
+      rules.matrix = rules.rows.empty() ? *rows : product<FT>(*rows, rules.matrix);
+      real_matrix = rules.rows.empty() ? *real_rows : product<Real>(*real_rows, real_matrix);
       rules.rows.emplace_back(*rows, copies_);
     }
     const Ring_eigenvectors masks(real_matrix, layout);
     if (masks.limit().empty()) return std::nullopt;
-    rules.limit_row = limit_weights(masks.limit(), rules.matrix);
+    rules.limit_row = limit_weights<FT>(masks.limit(), rules.matrix);
     rules.limit = Ring_rows<FT>({rules.limit_row}, copies_);
     Tangents result{{}, masks.lambda(), masks.normal_ratio(), masks.largest_other()};
     if (masks.has_tangents())

@@ -9,10 +9,9 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_RULES_CACHE_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_RING_RULES_CACHE_H
 
-#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/made_levels.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
@@ -27,9 +26,76 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
+
+// A vertex and the vertices of some rings of faces around it, in an order that depends on the
+// connectivity alone: the vertex; its neighbors, clockwise, on the border from one border neighbor
+// to the other; the other vertices of its faces in the same sense; then ring by ring.
+class Vertex_ring
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  // Appends the rings behind what is there. Vertices of the first ring that coincide, as they may on the coarsest
+  // meshes, occur as often as they are met.
+  static void append(const Level_connectivity& level, Index v, unsigned rings,
+                     std::vector<Index>& ring)
+  {
+    const Index h = level.halfedge_of_vertex(v);
+    const auto begin = static_cast<std::ptrdiff_t>(ring.size());
+    ring.push_back(v);
+    level.for_each_neighbor(h, [&](Index w) { ring.push_back(w); });
+    for (const Index g : halfedges_around_target(level, h))
+      if (!level.is_border(g))
+        for (Index c = level.next(level.next(g)); level.next(c) != g; c = level.next(c))
+          ring.push_back(level.target(c));
+    if (rings > 1) append_outer_rings(level, h, rings, {ring.begin() + begin, ring.end()}, ring);
+  }
+
+  // The first ring that the vertex will have in the next round of a host that splits edges, in the
+  // same order.
+  template <class Host>
+  static void append_next(const Level_connectivity& level, const Host& host, Index v,
+                          std::vector<Index>& ring)
+  {
+    const auto halfedges = halfedges_around_target(level, level.halfedge_of_vertex(v));
+    ring.push_back(v);
+    for (const Index h : halfedges)
+      ring.push_back(host.vertex_of_edge(Level_connectivity::edge(level.next(h))));
+    if constexpr (Host::refined_degree == 4)
+      for (const Index h : halfedges)
+        if (!level.is_border(h)) ring.push_back(host.vertex_of_face(level.face(h)));
+  }
+
+private:
+  static void append_outer_rings(const Level_connectivity& level, Index h, unsigned rings,
+                                 std::unordered_set<Index>&& known, std::vector<Index>& ring)
+  {
+    std::vector<Index> in; // a half-edge into each vertex of the last ring, found from the center
+    for (const Index g : halfedges_around_target(level, h)) {
+      in.push_back(level.next(g));
+      if (!level.is_border(g))
+        for (Index c = level.next(level.next(g)); level.next(c) != g; c = level.next(c))
+          in.push_back(c);
+    }
+    std::vector<Index> next_in;
+    for (unsigned r = 1; r < rings; ++r) {
+      next_in.clear();
+      for (const Index first : in)
+        for (const Index g : halfedges_around_target(level, first))
+          if (!level.is_border(g))
+            for (Index c = level.next(g); c != g; c = level.next(c))
+              if (known.insert(level.target(c)).second) {
+                ring.push_back(level.target(c));
+                next_in.push_back(c);
+              }
+      in.swap(next_in);
+    }
+  }
+};
 
 // The kinds of rings that the vertices of a level have: one for each valence, in the interior and on
 // the border. A kind is made where it occurs first, from the scheme itself at work around the vertex.
@@ -178,44 +244,6 @@ private:
     layout.at_border = true;
     kind.ring_rules = std::make_unique<Rules>(scheme_, rounds, layout);
     return kind;
-  }
-
-  // Triangles about vertex 0, which is on the border. Edge i leads to it from neighbor i, which is
-  // vertex 1 + i, and then come the edges opposite to vertex 0.
-  static Level_connectivity fan_of_triangles(Index triangles)
-  {
-    const Index spokes = triangles + 1;
-    Level_size size;
-    size.vertices = 1 + spokes;
-    size.edges = spokes + triangles;
-    size.faces = triangles;
-    size.corners = std::size_t(3) * triangles;
-    Level_connectivity level(size);
-    level.set_uniform_degree(3);
-    for (Index i = 0; i < spokes; ++i) {
-      level.set_target(2 * i, 0);
-      level.set_target(2 * i + 1, 1 + i);
-    }
-    level.set_halfedge_of_vertex(0, 2 * triangles);
-    level.set_border(2 * triangles);
-    level.set_border(1);
-    level.set_next(2 * triangles, 1);
-    level.set_halfedge_of_vertex(1, 1);
-    for (Index i = 0; i < triangles; ++i) {
-      const Index in = 2 * i, out = 2 * i + 3, across = 2 * (spokes + i), outer = across + 1;
-      level.set_target(across, 1 + i);
-      level.set_target(outer, 2 + i);
-      level.set_next(in, out);
-      level.set_next(out, across);
-      level.set_next(across, in);
-      for (const Index h : {in, out, across}) level.set_face(h, i);
-      level.set_halfedge_of_face(i, in);
-      level.set_border(outer);
-      level.set_halfedge_of_vertex(2 + i, outer);
-      level.set_next(i == 0 ? 1 : outer - 2, outer);
-    }
-    level.set_next(2 * (spokes + triangles) - 1, 2 * triangles);
-    return level;
   }
 
   const Scheme& scheme_;

@@ -9,14 +9,141 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SUB_LEVEL_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SUB_LEVEL_H
 
+#include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
+#include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
+#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/rows/Stencil.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
+
+// How many rings of faces a vertex needs around it for a round to come out right, again and again, in the rings that
+// the round after it needs: c rings of new faces lie in c/2 of old ones, and these need the ghost rings around them, so
+// c is twice as many; rings of sqrt(3) grow by the root of 3 only. A scheme that does not tell has as many as Kobbelt's.
+template <class Scheme>
+unsigned cut_rings(const Scheme& scheme)
+{
+  constexpr unsigned least = 4, times = std::is_same_v<typename Scheme::Host, Sqrt3_host> ? 4 : 2;
+  const unsigned ghosts = ghost_rings(scheme);
+  return ghosts == 0 ? 8 : (std::max)(least, times * ghosts);
+}
+
+// Whether the target of h has n edges. Cost: n
+inline bool has_valence(const Level_connectivity& level, Level_connectivity::Index h,
+                        Level_connectivity::Index n)
+{
+  const Level_connectivity::Index first = h;
+  for (Level_connectivity::Index i = 0; i < n; ++i, h = level.next_around_target(h))
+    if (i != 0 && h == first) return false;
+  return h == first;
+}
+
+// Tells whether the neighborhood of a vertex of a level is settled, or will be once the rules are those
+// of all later rounds, too.
+template <class Scheme>
+class Has_final_rules
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Host = typename Scheme::Host;
+
+  static constexpr Index degree = Host::refined_degree;
+  static constexpr Index regular_valence = degree == 4 ? 4 : 6;
+
+  // rules_are_final: whether the next round has the rules that all later ones have
+  Has_final_rules(const Scheme& scheme, const Level_connectivity& level, bool rules_are_final)
+    : level_(level)
+    , neighborhood_(limit_neighborhood(scheme))
+    , has_next_ring_(may_have_next_ring && neighborhood_.regular_rings <= 1 &&
+                     neighborhood_.takes_border && !transfers_curvature(scheme))
+    , rules_are_final_(rules_are_final)
+  {}
+
+  // \pre v has edges
+  bool operator()(Index v) const
+  {
+    const bool at_border = level_.is_border_vertex(v);
+    const Index first = level_.halfedge_of_vertex(v);
+    if (!rules_are_final_ && !at_border && !has_valence(level_, first, regular_valence))
+      return false;
+    for (const Index h : halfedges_around_target(level_, first))
+      if (!level_.is_border(h) && !has_final_face(h, at_border)) return false;
+    return neighborhood_.regular_rings < 2 || are_regular_beyond(first, at_border);
+  }
+
+  // Whether the vertices that a vertex gets around it in the next round may decide on it, they alone, and
+  // are found from the elements of this level. What transfers do to them is not.
+  static constexpr bool may_have_next_ring =
+    std::is_same_v<Host, PQQ_host> || std::is_same_v<Host, PTQ_host>;
+
+  // Whether the neighborhood of v will be settled after one round because the new vertices of edges and
+  // faces around it are all regular, if the rules are final then.
+  // \pre v has edges
+  bool in_next_ring(Index v) const
+  {
+    if (!has_next_ring_) return false;
+    for (const Index h : halfedges_around_target(level_, level_.halfedge_of_vertex(v)))
+      if (!level_.is_border(h) && !level_.has_degree(h, degree)) return false;
+    return true;
+  }
+
+private:
+  // h leads to the vertex
+  bool has_final_face(Index h, bool at_border) const
+  {
+    if (!level_.has_degree(h, degree)) return false;
+    if constexpr (std::is_same_v<Host, Sqrt3_host>)
+      // the border of the vertex itself goes by rules of its own
+      if (!at_border && level_.is_border(Level_connectivity::opposite(level_.next(level_.next(h)))))
+        return false;
+    if (neighborhood_.regular_rings > 0)
+      for (Index g = level_.next(h); g != h; g = level_.next(g))
+        if (!is_regular(level_.target(g), at_border)) return false;
+    return true;
+  }
+
+  // the vertices of the faces around the neighbors and diagonal vertices
+  bool are_regular_beyond(Index first, bool at_border) const
+  {
+    const Index v = level_.target(first);
+    for (const Index h : halfedges_around_target(level_, first)) {
+      if (level_.is_border(h)) continue;
+      for (Index g = level_.next(h); g != h; g = level_.next(g))
+        for (const Index k : halfedges_around_target(level_, g)) {
+          if (level_.is_border(k)) continue;
+          if (!level_.has_degree(k, degree)) return false;
+          for (Index c = level_.next(k); c != k; c = level_.next(c))
+            if (level_.target(c) != v && !is_regular(level_.target(c), at_border)) return false;
+        }
+    }
+    return true;
+  }
+
+  bool is_regular(Index v, bool at_border) const
+  {
+    // a dart is cut open, but counts by its valence
+    if (const auto* counted = counted_valence(level_, v); counted != nullptr)
+      return neighborhood_.takes_border &&
+             (counted->valence == 0 || counted->valence == regular_valence);
+    if (level_.is_border_vertex(v))
+      return neighborhood_.takes_border ||
+             (at_border && level_.valence(v) == (degree == 4 ? 3 : 4));
+    return has_valence(level_, level_.halfedge_of_vertex(v), regular_valence);
+  }
+
+  const Level_connectivity& level_;
+  const Limit_neighborhood neighborhood_;
+  const bool has_next_ring_, rules_are_final_;
+};
 
 // Numbers that some elements of a level get: in a table of all if they may be many, and otherwise at the first free place
 // from that of a hash on. With std::unordered_map cutting a few faces out takes two to three times as long.
@@ -134,15 +261,12 @@ private:
 
   void list_edges()
   {
-    for (const Index first : faces_) {
-      Index h = first;
-      do {
+    for (const Index first : faces_)
+      for (const Index h : halfedges_around_face(whole_, first)) {
         const Index e = Level_connectivity::edge(h);
         if (place_of_edge_.insert(e, static_cast<Index>(edges_.size())))
           edges_.push_back(keeps_ == Keeps::nothing ? h : 2 * e);
-        h = whole_.next(h);
-      } while (h != first);
-    }
+      }
   }
 
   void list_vertices()

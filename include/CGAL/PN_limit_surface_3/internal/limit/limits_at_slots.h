@@ -9,35 +9,61 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMITS_AT_SLOTS_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMITS_AT_SLOTS_H
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Creased_limits.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_writer.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_planes.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/made_levels.h>
+#include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #ifdef CGAL_PN_SUBDIVISION_3_LIMITS
-#  include <CGAL/PN_limit_surface_3/internal/limit/compiled_limits.h>
+#  include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
 #endif
 
-#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <memory>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
+
+// The limits of levels of double, which the library CGAL::PN_subdivision_3_limits has, see compiled_levels.h.
+#define CGAL_PN_SUBDIVISION_3_LIMITS_OF(EXTERN, SCHEME)                                            \
+  EXTERN template class Limit_evaluation<compiled_once::SCHEME, double>;
+#define CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(EXTERN, SCHEME)                                    \
+  CGAL_PN_SUBDIVISION_3_LIMITS_OF(EXTERN, SCHEME)                                                  \
+  EXTERN template class Creased_limits<compiled_once::SCHEME, double>;
+#ifdef CGAL_PN_SUBDIVISION_3_LIMITS
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Any_of_quads)
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Any_of_triangles)
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Any_of_sqrt3)
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Linear_of_quads)
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Linear_of_triangles)
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Linear_of_sqrt3)
+#endif
 
 // The level of a mesh with points and, for PN schemes, control normals: the user's, or estimated ones
 // if there is no map of them.
@@ -57,23 +83,12 @@ auto read_limit_level(const Access& access, const Scheme& scheme, Point_map poin
   return result;
 }
 
-// the largest side of a box
-inline double size_of(const Bbox_3& box)
-{
-  return (std::max)(
-    {0., box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
-}
-
-// the size of the box of the points
 template <class Value>
 double box_size(const Valued_level<Value>& level)
 {
-  Bbox_3 box;
-  for (const Value& value : level.values) {
-    const auto p = to_double_3(point_of(value));
-    box += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
-  }
-  return size_of(box);
+  return box_size(level.values.size(), 3, [&](std::size_t i, std::size_t c) {
+    return CGAL::to_double(point_of(level.values[i])[c]);
+  });
 }
 
 // Refuses what is still sharp after the rounds, but not for ever.
@@ -172,6 +187,170 @@ std::vector<Coordinates<FT, 3>> limit_normals(const std::vector<Result>& results
   normals.reserve(results.size());
   for (const Result& r : results) normals.push_back(limit_normal<Scheme>(r, surface_normals));
   return normals;
+}
+
+// The limits at the faces of a level of a dual scheme, whose corners in a face of the next round
+// depend on those of the face alone: the ring of a face is its corners.
+template <class Scheme, class FT>
+class Face_limits
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Limits_of_rings = Ring_limits<Scheme, FT>;
+  using Result = typename Limits_of_rings::Result;
+  using Level = Valued_level<typename Limits_of_rings::Value>;
+
+  Face_limits(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks)
+    : scheme_(scheme)
+    , demand_(demand)
+    , for_chunks_(for_chunks)
+  {}
+
+  std::vector<Result> operator()(const Level& level)
+  {
+    const Index n = level.level.number_of_faces();
+    for (Index f = 0; f < n; ++f) {
+      auto& ring_rules = rules_by_degree_[level.level.degree(level.level.halfedge_of_face(f))];
+      if (!ring_rules) ring_rules = make(level.level.degree(level.level.halfedge_of_face(f)));
+    }
+    std::vector<Result> results(n);
+    const Caller_precision<FT> precision;
+    for_chunks_(n, [&](Index begin, Index end) {
+      const typename Caller_precision<FT>::In_this_thread same(precision);
+      std::map<Index, std::unique_ptr<Limits_of_rings>> limits_by_degree;
+      std::vector<Index> ring;
+      for (Index f = begin; f < end; ++f) {
+        ring.clear();
+        for_each_halfedge_of_face(level.level, f,
+                                  [&](Index h) { ring.push_back(level.level.target(h)); });
+        auto& limits_of_rings = limits_by_degree[static_cast<Index>(ring.size())];
+        if (!limits_of_rings)
+          limits_of_rings = std::make_unique<Limits_of_rings>(
+            *rules_by_degree_.at(static_cast<Index>(ring.size())), demand_, false);
+        limits_of_rings->add(
+          [&](std::size_t p) -> const auto& { return level.values[ring[p]]; }, results[f]);
+        if (limits_of_rings->is_full()) limits_of_rings->evaluate();
+      }
+      for (auto& entry : limits_by_degree) entry.second->evaluate();
+    });
+    const auto point = [&](Index v) { return to_double_3(point_of(level.values[v])); };
+    if (demand_.surface_normals)
+      orient_normals(results, for_chunks_, [&](Index f, const auto& normal) {
+        return is_against_face(level.level, level.level.halfedge_of_face(f), point, normal);
+      });
+    return results;
+  }
+
+private:
+  using Rules = Ring_rules<Scheme, FT>;
+
+  // from a level of one face: its new vertices are the corners in their order
+  std::unique_ptr<Rules> make(Index degree) const
+  {
+    const Level_connectivity level = single_face(degree);
+    Ring_pair rings;
+    rings.ring.resize(degree);
+    std::iota(rings.ring.begin(), rings.ring.end(), Index(0));
+    rings.next_ring = rings.ring;
+    Ring_layout layout;
+    layout.first = 0;
+    layout.number = degree;
+    layout.clockwise = false;
+    return std::make_unique<Rules>(scheme_, std::vector<Ring_round>{{level, 1, rings}}, layout);
+  }
+
+  const Scheme& scheme_;
+  const Limit_demand& demand_;
+  For_chunks for_chunks_;
+  std::map<Index, std::unique_ptr<Rules>> rules_by_degree_;
+};
+
+// The limits of a mesh, at its slots if it has creases.
+template <class Result, class Level_creases>
+struct Vertex_limits
+{
+  const Level_connectivity& level;
+  const Level_creases& creases; // with the tangents of the limit
+  std::vector<Result>& results;
+};
+
+// Calls sink(access, limits, creases of the mesh) with the limits of a mesh as a call tells of it.
+template <class Concurrency_tag, class Parameters, class Mesh, class Scheme, class Point_map,
+          class NamedParameters, class Sink>
+Limit_report vertex_limits(Mesh& mesh, const Scheme& scheme, Point_map points,
+                           const NamedParameters& np, const Sink& sink)
+{
+  using FT = typename Parameters::FT;
+  const Limit_options options = limit_options(np);
+  Limit_report report;
+  with_mesh_access(mesh, [&](const auto& access) {
+    with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+      const auto evaluate = [&](auto& level, auto& creases, auto& of_mesh) {
+        const Limit_demand demand = limit_demand<FT>(options, box_size(level));
+        auto results = limits_at_slots<FT, asks_for_points_alone<NamedParameters>()>(
+          rules_of(s), demand, For_chunks::with(Concurrency_tag()), level, creases,
+          options.rounds_done + 1);
+        std::decay_t<decltype(level.values)>().swap(level.values);
+        check_limits<FT>(results, [&](std::size_t v) {
+          return access.vertex_name(static_cast<Level_connectivity::Index>(v));
+        });
+        using Result = typename decltype(results)::value_type;
+        sink(access,
+             Vertex_limits<Result, std::decay_t<decltype(creases)>>{level.level, creases, results},
+             of_mesh);
+        results.resize(level.level.number_of_vertices());
+        report = limit_report(results, demand);
+      };
+      with_slot_level<FT>(access, s, points, Parameters::normal_map(np),
+                          Parameters::edge_constraint_map(np),
+                          Parameters::vertex_constraint_map(np), 0, evaluate);
+    });
+  });
+  return report;
+}
+
+// Puts limits into the maps of a mesh and of a call, and the old values back if that fails.
+template <class Scheme, class Parameters, class Access, class Limits, class Of_mesh,
+          class Point_map, class NamedParameters>
+void put_limits(const Access& access, const Limits& limits, Of_mesh& of_mesh, Point_map points,
+                const NamedParameters& np)
+{
+  const Limit_options options = limit_options(np);
+  const auto normals = Parameters::normal_map(np);
+  using Maps_writer = Limit_maps_writer<Access, typename Parameters::Geom_traits, NamedParameters>;
+  Maps_writer of_limits(access, np);
+  using Writers = Normal_writers<Access, std::decay_t<decltype(normals)>>;
+  typename Writers::Corner_writer corners(access, limits.level, normals);
+  if constexpr (Writers::Corner_writer::takes_corners) {
+    if (is_pn_v<Scheme> || options.surface_normals)
+      corners.put_all(
+        limits.level, limits.creases,
+        limit_normals<Scheme, typename Parameters::FT>(limits.results, options.surface_normals));
+  }
+  if constexpr (!Writers::Corner_writer::takes_corners || Maps_writer::is_any_given)
+    put_mean_normals<Scheme>(limits.creases, limits.results);
+  of_limits.write(limits.results, limits.level.number_of_vertices());
+  of_mesh.put_tangents(limits.creases, limits.level.size());
+  limits.results.resize(limits.level.number_of_vertices());
+  write_limits<Scheme>(access, points, Writers::vertex_map(normals), limits.results, options);
+  of_limits.keep();
+  corners.keep();
+  of_mesh.keep();
+}
+
+template <class Concurrency_tag, class Parameters, class Mesh, class Scheme, class NamedParameters>
+Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const NamedParameters& np)
+{
+  static_assert(Scheme::Host::keeps_vertices,
+                "the limit points of a dual scheme belong to the faces: see limit_points()");
+  if constexpr (check_creased_limit_arguments<Mesh, Scheme, NamedParameters>()) {
+    const auto points = Parameters::point_map(mesh, np);
+    return vertex_limits<Concurrency_tag, Parameters>(
+      mesh, scheme, points, np, [&](const auto& access, const auto& limits, auto& of_mesh) {
+        put_limits<Scheme, Parameters>(access, limits, of_mesh, points, np);
+      });
+  } else
+    return {};
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

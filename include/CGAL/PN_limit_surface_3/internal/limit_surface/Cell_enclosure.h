@@ -12,7 +12,6 @@
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Limit_cells.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>

@@ -8,15 +8,12 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_LIMIT_CELLS_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_LIMIT_CELLS_H
 
-#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Spline_piece.h>
-#include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
@@ -67,11 +64,7 @@ struct Limit_cell
   std::vector<Index> halfedges() const
   {
     std::vector<Index> all;
-    Index h = base;
-    do {
-      all.push_back(h);
-      h = level.level.next(h);
-    } while (h != base);
+    for (const Index h : halfedges_around_face(level.level, base)) all.push_back(h);
     return all;
   }
   std::vector<Index> corners() const

@@ -8,6 +8,7 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_SPLINE_PIECE_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_SPLINE_PIECE_H
 
+#include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Jet.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -128,19 +129,9 @@ private:
 
   bool are_quads_around(Index h) const
   {
-    const Index first = h;
-    do {
-      if (!level_.is_border(h) && !level_.has_degree(h, degree_)) return false;
-      h = level_.next_around_target(h);
-    } while (h != first);
+    for (const Index g : halfedges_around_target(level_, h))
+      if (!level_.is_border(g) && !level_.has_degree(g, degree_)) return false;
     return true;
-  }
-  bool has_valence(Index h, Index n) const
-  {
-    const Index first = h;
-    for (Index i = 0; i < n; ++i, h = level_.next_around_target(h))
-      if (i != 0 && h == first) return false;
-    return h == first;
   }
 
   // \name Quadrilaterals: the control vertex in column c and row r of 4 is number 4 r + c
@@ -152,7 +143,7 @@ private:
       const int borders = (has_face(i) ? 0 : 1) + (has_face(i + 3) ? 0 : 1);
       constexpr Piece_vertex expected[] = {Piece_vertex::interior, Piece_vertex::border,
                                            Piece_vertex::corner};
-      if (k != expected[borders] || !has_valence(h_[i], Index(4 - borders)) ||
+      if (k != expected[borders] || !has_valence(level_, h_[i], Index(4 - borders)) ||
           !are_quads_around(h_[i]))
         return false;
     }
@@ -209,7 +200,8 @@ private:
       const Piece_vertex k = kind(corner(i));
       borders += has_face(i) ? 0 : 1;
       if ((k != Piece_vertex::interior && k != Piece_vertex::border) ||
-          !has_valence(h_[i], k == Piece_vertex::interior ? 6 : 4) || !are_quads_around(h_[i]))
+          !has_valence(level_, h_[i], k == Piece_vertex::interior ? 6 : 4) ||
+          !are_quads_around(h_[i]))
         return false;
     }
     if (borders > 1) return false;

@@ -9,7 +9,6 @@
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_SURFACE_SURFACE_EVALUATION_H
 
 #include <CGAL/PN_limit_surface_3/internal/limit/Creased_limits.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Cell_enclosure.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Jet.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Limit_cells.h>

@@ -14,8 +14,6 @@
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Limit_cells.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Split_edges.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>

@@ -10,8 +10,8 @@
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_ADAPTIVE_REFINEMENT_H
 
 #include <CGAL/PN_limit_surface_3/internal/limit/Creased_limits.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Has_final_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Adaptive_level.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Face_selection.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Split_edges.h>

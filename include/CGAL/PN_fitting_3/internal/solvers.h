@@ -6,11 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_FITTING_3_INTERNAL_LIMIT_MATRIX_H
-#define CGAL_PN_FITTING_3_INTERNAL_LIMIT_MATRIX_H
+#ifndef CGAL_PN_FITTING_3_INTERNAL_SOLVERS_H
+#define CGAL_PN_FITTING_3_INTERNAL_SOLVERS_H
 
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
 
+#include <Eigen/Dense>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -18,6 +19,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
@@ -170,25 +172,10 @@ template <class Real>
 class Limit_preconditioner
 {
 public:
-  Limit_preconditioner() = default;
-  template <class Matrix>
-  explicit Limit_preconditioner(const Matrix&)
-  {}
-
   void set(const Limit_matrix<Real>* matrix, Eigen::Index copies)
   {
     matrix_ = matrix;
     copies_ = copies;
-  }
-  template <class Matrix>
-  Limit_preconditioner& analyzePattern(const Matrix&)
-  {
-    return *this;
-  }
-  template <class Matrix>
-  Limit_preconditioner& factorize(const Matrix&)
-  {
-    return *this;
   }
   template <class Matrix>
   Limit_preconditioner& compute(const Matrix&)
@@ -242,7 +229,7 @@ Eigen::VectorXd solve_limit_system(const Row_matrix& a, const Eigen::VectorXd& b
 template <int dimension, class Functionals>
 Limit_matrix<> make_limit_matrix(const Interpolation_data<dimension>& data,
                                  const std::vector<Functionals>& functionals,
-                                 const Unknowns& unknowns)
+                                 const std::vector<int>& unknowns)
 {
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<char> is_at_border;
@@ -258,6 +245,48 @@ Limit_matrix<> make_limit_matrix(const Interpolation_data<dimension>& data,
   return Limit_matrix<>(matrix, is_at_border);
 }
 
+// Solves r(x) = 0 where x + r(x) is nearer to the solution than x: this step, mixed with the last ones so that what is left of a
+// linear r would be the least (D. G. Anderson, Iterative procedures for nonlinear integral equations, 1965).
+template <class Real = double>
+class Anderson_iteration
+{
+public:
+  using Vector = Eigen::VectorXd;
+
+  // Old differences are longer by far. If they are scaled all count alike, otherwise what is short beside them, and tells little of an
+  // r that is rough, is left out.
+  Anderson_iteration(std::size_t most_kept, bool scales)
+    : most_kept_(most_kept)
+    , scales_(scales)
+  {}
+
+  // what is to be tried after x, of which r is r(x)
+  Vector next(const Vector& x, const Vector& r)
+  {
+    Vector result = x + r;
+    if (const auto columns = static_cast<Eigen::Index>(last_.size()); columns > 0) {
+      Eigen::MatrixXd dx(x.size(), columns), dr(x.size(), columns);
+      for (Eigen::Index k = 0; k < columns; ++k) {
+        dx.col(k) = x - last_[static_cast<std::size_t>(k)].first;
+        dr.col(k) = r - last_[static_cast<std::size_t>(k)].second;
+        const double length = scales_ ? dr.col(k).norm() : 1;
+        dx.col(k) /= length;
+        dr.col(k) /= length;
+      }
+      const Vector mixed = result - (dx + dr) * dr.colPivHouseholderQr().solve(r);
+      if (mixed.allFinite()) result = mixed;
+    }
+    last_.emplace_back(x, r);
+    if (last_.size() > most_kept_) last_.erase(last_.begin());
+    return result;
+  }
+
+private:
+  const std::size_t most_kept_;
+  const bool scales_;
+  std::vector<std::pair<Vector, Vector>> last_; // x and r(x)
+};
+
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_FITTING_3_INTERNAL_LIMIT_MATRIX_H
+#endif // CGAL_PN_FITTING_3_INTERNAL_SOLVERS_H

@@ -6,14 +6,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_DART_LIMIT_H
-#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_DART_LIMIT_H
+#ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_CREASE_VERTEX_LIMIT_H
+#define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_CREASE_VERTEX_LIMIT_H
 
+#include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_weights.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_eigenvectors.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits_by_kind.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules_cache.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/made_levels.h>
 #include <CGAL/PN_subdivision_3/creases/Crease_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
@@ -22,6 +24,8 @@
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -34,47 +38,108 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// Faces all around vertex 0: edge i leads to it from its neighbor 1 + i, and behind the neighbors come the
-// diagonal vertices of quads.
-inline Level_connectivity wheel(Level_connectivity::Index valence, Level_connectivity::Index degree)
+// The weights of the curve that a scheme makes of a border or crease: of a vertex and its neighbors in a
+// round, and in the limit. In a round edges are halved, so that the limit mask (x, y, x) satisfies
+// x = w y + x/2 with the weight w of a neighbor: it is (1, 4, 1)/6 for the cubic spline.
+template <class FT>
+struct Crease_curve_weights
 {
-  using Index = Level_connectivity::Index;
-  const Index n = valence, outer = (degree - 2) * n;
-  Level_size size;
-  size.vertices = 1 + outer;
-  size.edges = n + outer;
-  size.faces = n;
-  size.corners = std::size_t(degree) * n;
-  Level_connectivity level(size);
-  level.set_uniform_degree(degree);
-  // the k-th vertex of the rim
-  const auto rim = [&](Index k) {
-    k %= outer;
-    return degree == 3 ? 1 + k : (k % 2 == 0 ? 1 + k / 2 : 1 + n + k / 2);
-  };
-  level.set_halfedge_of_vertex(0, 0);
-  for (Index i = 0; i < n; ++i) {
-    level.set_target(2 * i, 0);
-    level.set_target(2 * i + 1, 1 + i);
-    const Index first = (degree - 2) * i;
-    level.set_halfedge_of_face(i, 2 * i + 1);
-    level.set_next(2 * i + 1, 2 * (n + first));
-    for (Index k = first; k < first + degree - 2; ++k) {
-      const Index h = 2 * (n + k);
-      level.set_target(h, rim(k + 1));
-      level.set_target(h + 1, rim(k));
-      level.set_halfedge_of_vertex(rim(k), h + 1);
-      level.set_border(h + 1);
-      level.set_next(h + 1, 2 * (n + (k + outer - 1) % outer) + 1);
-      level.set_face(h, i);
-      level.set_next(h, k + 1 < first + degree - 2 ? h + 2 : 2 * ((i + 1) % n));
-    }
-    level.set_next(2 * ((i + 1) % n), 2 * i + 1);
-    level.set_face(2 * i + 1, i);
-    level.set_face(2 * ((i + 1) % n), i);
+  FT vertex, limit;
+
+  // on a level that is cut open, of a vertex on its border
+  template <class Scheme>
+  static Crease_curve_weights of(const Scheme& scheme, const Level_connectivity& level,
+                                 Level_connectivity::Index v, unsigned round)
+  {
+    const Sub_level around(level, {v}, 1);
+    const Level_connectivity::Index center = around.centers.front();
+    Entry_row<FT> row;
+    scheme.template mask<FT>(around.level, round).vertex(center, row);
+    Crease_curve_weights result{FT(0), FT(0)};
+    for (const auto* e = row.begin(); e != row.end(); ++e)
+      if (e->vertex == center) result.vertex += e->weight;
+    result.limit = FT(1) / (FT(3) - FT(2) * result.vertex);
+    return result;
   }
-  return level;
-}
+};
+
+// The limit at a vertex on a crease. The vertex and its neighbors along the crease, with the tangents and the
+// normals of the wedges, are refined by themselves.
+template <class FT, bool is_pn>
+class Crease_vertex_limit
+{
+public:
+  using Vector = Coordinates<FT, 3>;
+  // of the vertex, of the neighbor that the crease comes from, and of the one that it goes to
+  using Three = std::array<Vector, 3>;
+
+  Three points;
+  Three tangents;         // in the direction of travel
+  Vector arrival_tangent; // the tangent of the vertex, for the edge that the crease comes on
+  boost::container::small_vector<Three, 2> normals;               // of each wedge
+  boost::container::small_vector<std::array<FT, 3>, 2> roundness; // of each wedge with a normal
+
+  // becomes the limit at the vertex, which is the first one of each three
+  void evaluate(const Crease_curve_weights<FT>& weights, Convergence<FT>& steps)
+  {
+    const Vector center = points[0];
+    if constexpr (std::is_floating_point_v<FT>)
+      for (Vector& p : points) add_multiple<FT, 3>(p, FT(-1), center);
+    for (;;) {
+      const Crease_vertex_limit limit = averages(weights.limit, false);
+      if (steps.is_last(limit.points[0])) {
+        *this = limit;
+        break;
+      }
+      *this = averages(weights.vertex, true);
+    }
+    if constexpr (std::is_floating_point_v<FT>) add_multiple<FT, 3>(points[0], FT(1), center);
+  }
+
+private:
+  using Rule = Crease_average<FT, 3>;
+  using Entry = typename Rule::Entry;
+
+  // the values after a round: of the vertex by its weight, of the neighbors if they are asked for
+  Crease_vertex_limit averages(const FT& vertex_weight, bool with_neighbors) const
+  {
+    Crease_vertex_limit next = *this;
+    const FT side = (FT(1) - vertex_weight) / FT(2), half = FT(1) / FT(2);
+    const std::array<Entry, 3> all{{{side, points[1], tangents[1]},
+                                    {side, points[2], tangents[2]},
+                                    {vertex_weight, points[0], tangents[0]}}};
+    put(all, 0, {1, 2, 0}, next);
+    next.arrival_tangent = next.tangents[0];
+    if (!with_neighbors) return next;
+    const std::array<Entry, 2> arrival{
+      {{half, points[1], tangents[1]}, {half, points[0], arrival_tangent}}};
+    put(arrival, 1, {1, 0, 0}, next);
+    const std::array<Entry, 2> departure{
+      {{half, points[0], tangents[0]}, {half, points[2], tangents[2]}}};
+    put(departure, 2, {0, 2, 0}, next);
+    return next;
+  }
+
+  // entry j is that of place[j]
+  template <std::size_t n>
+  void put(const std::array<Entry, n>& entries, std::size_t at,
+           const std::array<std::size_t, 3>& place, Crease_vertex_limit& next) const
+  {
+    FT largest(roundness.empty() ? 1 : 0);
+    for (std::size_t w = 0; w < roundness.size(); ++w) {
+      FT& of_wedge = next.roundness[w][at];
+      of_wedge = averaged_roundness(entries, [&](std::size_t j) { return roundness[w][place[j]]; });
+      largest = w == 0 ? of_wedge : FT((CGAL::max)(largest, of_wedge));
+    }
+    const Rule rule(entries.data(), entries.data() + n, largest);
+    next.points[at] = rule.point();
+    next.tangents[at] = rule.tangent();
+    if constexpr (is_pn)
+      for (std::size_t w = 0; w < normals.size(); ++w)
+        next.normals[w][at] =
+          rule.normal([&](std::size_t j) -> const Vector& { return normals[w][place[j]]; });
+  }
+};
 
 // What darts of one valence share: the rows of their ring, which is cut open along the crease, and the limit
 // mask. Places are those of Vertex_ring.
@@ -83,13 +148,11 @@ class Dart_rules
 {
 public:
   using Index = Level_connectivity::Index;
-  using Entry = typename Entry_row<FT>::Entry;
-  using Row = std::vector<Entry>;
 
   struct Weights
   {
-    std::vector<Row> rows;
-    Row limit;
+    Ring_matrix<FT> rows;
+    Ring_row<FT> limit;
   };
 
   // of an interior vertex in a round with the rules of all later ones
@@ -112,8 +175,8 @@ public:
   // of a vertex on a border that is a crease on one side, by the ring class of a plain one
   Dart_rules(const Ring_rules<Scheme, FT>& border, Index crease_place)
     : crease_places_{crease_place}
-    , points_(rules(border.matrix(), border.limit_row()))
-    , normals_(rules(border.normal_matrix(), border.normal_limit_row()))
+    , points_{border.matrix(), border.limit_row()}
+    , normals_{border.normal_matrix(), border.normal_limit_row()}
     , has_own_normals_(border.has_own_normals())
   {}
 
@@ -126,20 +189,6 @@ public:
 private:
   using Host = typename Scheme::Host;
 
-  static Row entries(const Ring_row<FT>& row)
-  {
-    Row result;
-    for (const auto& [place, weight] : row) result.push_back({place, weight});
-    return result;
-  }
-  static Weights rules(const Ring_matrix<FT>& matrix, const Ring_row<FT>& limit)
-  {
-    Weights result;
-    for (const auto& row : matrix) result.rows.push_back(entries(row));
-    result.limit = entries(limit);
-    return result;
-  }
-
   template <class Mask_of>
   static void set_rules(const Mask_of& mask_of, Index valence, unsigned round, Weights& result)
   {
@@ -149,7 +198,7 @@ private:
     const auto real_matrix = dart_matrix<Real>(mask_of, wheel, valence);
     const Ring_eigenvectors masks(real_matrix, Ring_layout());
     if (masks.limit().empty()) throw std::invalid_argument(no_mask(valence));
-    result = rules(matrix, limit_weights(masks.limit(), matrix));
+    result = {matrix, limit_weights<FT>(masks.limit(), matrix)};
   }
   static std::string no_mask(Index valence)
   {
@@ -197,8 +246,8 @@ private:
     for (const auto* e = row.begin(); e != row.end(); ++e) {
       const auto place = std::find(rings.ring.begin(), rings.ring.end(), e->vertex);
       if (place == rings.ring.end()) throw std::invalid_argument(no_mask(valence));
-      matrix->front().emplace_back(static_cast<std::uint32_t>(place - rings.ring.begin()),
-                                   e->weight);
+      matrix->front().push_back(
+        {static_cast<std::uint32_t>(place - rings.ring.begin()), e->weight});
     }
     return *matrix;
   }
@@ -250,7 +299,7 @@ private:
   static constexpr bool is_pn = is_pn_v<Scheme>;
   using Rule = Crease_average<FT, 3>;
   using Entry = typename Rule::Entry;
-  using Row = typename Rules_of_dart::Row;
+  using Row = Ring_row<FT>;
 
   // without a row of their own the normals are averaged as the points
   Value average(const Row& row, [[maybe_unused]] const Row* normal_row) const
@@ -315,4 +364,4 @@ private:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_DART_LIMIT_H
+#endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_CREASE_VERTEX_LIMIT_H
