@@ -17,7 +17,6 @@
 
 #include <limits>
 #include <stdexcept>
-#include <type_traits>
 
 using namespace estimated_curvatures;
 namespace params = CGAL::parameters;

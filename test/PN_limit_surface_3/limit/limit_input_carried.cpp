@@ -24,10 +24,7 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <cstddef>
-#include <functional>
 #include <stdexcept>
-#include <type_traits>
-#include <vector>
 
 namespace {
 

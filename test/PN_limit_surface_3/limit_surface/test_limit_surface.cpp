@@ -29,8 +29,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 namespace {
 
 namespace PN = CGAL::PN_subdivision_3;

@@ -28,8 +28,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <string>
-#include <tuple>
 #include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;

@@ -20,7 +20,6 @@
 #include <sstream>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace pn_subdivide {
 namespace {

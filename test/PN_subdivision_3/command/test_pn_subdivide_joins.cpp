@@ -23,7 +23,6 @@
 #include <set>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace pn_subdivide;

@@ -18,7 +18,6 @@
 #include <random>
 #include <sstream>
 #include <string>
-#include <vector>
 
 namespace {
 

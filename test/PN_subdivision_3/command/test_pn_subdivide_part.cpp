@@ -20,8 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
-#include <set>
 #include <sstream>
 #include <string>
 #include <utility>

@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace pn_subdivide;

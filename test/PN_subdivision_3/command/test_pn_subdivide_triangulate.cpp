@@ -15,7 +15,6 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <cmath>
-#include <functional>
 #include <map>
 #include <random>
 #include <set>

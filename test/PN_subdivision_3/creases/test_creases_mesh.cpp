@@ -26,7 +26,6 @@
 #include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -36,12 +35,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <random>
-#include <set>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace {
 

@@ -23,9 +23,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
-#include <type_traits>
 
 namespace {
 

@@ -19,13 +19,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <string>
-#include <vector>
 
 using namespace tagged_meshes;
 

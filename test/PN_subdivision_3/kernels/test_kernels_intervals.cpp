@@ -20,7 +20,6 @@
 #  include <CGAL/Gmpfi.h>
 #endif
 
-#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>

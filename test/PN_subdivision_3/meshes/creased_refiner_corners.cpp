@@ -23,7 +23,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <cstddef>
 #include <stdexcept>
 #include <vector>
 

@@ -18,9 +18,7 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <string>
 #include <type_traits>

@@ -24,7 +24,6 @@
 
 #include <cmath>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>

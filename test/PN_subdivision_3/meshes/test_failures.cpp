@@ -20,7 +20,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include <functional>
 #include <limits>
 #include <tuple>
 #include <vector>

@@ -22,7 +22,6 @@
 #include <map>
 #include <set>
 #include <string>
-#include <tuple>
 #include <vector>
 
 using namespace mesh_type_cases;

@@ -31,7 +31,6 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 using namespace surface_refiner_cases;

@@ -11,7 +11,6 @@
 #include "Estimated_normals.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 using namespace estimated_normals;

@@ -36,7 +36,6 @@
 #include <map>
 #include <random>
 #include <set>
-#include <utility>
 #include <vector>
 
 namespace {

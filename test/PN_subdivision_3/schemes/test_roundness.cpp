@@ -25,7 +25,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

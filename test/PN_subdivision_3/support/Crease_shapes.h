@@ -21,7 +21,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace crease_shapes {

@@ -17,7 +17,6 @@
 #include <array>
 #include <functional>
 #include <map>
-#include <random>
 
 namespace interpolation_cases {
 

@@ -25,7 +25,6 @@
 #include <map>
 #include <memory>
 #include <random>
-#include <type_traits>
 #include <vector>
 
 using Triple = std::array<double, 3>;

@@ -23,7 +23,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
