@@ -60,7 +60,6 @@ public:
   const Part& part() const { return part_; }
   Family family() const { return family_; }
   int facets() const { return n_; } // a turn
-  bool is_uneven() const { return unevenness_ > 0; }
   bool is_small_prism() const { return is_small_prism_; } // prisms and pyramids of 3 to 7 sides
 
 private:

@@ -129,22 +129,6 @@ TEST_P(Crease_shapes, Stay_exact)
                   });
 }
 
-// the linear schemes do not keep what is curved
-TEST_P(Crease_shapes, Are_curved)
-{
-  const Part part = GetParam().make();
-  bool is_curved = false;
-  for (const Surface& s : part.surfaces) is_curved = is_curved || s.kind != Surface::plane;
-  const Deviation d =
-    deviation<double>(part, part.control(false), part.group, linear(CatmullClark_scheme()), 2);
-  if (is_curved)
-    EXPECT_GE(d.points, 0.02);
-  else if (part.of_border.empty())
-    EXPECT_LE(d.points, 1e-15);
-  else
-    EXPECT_GE(d.border, 0.02);
-}
-
 TEST_P(Crease_shapes, Stay_in_float)
 {
   Part part = GetParam().make();

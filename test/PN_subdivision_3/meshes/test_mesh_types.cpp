@@ -54,15 +54,6 @@ std::size_t hidden_borders(const Mesh& mesh)
 
 } // namespace
 
-TEST(Mesh_types, ReferenceHasTheRightSizes)
-{
-  // 13 vertices, 9 + 7 edges, 5 faces with 20 corners; border edges are halved
-  const Result r = reference(cases()[1]);
-  EXPECT_EQ(r.faces.size(), 4u * 20u);
-  EXPECT_EQ(r.points.size(), (13u + 16u + 5u) + (2 * 16u + 20u) + 20u);
-  EXPECT_EQ(reference(cases()[2]).faces.size(), 64u);
-}
-
 TEST(Mesh_types, SurfaceMeshWithEpick)
 {
   expect_same_as_surface_mesh<Epick, CGAL::Surface_mesh<Epick::Point_3>>();

@@ -66,15 +66,6 @@ TEST(Reciprocal_normals, AreExactOnSpheresAndSurfacesOfRevolution)
     EXPECT_LE(largest_distance(estimated(mesh), mesh.normals), 16 * ulp) << mesh.name;
 }
 
-// in degrees; the shape that is nearly an icosahedron has 0.51
-TEST(Reciprocal_normals, AngleWeightedOnesAreNot)
-{
-  for (const Control_mesh& mesh : exact_shapes())
-    EXPECT_GE(angles(mesh, estimated(mesh, Control_normal_estimate::angle), every_vertex).largest,
-              0.5)
-      << mesh.name;
-}
-
 TEST(Reciprocal_normals, AgreeWithTheReference)
 {
   for (const Control_mesh& mesh : any_shapes()) {
