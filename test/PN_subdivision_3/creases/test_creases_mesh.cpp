@@ -543,27 +543,4 @@ TEST(Creases_of_meshes, Estimates_of_corners_by_angles)
   }
 }
 
-// \name Strong guarantee
-TEST(Creases_of_meshes, What_fails_leaves_all_as_it_was)
-{
-  const Control control = tagged_washer();
-  int failures = 0;
-  for (int left = 0;; left = left < 20 ? left + 1 : left * 2) {
-    Tagged<Surface_mesh> t(control);
-    const State before = state(t);
-    failing_maps::Calls_left puts(left);
-    try {
-      PN::subdivide(t.mesh, PN::CatmullClark_scheme(),
-                    np::edge_is_constrained_map(failing(t.sharp, puts))
-                      .vertex_is_constrained_map(failing(t.corners, puts))
-                      .vertex_normal_map(failing(t.normals, puts)));
-      break;
-    } catch (const std::runtime_error&) {
-      ++failures;
-    }
-    EXPECT_TRUE(state(t) == before) << left;
-  }
-  EXPECT_GE(failures, 22);
-}
-
 } // namespace
