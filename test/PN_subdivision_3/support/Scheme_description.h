@@ -57,25 +57,27 @@ struct Scheme_description
   static void finish_round(const reference::Face_list& /*mesh*/, reference::Values& /*values*/) {}
 };
 
-struct CatmullClark_description : Scheme_description
+// a scheme whose reference knows neither the round nor parameters
+template <class Scheme, reference::Refined (*refined)(const reference::Face_list&)>
+struct Scheme_of_reference : Scheme_description
 {
-  using Cgal = ::CatmullClark;
-  static auto scheme() { return CGAL::PN_subdivision_3::CatmullClark_scheme(); }
+  static auto scheme() { return Scheme(); }
   static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
   {
-    return reference::catmull_clark(mesh);
+    return refined(mesh);
   }
 };
 
-struct Loop_description : Scheme_description
+struct CatmullClark_description
+  : Scheme_of_reference<CGAL::PN_subdivision_3::CatmullClark_scheme, reference::catmull_clark>
+{
+  using Cgal = ::CatmullClark;
+};
+
+struct Loop_description : Scheme_of_reference<CGAL::PN_subdivision_3::Loop_scheme, reference::loop>
 {
   static constexpr std::size_t degree = 3;
   using Cgal = ::Loop;
-  static auto scheme() { return CGAL::PN_subdivision_3::Loop_scheme(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::loop(mesh);
-  }
 };
 
 // The names of the schemes in the output.

@@ -29,17 +29,13 @@
 #include <string_view>
 #include <type_traits>
 
-struct DooSabin_description : Scheme_description
+struct DooSabin_description
+  : Scheme_of_reference<CGAL::PN_subdivision_3::DooSabin_scheme, reference::doo_sabin>
 {
   static constexpr bool takes_valence_2 = false;
   static constexpr bool is_primal = false;
   static constexpr unsigned rounds_of_reproduction = 4;
   using Cgal = ::DooSabin;
-  static auto scheme() { return CGAL::PN_subdivision_3::DooSabin_scheme(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::doo_sabin(mesh);
-  }
 };
 
 struct Sqrt3_description : Scheme_description
@@ -56,18 +52,14 @@ struct Sqrt3_description : Scheme_description
   }
 };
 
-struct Butterfly_description : Scheme_description
+struct Butterfly_description
+  : Scheme_of_reference<CGAL::PN_subdivision_3::Butterfly_scheme, reference::butterfly>
 {
   static constexpr std::size_t degree = 3;
   static constexpr bool is_interpolatory = true;
   static constexpr bool takes_valence_2 = false;
   static constexpr bool has_positive_weights = false;
   static constexpr unsigned rounds_of_reproduction = 4;
-  static auto scheme() { return CGAL::PN_subdivision_3::Butterfly_scheme(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::butterfly(mesh);
-  }
 };
 
 struct Kobbelt_description : Scheme_description
@@ -134,25 +126,17 @@ struct Ct_Loop_description : Scheme_description
   }
 };
 
-struct Midpoint_description : Scheme_description
+struct Midpoint_description
+  : Scheme_of_reference<CGAL::PN_subdivision_3::Midpoint_scheme, reference::midpoint>
 {
   static constexpr std::size_t degree = 3;
   static constexpr bool is_interpolatory = true;
-  static auto scheme() { return CGAL::PN_subdivision_3::Midpoint_scheme(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::midpoint(mesh);
-  }
 };
 
-struct Bilinear_description : Scheme_description
+struct Bilinear_description
+  : Scheme_of_reference<CGAL::PN_subdivision_3::Bilinear_scheme, reference::bilinear>
 {
   static constexpr bool is_interpolatory = true;
-  static auto scheme() { return CGAL::PN_subdivision_3::Bilinear_scheme(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::bilinear(mesh);
-  }
 };
 
 using Schemes = testing::Types<CatmullClark_description, Loop_description, DooSabin_description,
