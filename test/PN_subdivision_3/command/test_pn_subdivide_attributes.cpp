@@ -122,7 +122,7 @@ protected:
       const std::string message = e.what();
       EXPECT_EQ(message.rfind(file + ": ", 0), 0u) << message;
       EXPECT_NE(message.find(part), std::string::npos) << message << "\nlacks: " << part;
-      EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+      expect_no_part(message, '\n');
     }
   }
 
@@ -182,10 +182,9 @@ TEST_F(Pn_subdivide_attributes, ObjComesBackFromObjAndPlyAsItWas)
   }
   write_mesh(folder.file("b.obj"), mesh, Encoding::text);
   const std::string text = Temporary_folder::content(folder.file("b.obj"));
-  EXPECT_NE(
-    text.find("\no thing\nf 1/1 2/2 3/3\ng left upper\nusemtl wood #2\ns 1\nf 1/4 3/5 4/6\n"),
-    std::string::npos)
-    << text; // texture points are written once a vertex
+  expect_part(
+    text,
+    "\no thing\nf 1/1 2/2 3/3\ng left upper\nusemtl wood #2\ns 1\nf 1/4 3/5 4/6\n"); // texture points are written once a vertex
 }
 
 TEST_F(Pn_subdivide_attributes, ObjStatementsOfEveryKind)
@@ -594,7 +593,7 @@ TEST_F(Pn_subdivide_attributes, VtpTextHoldsArraysAndWords)
         "<Array type=\"String\" Name=\"material\" NumberOfTuples=\"2\" format=\"ascii\">\n"
         "119 111 111 100 32 35 50 0\n114 101 100 0\n"})
     EXPECT_NE(s.find(part), std::string::npos) << part << "\n" << s;
-  EXPECT_EQ(s.find("TCoords"), std::string::npos);
+  expect_no_part(s, "TCoords");
   EXPECT_LT(s.find("</FieldData>"), s.find("<Piece"));
 }
 
@@ -827,24 +826,13 @@ namespace {
 class Pn_subdivide_carries : public Command_test
 {
 protected:
-  Outcome surface(const std::string& input, const std::string& output,
-                  const std::string& options = "") const
-  {
-    return run("surface '" + input + "' '" + output + "' " + options);
-  }
-
   // The mesh of the output, which is a PLY file.
   Mesh_data refined(const std::string& input, const std::string& options,
                     const std::string& name = "refined.ply") const
   {
-    const std::string output = folder.file(name);
-    const Outcome outcome = surface(input, output, "--quiet " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "");
-    return read_mesh(output);
+    EXPECT_EQ(done(surface(input, name, "--quiet " + options)).err, "");
+    return read_mesh(folder.file(name));
   }
-
-  static std::string data(const std::string& name) { return PN_DATA_DIR "/" + name; }
 };
 
 // A patch of 4 x 3 quads over the plane, each split in two if triangles are wanted, with a constant,
@@ -915,8 +903,7 @@ TEST_F(Pn_subdivide_carries, NoRoundKeepsEveryBit)
   for (const auto& [from, output] : {std::pair(input, "b.obj"), std::pair(of_ply, "b.ply")})
     for (const char* options : {"", " --ascii", " --normals none"}) {
       const Outcome outcome =
-        surface(from, folder.file(output), std::string("--quiet --levels 0") + options);
-      EXPECT_EQ(outcome.code, 0);
+        done(surface(from, folder.file(output), std::string("--quiet --levels 0") + options));
       EXPECT_EQ(outcome.err, "");
       expect_same(read_mesh(folder.file(output)).attributes, attributes);
     }
@@ -1089,13 +1076,11 @@ TEST_F(Pn_subdivide_carries, WhatIsLostIsSaidOnce)
     EXPECT_EQ(find_column(a.of_faces, "material")->words.size(), 2u);
   }
   const Outcome labels =
-    surface(folder.write("a.ply", ply_head + "property short label\n" + ply_faces +
-                                    "end_header\n0 0 0 1\n1 0 0 2\n0 1 0 4\n3 0 1 2\n"),
-            folder.file("b.ply"));
-  EXPECT_EQ(labels.code, 0);
-  EXPECT_NE(
-    labels.err.find("whole numbers of vertices are those of the nearest control vertex: 'label'"),
-    std::string::npos);
+    done(surface(folder.write("a.ply", ply_head + "property short label\n" + ply_faces +
+                                         "end_header\n0 0 0 1\n1 0 0 2\n0 1 0 4\n3 0 1 2\n"),
+                 folder.file("b.ply")));
+  expect_part(labels.err,
+              "whole numbers of vertices are those of the nearest control vertex: 'label'");
 }
 
 TEST_F(Pn_subdivide_carries, LabelsAndDirections)
@@ -1148,8 +1133,8 @@ TEST_F(Pn_subdivide_carries, SeamsAreSplitInVtpAndWhereItIsAskedFor)
   const std::string vtp = folder.file("b.vtp"), ply = folder.file("b.ply");
   EXPECT_EQ(surface(input, vtp, "--quiet --levels 0 --ascii").err, "");
   const std::string text = Temporary_folder::content(vtp);
-  EXPECT_NE(text.find("NumberOfPoints=\"12\""), std::string::npos);
-  EXPECT_NE(text.find("Name=\"TCoords\""), std::string::npos);
+  expect_part(text, "NumberOfPoints=\"12\"");
+  expect_part(text, "Name=\"TCoords\"");
   EXPECT_EQ(surface(input, ply, "--quiet --levels 0").err, "");
   EXPECT_EQ(read_mesh(ply).points.size(), 8u);
   EXPECT_EQ(surface(input, ply, "--quiet --levels 0 --split-seams").err, "");
@@ -1193,7 +1178,7 @@ TEST_F(Pn_subdivide_carries, BadAttributesFailWithOneLineAndLeaveTheOutput)
     const std::string input = folder.write("a.obj", points + rest);
     expect_one_line(surface(input, output), 1, "line 5: ");
     EXPECT_EQ(Temporary_folder::content(output), "old");
-    EXPECT_EQ(surface(input, folder.file("p.ply"), "--drop-attributes").code, 0);
+    done(surface(input, folder.file("p.ply"), "--drop-attributes"));
   }
 }
 
@@ -1201,7 +1186,7 @@ TEST_F(Pn_subdivide_carries, MaterialFilesAreFoundFromTheOutput)
 {
   std::filesystem::create_directories(folder.file("deep/er"));
   const std::string input = folder.write("a.obj", obj), output = folder.file("deep/er/b.obj");
-  ASSERT_EQ(surface(input, output, "--levels 0").code, 0);
+  done(surface(input, output, "--levels 0"));
   EXPECT_EQ(read_mesh(output).attributes.material_files[0], "../../house.mtl");
 }
 

@@ -263,11 +263,10 @@ TEST_F(Pn_subdivide_chord, WhatIsNotReachedIsAWarning)
     off << "4 0 " << 2 * i + 1 << ' ' << 2 * i + 2 << ' ' << (2 * i + 2) % (2 * n) + 1 << '\n';
   folder.write("cone.off", off.str());
   const std::string options = "--linear --border fixed --chord 0.00003";
-  const Outcome outcome = surface("cone.off", "o.ply", options + reported());
-  EXPECT_EQ(outcome.code, 0);
+  const Outcome outcome = done(surface("cone.off", "o.ply", options + reported()));
   EXPECT_EQ(outcome.err.rfind("warning: ", 0), 0u) << outcome.err;
   for (const char* part : {"--chord", "not reached in 12 rounds", "near", "face"})
-    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    expect_part(outcome.err, part);
   const Json json = report()["tessellation"];
   EXPECT_FALSE(json["reached"].get<bool>());
   EXPECT_GT(json["bound"].get<double>(), 0.00003);
@@ -277,11 +276,8 @@ TEST_F(Pn_subdivide_chord, WhatIsNotReachedIsAWarning)
 
 TEST_F(Pn_subdivide_chord, WhatIsOutOfReachEndsEarly)
 {
-  const Outcome outcome = surface("cube.off", "o.ply", "--chord 1e-30%" + reported());
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_NE(outcome.err.find("not reached, for which coordinates have too few digits"),
-            std::string::npos)
-    << outcome.err;
+  const Outcome outcome = done(surface("cube.off", "o.ply", "--chord 1e-30%" + reported()));
+  expect_part(outcome.err, "not reached, for which coordinates have too few digits");
   EXPECT_LT(report()["tessellation"]["bound"].get<double>(), 1e-4);
   EXPECT_LT(read_mesh(folder.file("o.ply")).number_of_faces(), 1000000u);
 }
@@ -294,7 +290,7 @@ TEST_F(Pn_subdivide_chord, WhatDoesNotGoTogether)
   const auto refused = [&](const std::string& options, const std::string& other) {
     const Outcome outcome = surface("cube.off", "o.ply", options);
     expect_one_line(outcome, 2, other);
-    EXPECT_NE(outcome.err.find("--chord"), std::string::npos) << outcome.err;
+    expect_part(outcome.err, "--chord");
     EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "untouched");
   };
   refused("--chord 0.1 --levels 3", "--levels 3");
@@ -321,10 +317,10 @@ TEST_F(Pn_subdivide_chord, WhatDoesNotGoTogether)
   expect_one_line(surface("cube.off", "o.ply", proven + " --scheme modified-catmull-clark"), 1,
                   "modified");
   EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "untouched");
-  EXPECT_EQ(surface("cube.off", "o.ply", "--chord 0.1 --sharp angle:30 --sharpness 1.5").code, 0);
-  EXPECT_EQ(surface("cube.off", "o.ply", "--chord 0.1 --chord-bound estimated").code, 0);
+  done(surface("cube.off", "o.ply", "--chord 0.1 --sharp angle:30 --sharpness 1.5"));
+  done(surface("cube.off", "o.ply", "--chord 0.1 --chord-bound estimated"));
   const std::size_t estimated = read_mesh(folder.file("o.ply")).number_of_faces();
-  EXPECT_EQ(surface("cube.off", "o.ply", proven + reported()).code, 0);
+  done(surface("cube.off", "o.ply", proven + reported()));
   EXPECT_LE(report()["tessellation"]["bound"].get<double>(), 0.1);
   EXPECT_GT(read_mesh(folder.file("o.ply")).number_of_faces(), estimated);
 }

@@ -43,11 +43,11 @@ protected:
 
 TEST_F(Grid, KeepsATorus)
 {
-  EXPECT_EQ(refine("torus_quads.ply", "--output-normals none").code, 0);
+  done(refine("torus_quads.ply", "--output-normals none"));
   EXPECT_LT(distance(), 1e-13);
-  EXPECT_EQ(refine("torus_quads.ply", "--output-normals none --linear").code, 0);
+  done(refine("torus_quads.ply", "--output-normals none --linear"));
   EXPECT_GT(distance(), 1e-2);
-  EXPECT_EQ(refine("torus_quads.ply", "--output-normals none --roundness 0.5").code, 0);
+  done(refine("torus_quads.ply", "--output-normals none --roundness 0.5"));
   EXPECT_GT(distance(), 1e-2);
 }
 

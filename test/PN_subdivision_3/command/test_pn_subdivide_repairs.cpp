@@ -287,15 +287,9 @@ TEST_F(Pn_subdivide_repairs, ComponentsFromFilesOfEveryFormat)
   for (const std::string format : {"off", "ply", "obj"}) {
     const std::string input = folder.file("a." + format), output = folder.file("b.off");
     write_mesh(input, bodies.mesh, Encoding::binary);
-    const Outcome outcome =
-      run("surface '" + input + "' '" + output + "' --levels 0 --repair --quiet");
-    EXPECT_EQ(outcome.code, 0);
-    EXPECT_NE(outcome.err.find(" 6 closed components turned right side out"), std::string::npos)
-      << outcome.err;
+    const Outcome outcome = done(surface(input, output, "--levels 0 --repair --quiet"));
+    expect_part(outcome.err, " 6 closed components turned right side out");
     expect_signs(bodies, read_mesh(output));
-    EXPECT_EQ(
-      run("surface '" + output + "' '" + folder.file("c.off") + "' --levels 0 --repair --quiet")
-        .err,
-      "");
+    EXPECT_EQ(surface(output, "c.off", "--levels 0 --repair --quiet").err, "");
   }
 }

@@ -48,20 +48,18 @@ TEST_F(Streams, TheSameBytesAsInFiles)
   folder.write("cube.off", cube_off);
   for (const std::string format : {"ply", "off", "obj", "stl", "vtp"}) {
     const std::string file = "file." + format;
-    ASSERT_EQ(run("surface " + quoted("cube.off") + " " + quoted(file) + " --levels 2").code, 0);
+    done(run("surface " + quoted("cube.off") + " " + quoted(file) + " --levels 2"));
     const std::string expected = Temporary_folder::content(folder.file(file));
     EXPECT_GT(expected.size(), 100u);
 
     const Outcome out =
-      run("surface " + quoted("cube.off") + " - --levels 2 --quiet --format " + format);
-    EXPECT_EQ(out.code, 0) << out.err;
+      done(run("surface " + quoted("cube.off") + " - --levels 2 --quiet --format " + format));
     EXPECT_EQ(out.err, "");
     EXPECT_TRUE(out.out == expected) << format;
   }
   // the format of standard input says nothing about a file
-  const Outcome in = run("surface - " + quoted("in.ply") + " --levels 2 --format off",
-                         "cat " + quoted("cube.off") + " | ");
-  EXPECT_EQ(in.code, 0) << in.err;
+  const Outcome in = done(run("surface - " + quoted("in.ply") + " --levels 2 --format off",
+                              "cat " + quoted("cube.off") + " | "));
   EXPECT_EQ(Temporary_folder::content(folder.file("in.ply")),
             Temporary_folder::content(folder.file("file.ply")));
 
@@ -75,9 +73,8 @@ TEST_F(Streams, Curves)
 {
   folder.write("p.txt", "0 0\n1 0\n1 1\n");
   const std::string options = "--closed --scheme chaikin --quiet";
-  ASSERT_EQ(run("curve " + quoted("p.txt") + " " + quoted("c.txt") + " " + options).code, 0);
-  const Outcome both = run("curve - - " + options, "cat " + quoted("p.txt") + " | ");
-  EXPECT_EQ(both.code, 0) << both.err;
+  done(run("curve " + quoted("p.txt") + " " + quoted("c.txt") + " " + options));
+  const Outcome both = done(run("curve - - " + options, "cat " + quoted("p.txt") + " | "));
   EXPECT_EQ(both.out, Temporary_folder::content(folder.file("c.txt")));
   expect_one_line(run("curve - - --comb - " + options, "cat " + quoted("p.txt") + " | "), 2,
                   "--comb");
@@ -154,8 +151,7 @@ TEST_F(Streams, LinksAreWrittenThrough)
   namespace fs = std::filesystem;
   folder.write("cube.off", cube_off);
   const auto write_to = [&](const std::string& name) {
-    const Outcome outcome = run("surface " + quoted("cube.off") + " " + quoted(name) + " --quiet");
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    done(run("surface " + quoted("cube.off") + " " + quoted(name) + " --quiet"));
     EXPECT_TRUE(fs::is_symlink(folder.file(name))) << name;
   };
   fs::create_directory(folder.file("deep"));

@@ -233,7 +233,7 @@ TEST_F(Pn_subdivide_surfaces, BodiesInsideOutAreTold)
     for (const Json& row : json["surfaces"]) cylinders += row["kind"] == "cylinder";
     EXPECT_EQ(cylinders, 3u * 2u + 4u);
     const auto repaired = surface("bodies.ply", "o.ply", "--sharp surfaces --repair");
-    EXPECT_FALSE(contains(repaired.err, "inside out")) << repaired.err;
+    expect_no_part(repaired.err, "inside out");
     EXPECT_EQ(contains(repaired.err, "1 closed component turned right side out"), is_turned);
   }
 }
@@ -314,12 +314,11 @@ TEST_F(Pn_subdivide_surfaces, ChildrenHaveTheSurfaceOfTheirParents)
 
 TEST_F(Pn_subdivide_surfaces, FilesWithoutPropertiesOfFacesAreAsBefore)
 {
-  EXPECT_TRUE(contains(written("shaft.ply", "o.vtp", "--sharp surfaces --levels 1 --ascii"),
-                       "type=\"Int32\" Name=\"surface\""));
+  expect_part(written("shaft.ply", "o.vtp", "--sharp surfaces --levels 1 --ascii"),
+              "type=\"Int32\" Name=\"surface\"");
   for (const char* const output : {"o.obj", "o.off", "o.stl"}) {
-    const Outcome outcome = surface("shaft.ply", output, "--sharp surfaces --levels 1");
-    EXPECT_EQ(outcome.code, 0);
-    EXPECT_FALSE(contains(outcome.err, "not written")) << outcome.err;
+    const Outcome outcome = done(surface("shaft.ply", output, "--sharp surfaces --levels 1"));
+    expect_no_part(outcome.err, "not written");
   }
   // one of the user's with this name gives way
   std::string ply = drilled_plate().ply();
@@ -330,7 +329,7 @@ TEST_F(Pn_subdivide_surfaces, FilesWithoutPropertiesOfFacesAreAsBefore)
     ply.insert(ply.find('\n', line + 1), " 77");
   folder.write("own.ply", ply);
   const Outcome outcome = surface("own.ply", "o.ply", "--sharp surfaces --levels 1");
-  EXPECT_TRUE(contains(outcome.err, "gives way")) << outcome.err;
+  expect_part(outcome.err, "gives way");
   for (const double s : surface_of(read_mesh(folder.file("o.ply")))) EXPECT_LT(s, 7);
 }
 
@@ -362,12 +361,10 @@ TEST_F(Pn_subdivide_surfaces, TheLabelsAreThoseOfTheReport)
 // The middle of a chord of a circle of radius R is R (1 - cos) off, with half of its angle; two rounds divide this by 4.
 TEST_F(Pn_subdivide_surfaces, TheReportHasParametersAndDeviations)
 {
-  const Outcome outcome = run("'" + folder.file("shaft.ply") + "' '" + folder.file("o.ply") +
-                              "' --sharp surfaces --levels 2" + reported());
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_TRUE(contains(outcome.err, "3 planes of 26 faces, 2 cylinders of 48 faces"))
-    << outcome.err;
-  EXPECT_TRUE(contains(outcome.err, "; 96 crease edges")) << outcome.err;
+  const Outcome outcome = done(run("'" + folder.file("shaft.ply") + "' '" + folder.file("o.ply") +
+                                   "' --sharp surfaces --levels 2" + reported()));
+  expect_part(outcome.err, "3 planes of 26 faces, 2 cylinders of 48 faces");
+  expect_part(outcome.err, "; 96 crease edges");
   const Json json = report();
   std::set<double> radii;
   for (const Json& s : json["surfaces"]) {
@@ -392,9 +389,8 @@ TEST_F(Pn_subdivide_surfaces, TheReportHasParametersAndDeviations)
 
 TEST_F(Pn_subdivide_surfaces, WhatIsNoPartIsSaid)
 {
-  const Outcome outcome = surface("stone.ply", "o.ply", "--sharp surfaces --levels 1");
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_TRUE(contains(outcome.err, "no surface is recognized")) << outcome.err;
+  const Outcome outcome = done(surface("stone.ply", "o.ply", "--sharp surfaces --levels 1"));
+  expect_part(outcome.err, "no surface is recognized");
   EXPECT_EQ(surface("stone.ply", "o.ply", "--sharp surfaces --strict").code, 4);
   // a stone above a small plate
   Part part = stone();
@@ -406,9 +402,8 @@ TEST_F(Pn_subdivide_surfaces, WhatIsNoPartIsSaid)
     part.add(corners);
   }
   folder.write("both.ply", part.ply());
-  const Outcome both = surface("both.ply", "o.ply", "--sharp surfaces --levels 1");
-  EXPECT_EQ(both.code, 0);
-  EXPECT_TRUE(contains(both.err, "% of the area is on no recognized surface")) << both.err;
+  const Outcome both = done(surface("both.ply", "o.ply", "--sharp surfaces --levels 1"));
+  expect_part(both.err, "% of the area is on no recognized surface");
   EXPECT_EQ(surface("plate.ply", "o.obj", "--sharp surfaces").err, "");
 }
 
@@ -530,10 +525,9 @@ TEST_F(Pn_subdivide_surfaces, PlanesDoNotFold)
     for (const std::string& more : {std::string(), tags("t"), std::string(" --linear")}) {
       SCOPED_TRACE(input + more);
       const Outcome outcome =
-        surface(input, "o.ply", "--sharp surfaces --levels 2" + more + reported());
-      EXPECT_EQ(outcome.code, 0) << outcome.err;
-      EXPECT_FALSE(contains(outcome.err, "folded")) << outcome.err;
-      EXPECT_FALSE(contains(outcome.err, "itself")) << outcome.err;
+        done(surface(input, "o.ply", "--sharp surfaces --levels 2" + more + reported()));
+      expect_no_part(outcome.err, "folded");
+      expect_no_part(outcome.err, "itself");
       EXPECT_EQ(report()["high_faces"], Json::array());
       const Mesh_data mesh = read_mesh(folder.file("o.ply"));
       EXPECT_LT(folded_area(mesh, report()), 1e-9);
@@ -548,10 +542,9 @@ TEST_F(Pn_subdivide_surfaces, FoldsAreTold)
   folder.write("dart.off", "OFF\n8 6 0\n0 0 0\n4 -2 0\n1 0 0\n4 2 0\n0 0 1\n4 -2 1\n1 0 1\n4 2 1\n"
                            "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
   for (const bool has_control_data : {false, true}) {
-    const Outcome outcome =
+    const Outcome outcome = done(
       surface("dart.off", "o.ply",
-              "--sharp surfaces --levels 1" + (has_control_data ? tags("t") : "") + reported());
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+              "--sharp surfaces --levels 1" + (has_control_data ? tags("t") : "") + reported()));
     EXPECT_EQ(contains(outcome.err, "folded over on 2 faces of recognized surfaces: 0, 1"),
               has_control_data)
       << outcome.err;
@@ -654,7 +647,7 @@ TEST_F(Pn_subdivide_surfaces, PlanesFromRimsKeepWhatIsSaidOfThem)
   EXPECT_TRUE(is_watertight(stl));
   EXPECT_EQ(stl.number_of_faces(), 2u * 192 + 4u * 54 + 2u * 24 * 16);
   const std::string vtp = written("plate.ply", "o.vtp", options + "--curvature mean --ascii");
-  EXPECT_TRUE(contains(vtp, "NumberOfPoints=\"" + std::to_string(obj.points.size()) + "\""));
+  expect_part(vtp, "NumberOfPoints=\"" + std::to_string(obj.points.size()) + "\"");
   EXPECT_TRUE(
     is_watertight(refined("shaft.ply", "o.ply", "--sharp surfaces --planes rims --levels 0")));
 }
@@ -662,9 +655,8 @@ TEST_F(Pn_subdivide_surfaces, PlanesFromRimsKeepWhatIsSaidOfThem)
 TEST_F(Pn_subdivide_surfaces, PlanesWhoseRimsCrossKeepTheirFaces)
 {
   const std::string options = "--sharp surfaces --levels 2 ";
-  const Outcome outcome = surface("thin.ply", "o.ply", options);
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_TRUE(contains(outcome.err, "2 planes keep their faces: their rims cross")) << outcome.err;
+  const Outcome outcome = done(surface("thin.ply", "o.ply", options));
+  expect_part(outcome.err, "2 planes keep their faces: their rims cross");
   const Mesh_data mesh = read_mesh(folder.file("o.ply"));
   EXPECT_TRUE(is_watertight(mesh));
   std::size_t quads_in_planes = 0;
@@ -675,11 +667,11 @@ TEST_F(Pn_subdivide_surfaces, PlanesWhoseRimsCrossKeepTheirFaces)
     quads_in_planes += is_flat && mesh.face(f).size() == 4;
   }
   EXPECT_EQ(quads_in_planes, 2u * 24 * 16);
-  EXPECT_FALSE(contains(
-    surface("thin.ply", "o.ply", "--sharp surfaces --planes rims --levels 0").err, "keep"));
+  expect_no_part(surface("thin.ply", "o.ply", "--sharp surfaces --planes rims --levels 0").err,
+                 "keep");
   for (const std::string& more : {std::string(), tags("t")})
-    EXPECT_TRUE(contains(surface("thin.ply", "o.ply", options + more).err,
-                         "2 planes intersect themselves: their rims cross"));
+    expect_part(surface("thin.ply", "o.ply", options + more).err,
+                "2 planes intersect themselves: their rims cross");
 }
 
 // --- options ---
@@ -731,10 +723,9 @@ TEST_F(Pn_subdivide_surfaces, AFileOfThisName)
 {
   folder.write("surfaces", "\n\n0 1\n");
   const std::string before = "cd '" + folder.file(".") + "' && ";
-  const Outcome file = run("plate.ply o.ply --sharp ./surfaces", before);
-  EXPECT_EQ(file.code, 0) << file.err;
-  EXPECT_TRUE(contains(file.err, ", 1 sharp edge,")) << file.err;
-  EXPECT_TRUE(contains(run("plate.ply o.ply --sharp surfaces", before).err, "1 cylinder of"));
+  const Outcome file = done(run("plate.ply o.ply --sharp ./surfaces", before));
+  expect_part(file.err, ", 1 sharp edge,");
+  expect_part(run("plate.ply o.ply --sharp surfaces", before).err, "1 cylinder of");
 }
 
 TEST_F(Pn_subdivide_surfaces, WhatExcludesEachOther)
