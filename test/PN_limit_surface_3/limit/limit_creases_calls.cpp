@@ -19,7 +19,6 @@
 #include <gtest/gtest.h>
 
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -219,23 +218,6 @@ TEST(Limit_creases, WhatIsNotSharpForEverIsRefused)
   expect_refusal(c, scheme, 1, "the sharpness of vertex 5 is 1.25");
   Tagged<Mesh> corner(c);
   EXPECT_NO_THROW(to_limit(corner, scheme, 2, test_options::Limit_options()));
-}
-
-TEST(Limit_creases, AMapThatThrowsLeavesTheMeshAsItWas)
-{
-  const Control c = random_net(3);
-  for (const bool fails_at_points : {true, false})
-    for (const int puts : {0, 20, 80, 300}) {
-      Tagged<Mesh> t(c);
-      const State before = state(t);
-      failing_maps::Calls_left points_left(fails_at_points ? puts % 97 : 1000), normals_left(puts);
-      EXPECT_THROW(PN::subdivide_to_limit(t.mesh, PN::CatmullClark_scheme(),
-                                          np::vertex_point_map(failing(t.points, points_left))
-                                            .vertex_normal_map(failing(t.normals, normals_left))
-                                            .edge_is_constrained_map(t.sharp)),
-                   std::runtime_error);
-      EXPECT_TRUE(state(t) == before) << puts;
-    }
 }
 
 } // namespace

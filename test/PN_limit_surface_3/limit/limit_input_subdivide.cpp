@@ -8,7 +8,6 @@
 
 // subdivide_to_limit() is subdivide() and move_to_limit(), but leaves a mesh as it was where either fails.
 
-#include "Failing_map.h"
 #include "Limit_cases.h"
 #include "Mesh_cases.h"
 #include "Messages.h"
@@ -153,23 +152,6 @@ TEST(Subdivide_to_limit, AFailureLeavesTheMeshAsItWas)
   expect_refusal(scheme, wrong, "tolerance");
   const PN::CatmullClark_scheme::Tuned late(0.5, 20);
   expect_refusal(late, test_options::Limit_options(), "first round");
-}
-
-TEST(Subdivide_to_limit, AMapThatThrowsLeavesTheMeshAsItWas)
-{
-  Surface_mesh mesh;
-  mesh_cases::build(mesh_cases::mixed_with_border(), mesh);
-  const std::vector<Kernel::Point_3> before(mesh.points().begin(), mesh.points().end());
-  // new vertices are put before the old ones: the last numbers are theirs
-  for (const int puts : {0, 10, 22, 30}) {
-    failing_maps::Calls_left puts_left(puts);
-    const auto map = failing(get(CGAL::vertex_point, mesh), puts_left);
-    EXPECT_THROW(
-      PN::subdivide_to_limit(mesh, PN::CatmullClark_scheme(), params::vertex_point_map(map)),
-      failing_maps::User_failure);
-    EXPECT_EQ(std::vector<Kernel::Point_3>(mesh.points().begin(), mesh.points().end()), before);
-    EXPECT_TRUE(mesh.is_valid());
-  }
 }
 
 } // namespace
