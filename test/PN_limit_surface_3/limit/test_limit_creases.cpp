@@ -18,10 +18,8 @@
 #include <CGAL/PN_subdivision_3/schemes/Transfer_schemes.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -158,30 +156,11 @@ TEST(Limit_creases, AreTheSameWhereTheRulesSettleLate)
 // other one from being separated in the first round.
 TEST(Limit_creases, AreTheSameBesideAnIrregularDart)
 {
-  const int cells[] = {1, 2, 2};
-  Control c;
-  std::map<std::array<int, 3>, int> index;
-  const auto vertex = [&](const std::array<int, 3>& p) {
-    const auto [it, is_new] = index.try_emplace(p, int(c.points.size()));
-    if (is_new) c.points.push_back({double(p[0]), double(p[1]), double(p[2])});
-    return it->second;
+  Control c = random_creases::box_of_cells({1, 2, 2});
+  const auto vertex = [&](const Triple& p) {
+    return int(std::find(c.points.begin(), c.points.end(), p) - c.points.begin());
   };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const int side : {0, 1})
-      for (int i = 0; i < cells[(axis + 1) % 3]; ++i)
-        for (int j = 0; j < cells[(axis + 2) % 3]; ++j) {
-          Face f;
-          for (const auto& [di, dj] : {Edge{0, 0}, Edge{1, 0}, Edge{1, 1}, Edge{0, 1}}) {
-            std::array<int, 3> p{};
-            p[axis] = side * cells[axis];
-            p[(axis + 1) % 3] = i + di;
-            p[(axis + 2) % 3] = j + dj;
-            f.push_back(vertex(p));
-          }
-          if (side == 0) std::reverse(f.begin(), f.end());
-          c.faces.push_back(f);
-        }
-  c.sharp_edges[undirected(index.at({0, 0, 0}), index.at({0, 1, 0}))] = infinity;
+  c.sharp_edges[undirected(vertex({0, 0, 0}), vertex({0, 1, 0}))] = infinity;
   std::mt19937 random(1);
   random_creases::perturb(c, random);
   random_creases::give_normals(c, random);

@@ -10,6 +10,7 @@
 // scheme, on creases too.
 
 #include "Mesh_cases.h"
+#include "Random_creases.h"
 #include "support/Exact_rational.h"
 
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
@@ -28,7 +29,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <map>
 #include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
@@ -120,29 +120,9 @@ namespace {
 // a cube of 2 x 2 quads a side
 Soup box()
 {
-  Soup soup;
-  std::map<std::array<int, 3>, std::size_t> index;
-  const auto vertex = [&](std::array<int, 3> p) {
-    const auto [it, is_new] = index.try_emplace(p, soup.points.size());
-    if (is_new) soup.points.push_back({double(p[0]), double(p[1]), double(p[2])});
-    return it->second;
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (int side : {0, 2})
-      for (int i : {0, 1})
-        for (int j : {0, 1}) {
-          Polygon f;
-          for (const auto& [a, b] :
-               std::array<std::array<int, 2>, 4>{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}) {
-            std::array<int, 3> p{};
-            p[axis] = side;
-            p[(axis + 1) % 3] = i + a;
-            p[(axis + 2) % 3] = j + b;
-            f.push_back(vertex(p));
-          }
-          if (side == 0) std::reverse(f.begin(), f.end());
-          soup.faces.push_back(f);
-        }
+  const auto control = random_creases::box();
+  Soup soup{control.points, {}};
+  for (const auto& f : control.faces) soup.faces.emplace_back(f.begin(), f.end());
   return soup;
 }
 

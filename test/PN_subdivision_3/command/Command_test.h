@@ -15,7 +15,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
+#include <sstream>
 #include <string>
+#include <vector>
 #ifdef __unix__
 #  include <chrono>
 #  include <csignal>
@@ -55,6 +58,7 @@ protected:
     int code;
     std::string out, err;
   };
+  using Values_by_name = std::map<std::string, std::vector<double>>;
 
   Outcome run(const std::string& arguments, const std::string& before = "") const
   {
@@ -77,6 +81,28 @@ protected:
   std::string content(const std::string& name) const
   {
     return Temporary_folder::content(path(name));
+  }
+  // the columns of the vertices of a text PLY, read without the command's own reader
+  Values_by_name columns_of(const std::string& file) const
+  {
+    std::istringstream in(content(file));
+    std::vector<std::string> names;
+    std::size_t vertices = 0;
+    for (std::string line; std::getline(in, line) && line != "end_header";) {
+      std::istringstream words(line);
+      std::string word, type, name;
+      words >> word >> type >> name;
+      if (word == "element" && type == "vertex") vertices = std::stoul(name);
+      if (word == "property" && type != "list") names.push_back(name);
+    }
+    Values_by_name columns;
+    for (std::size_t v = 0; v < vertices; ++v)
+      for (const std::string& name : names) {
+        double x = 0;
+        EXPECT_TRUE(in >> x);
+        columns[name].push_back(x);
+      }
+    return columns;
   }
   static std::string data(const std::string& name)
   {

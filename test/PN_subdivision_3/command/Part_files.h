@@ -157,6 +157,23 @@ inline Part box_of_squares(int m, const Triple& low, const Triple& size)
         }
   return part;
 }
+
+// A ball of 12 meridians and 6 parallels, with poles: the point of two of them is a function.
+template <class Point>
+Part ball_of(const Point& point)
+{
+  Part ball;
+  for (int i = 0; i < 12; ++i)
+    for (int j = 0; j < 6; ++j)
+      if (j == 0)
+        ball.add({point(0, 0), point(i + 1, 1), point(i, 1)});
+      else if (j == 5)
+        ball.add({point(i, 5), point(i + 1, 5), point(0, 6)});
+      else
+        ball.add({point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
+  return ball;
+}
+
 // A square plate of width 4 and height 1 with a hole of radius 1, whose 24 sides are rows of quads.
 inline Part drilled_plate(int rows = 1)
 {

@@ -74,8 +74,6 @@ protected:
     folder.write("octahedron.off", octahedron());
     folder.write("plate.ply", plate());
   }
-  Json report() const { return Json::parse(Temporary_folder::content(folder.file("r.json"))); }
-  std::string reported() const { return " --report '" + folder.file("r.json") + "' "; }
   std::string ball() const { return " --normals sphere:0,0,0 "; }
 };
 
@@ -104,24 +102,6 @@ double distance_from_sphere(const Mesh_data& mesh, double r)
         }
   }
   return largest;
-}
-
-// whether every edge has two faces, which run along it the other way round
-bool is_watertight(const Mesh_data& mesh)
-{
-  std::set<std::pair<unsigned, unsigned>> halfedges;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const auto face = mesh.face(f);
-    for (std::size_t i = 0; i < std::size_t(face.size()); ++i)
-      if (!halfedges
-             .insert({unsigned(face.begin()[i]),
-                      unsigned(face.begin()[(i + 1) % std::size_t(face.size())])})
-             .second)
-        return false;
-  }
-  for (const auto& [a, b] : halfedges)
-    if (halfedges.count({b, a}) == 0) return false;
-  return true;
 }
 
 TEST_F(Pn_subdivide_chord, ASphereIsTessellated)

@@ -18,38 +18,12 @@
 #include <algorithm>
 
 #include <cmath>
-#include <map>
 #include <sstream>
 #include <vector>
 
 using namespace pn_subdivide;
 
 namespace {
-
-// The columns of the vertices of a text PLY, read without the command's own reader.
-using Values_by_name = std::map<std::string, std::vector<double>>;
-
-Values_by_name read_columns(const std::string& file)
-{
-  std::istringstream in(Temporary_folder::content(file));
-  std::vector<std::string> names;
-  std::size_t vertices = 0;
-  for (std::string line; std::getline(in, line) && line != "end_header";) {
-    std::istringstream words(line);
-    std::string word, type, name;
-    words >> word >> type >> name;
-    if (word == "element" && type == "vertex") vertices = std::stoul(name);
-    if (word == "property" && type != "list") names.push_back(name);
-  }
-  Values_by_name columns;
-  for (std::size_t v = 0; v < vertices; ++v)
-    for (const std::string& name : names) {
-      double x = 0;
-      EXPECT_TRUE(in >> x);
-      columns[name].push_back(x);
-    }
-  return columns;
-}
 
 class Pn_subdivide_curvature : public Command_test
 {
@@ -63,7 +37,7 @@ protected:
   Values_by_name columns(const std::string& input, const std::string& options) const
   {
     EXPECT_EQ(done(catmull_clark(input, "columns.ply", "--ascii " + options)).out, "");
-    return read_columns(folder.file("columns.ply"));
+    return columns_of("columns.ply");
   }
 };
 

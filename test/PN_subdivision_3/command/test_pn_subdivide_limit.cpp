@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <sstream>
 #include <vector>
 
 namespace {
@@ -29,20 +28,13 @@ protected:
   // the vertices of a text PLY with normals
   std::vector<Row> vertices(const std::string& file) const
   {
-    std::istringstream in(Temporary_folder::content(folder.file(file)));
-    std::size_t count = 0;
-    int columns = 0;
-    for (std::string line; std::getline(in, line) && line != "end_header";) {
-      std::istringstream words(line);
-      std::string word, type, name;
-      words >> word >> type >> name;
-      if (word == "element" && type == "vertex") count = std::stoul(name);
-      if (word == "property" && type != "list") ++columns;
-    }
-    EXPECT_EQ(columns, 6) << file;
-    std::vector<Row> rows(count);
-    for (Row& row : rows)
-      for (double& x : row) EXPECT_TRUE(in >> x);
+    const Values_by_name columns = columns_of(file);
+    EXPECT_EQ(columns.size(), 6u) << file;
+    std::vector<Row> rows(columns.at("x").size());
+    for (std::size_t v = 0; v < rows.size(); ++v)
+      for (std::size_t c = 0; c < 6; ++c)
+        rows[v][c] =
+          columns.at(c < 3 ? std::string(1, "xyz"[c]) : std::string("n") + "xyz"[c - 3])[v];
     return rows;
   }
 

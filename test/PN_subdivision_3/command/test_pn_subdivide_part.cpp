@@ -41,21 +41,6 @@ Part triangles(Part part, bool with_others = false)
   return part;
 }
 
-// An unwelded body: a box.
-Part box()
-{
-  Part part;
-  const auto p = [](int i) { return Triple{double(i & 1), 2. * (i >> 1 & 1), 3. * (i >> 2)}; };
-  for (const auto& f : {std::array<int, 4>{0, 2, 3, 1},
-                        {4, 5, 7, 6},
-                        {0, 1, 5, 4},
-                        {2, 6, 7, 3},
-                        {0, 4, 6, 2},
-                        {1, 3, 7, 5}})
-    part.add({p(f[0]), p(f[1]), p(f[2]), p(f[3])});
-  return part;
-}
-
 // A cylinder of 20 facets, of radius 2 and height 3, of which the plane x = 1.3 has cut a piece off, through two facets.
 Part cut_cylinder()
 {
@@ -221,10 +206,8 @@ protected:
     folder.write("shaft.stl", triangles(shaft()).stl());
     folder.write("shaft.ply", shaft().ply());
     folder.write("plate.ply", triangles(drilled_plate()).ply());
-    folder.write("box.ply", box().ply());
+    folder.write("box.ply", box_of_squares(1, {0, 0, 0}, {1, 2, 3}).ply());
   }
-  Json report() const { return Json::parse(Temporary_folder::content(folder.file("r.json"))); }
-  std::string reported() const { return " --report '" + folder.file("r.json") + "' "; }
   std::string said(const std::string& input, const std::string& options) const
   {
     const Outcome outcome =
@@ -625,20 +608,11 @@ TEST_F(Pn_subdivide_part, CheckProposesPartBesideTags)
 // A ball of 12 meridians and 5 parallels has 0.82 of the volume of its sphere, and is that again.
 TEST_F(Pn_subdivide_part, CheckKnowsASphere)
 {
-  Part ball;
   const auto point = [](int i, int j) {
     const Triple z = on_circle(1, 30. * j - 90, 0);
     return j == 0 || j == 6 ? Triple{0, 0, z[1]} : on_circle(z[0], 30. * (i % 12), z[1]);
   };
-  for (int i = 0; i < 12; ++i)
-    for (int j = 0; j < 6; ++j)
-      if (j == 0)
-        ball.add({point(0, 0), point(i + 1, 1), point(i, 1)});
-      else if (j == 5)
-        ball.add({point(i, 5), point(i + 1, 5), point(0, 6)});
-      else
-        ball.add({point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
-  folder.write("ball.ply", ball.ply());
+  folder.write("ball.ply", ball_of(point).ply());
   const std::string text = checked("ball.ply", "--levels 3 --normals sphere:0,0,0" + reported());
   expect_part(text, "check: kept (linear LOST)\n");
   const Json json = report()["check"];

@@ -86,22 +86,13 @@ Part thin_walled_plate()
 // A sphere of radius 2, of 12 meridians and 6 parallels, all of whose points are moved about.
 Part stone()
 {
-  Part part;
   const auto point = [](int i, int j) {
     const double a = 30. * (i % 12), b = 30. * j - 90;
     const Triple p = on_circle(std::cos(b * pi / 180), a, std::sin(b * pi / 180));
     const double r = 2 + .1 * std::sin(3 * p[0] + 5 * p[1]) + .1 * std::cos(4 * p[2] + 2 * p[0]);
     return Triple{r * p[0], r * p[1], r * p[2]};
   };
-  for (int i = 0; i < 12; ++i)
-    for (int j = 0; j < 6; ++j)
-      if (j == 0)
-        part.add({point(0, 0), point(i + 1, 1), point(i, 1)});
-      else if (j == 5)
-        part.add({point(i, 5), point(i + 1, 5), point(0, 6)});
-      else
-        part.add({point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
-  return part;
+  return ball_of(point);
 }
 
 class Pn_subdivide_surfaces : public Refined_files
@@ -122,8 +113,6 @@ protected:
     }
   }
 
-  Json report() const { return Json::parse(Temporary_folder::content(folder.file("r.json"))); }
-  std::string reported() const { return " --report '" + folder.file("r.json") + "' "; }
   std::string tags(const std::string& name) const
   {
     return " --write-tags '" + folder.file(name + ".selection.txt") + "' ";
@@ -553,35 +542,6 @@ TEST_F(Pn_subdivide_surfaces, FoldsAreTold)
 }
 
 // --- planes from their rims ---
-
-// Has every edge two faces that run along it the other way round?
-bool is_watertight(const Mesh_data& mesh)
-{
-  std::set<std::pair<std::size_t, std::size_t>> sides;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const auto face = mesh.face(f);
-    for (auto v = face.begin(); v != face.end(); ++v)
-      if (!sides.insert({*v, v + 1 == face.end() ? *face.begin() : *(v + 1)}).second) return false;
-  }
-  return std::all_of(sides.begin(), sides.end(), [&](const auto& side) {
-    return sides.count({side.second, side.first}) == 1;
-  });
-}
-
-double volume(const Mesh_data& mesh)
-{
-  double six = 0;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const auto face = mesh.face(f);
-    const Triple& a = mesh.points[*face.begin()];
-    for (auto v = face.begin() + 1; v + 1 != face.end(); ++v) {
-      const Triple &b = mesh.points[*v], &c = mesh.points[*(v + 1)];
-      six += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-             a[2] * (b[0] * c[1] - b[1] * c[0]);
-    }
-  }
-  return six / 6;
-}
 
 std::size_t vertices_with_faces(const Mesh_data& mesh)
 {

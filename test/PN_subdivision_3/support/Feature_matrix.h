@@ -221,42 +221,21 @@ private:
 
 // \name Normals: calls a function with the scheme and the named parameters of a case
 
-struct Estimated
-{
-  static constexpr const char* name = "estimated normals";
-  template <class Function>
-  void operator()(Case& c, const Function& f) const
-  {
-    f(c.scheme, c.tags());
-  }
-};
-struct Linear
-{
-  static constexpr const char* name = "linear";
-  template <class Function>
-  void operator()(Case& c, const Function& f) const
-  {
-    f(PN::linear(c.scheme), c.tags());
-  }
-};
-struct Of_vertices
-{
-  static constexpr const char* name = "normals of vertices";
-  template <class Function>
-  void operator()(Case& c, const Function& f) const
-  {
-    f(c.scheme, c.tags().vertex_normal_map(c.normals));
-  }
-};
-struct Of_corners
-{
-  static constexpr const char* name = "normals of corners";
-  template <class Function>
-  void operator()(Case& c, const Function& f) const
-  {
-    f(c.scheme, c.tags().vertex_normal_map(c.corner_normals));
-  }
-};
+#define PN_NORMALS(Name, words, scheme_of_case, parameters_of_case)                                \
+  struct Name                                                                                      \
+  {                                                                                                \
+    static constexpr const char* name = words;                                                     \
+    template <class Function>                                                                      \
+    void operator()(Case& c, const Function& f) const                                              \
+    {                                                                                              \
+      f(scheme_of_case, parameters_of_case);                                                       \
+    }                                                                                              \
+  };
+PN_NORMALS(Estimated, "estimated normals", c.scheme, c.tags())
+PN_NORMALS(Linear, "linear", PN::linear(c.scheme), c.tags())
+PN_NORMALS(Of_vertices, "normals of vertices", c.scheme, c.tags().vertex_normal_map(c.normals))
+PN_NORMALS(Of_corners, "normals of corners", c.scheme, c.tags().vertex_normal_map(c.corner_normals))
+#undef PN_NORMALS
 
 struct Plain
 {

@@ -57,14 +57,14 @@ struct Scheme_description
   static void finish_round(const reference::Face_list& /*mesh*/, reference::Values& /*values*/) {}
 };
 
-// a scheme whose reference knows neither the round nor parameters
-template <class Scheme, reference::Refined (*refined)(const reference::Face_list&)>
+// a scheme whose reference does not know the round, but a parameter in some, which is given in sixteenths
+template <class Scheme, auto refined, int... sixteenths>
 struct Scheme_of_reference : Scheme_description
 {
   static auto scheme() { return Scheme(); }
   static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
   {
-    return refined(mesh);
+    return refined(mesh, reference::Real(sixteenths) / 16 ...);
   }
 };
 

@@ -62,68 +62,47 @@ struct Butterfly_description
   static constexpr unsigned rounds_of_reproduction = 4;
 };
 
-struct Kobbelt_description : Scheme_description
+struct Kobbelt_description
+  : Scheme_of_reference<CGAL::PN_subdivision_3::Kobbelt_scheme, reference::kobbelt, 1>
 {
   static constexpr std::size_t degree = 4;
   static constexpr bool is_interpolatory = true;
   static constexpr bool takes_valence_2 = false;
   static constexpr bool has_positive_weights = false;
   static constexpr unsigned rounds_of_reproduction = 4;
-  static auto scheme() { return CGAL::PN_subdivision_3::Kobbelt_scheme(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::kobbelt(mesh, reference::Real(1) / 16);
-  }
 };
 
-struct Modified_CatmullClark_description : Scheme_description
-{
-  static auto scheme() { return CGAL::PN_subdivision_3::CatmullClark_scheme::Tuned(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::modified_catmull_clark(mesh, reference::Real(1) / 2);
-  }
-};
+struct Modified_CatmullClark_description
+  : Scheme_of_reference<CGAL::PN_subdivision_3::CatmullClark_scheme::Tuned,
+                        reference::modified_catmull_clark, 8>
+{};
 
-struct Modified_Loop_description : Scheme_description
+struct Modified_Loop_description
+  : Scheme_of_reference<CGAL::PN_subdivision_3::Loop_scheme::Tuned, reference::modified_loop, 8>
 {
   static constexpr std::size_t degree = 3;
-  static auto scheme() { return CGAL::PN_subdivision_3::Loop_scheme::Tuned(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::modified_loop(mesh, reference::Real(1) / 2);
-  }
 };
 
-struct Ct_CatmullClark_description : Scheme_description
+template <class Scheme, auto refined, bool of_quads>
+struct Transfer_description : Scheme_of_reference<Scheme, refined, 0>
 {
   static constexpr bool is_linear_for_equal_normals = false;
   static constexpr bool takes_intervals = false;
-  static auto scheme() { return CGAL::PN_subdivision_3::CatmullClark_scheme::Transfer(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::modified_catmull_clark(mesh, 0);
-  }
   static void finish_round(const reference::Face_list& mesh, reference::Values& values)
   {
-    reference::transfer_curvature(mesh, true, values);
+    reference::transfer_curvature(mesh, of_quads, values);
   }
 };
 
-struct Ct_Loop_description : Scheme_description
+struct Ct_CatmullClark_description
+  : Transfer_description<CGAL::PN_subdivision_3::CatmullClark_scheme::Transfer,
+                         reference::modified_catmull_clark, true>
+{};
+
+struct Ct_Loop_description : Transfer_description<CGAL::PN_subdivision_3::Loop_scheme::Transfer,
+                                                  reference::modified_loop, false>
 {
   static constexpr std::size_t degree = 3;
-  static constexpr bool is_linear_for_equal_normals = false;
-  static constexpr bool takes_intervals = false;
-  static auto scheme() { return CGAL::PN_subdivision_3::Loop_scheme::Transfer(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::modified_loop(mesh, 0);
-  }
-  static void finish_round(const reference::Face_list& mesh, reference::Values& values)
-  {
-    reference::transfer_curvature(mesh, false, values);
-  }
 };
 
 struct Midpoint_description
