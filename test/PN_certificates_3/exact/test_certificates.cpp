@@ -9,11 +9,11 @@
 // Certificates: one round from rational points and normals on a sphere or cylinder ends exactly on
 // it, in every scheme. As the result is again of this kind, so do all further rounds.
 
-#include "Changed_scheme.h"
 #include "Exact_control.h"
 #include "Schemes.h"
 
 #include <CGAL/PN_certificates_3/reproduction.h>
+#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 
 namespace {
 
@@ -73,6 +73,42 @@ bool is_certified(const Exact_control& exact, const Shape& shape)
   return is_exact(
     PN::mesh_deviation(exact.mesh, PN::Cylinder_3<One_root_kernel>(axis, squared_radius), np));
 }
+
+// Without transfer of curvature, and beginning with a later round: the first round is number 1 + `rounds_before`.
+template <class Host_, unsigned rounds_before>
+struct Changed_host : Host_
+{
+  using Level = PN::Level_connectivity;
+  using Size = PN::Level_size;
+
+  Changed_host(const Level& level, unsigned round)
+    : Host_(level, round + rounds_before)
+  {}
+  static Size refined_size(const Size& size, unsigned round)
+  {
+    return Host_::refined_size(size, round + rounds_before);
+  }
+};
+
+template <class Scheme, unsigned rounds_before = 0>
+struct Changed_scheme
+{
+  using Host = Changed_host<typename Scheme::Host, rounds_before>;
+  using Level = PN::Level_connectivity;
+
+  template <class FT>
+  auto mask(const Level& level, unsigned round) const
+  {
+    return scheme.template mask<FT>(level, round + rounds_before);
+  }
+  template <class Element_names>
+  void check(const Level& level, const Element_names& names) const
+  {
+    PN::internal::check_scheme(scheme, level, names);
+  }
+
+  Scheme scheme;
+};
 
 // The transfer of curvature is computed in double, so that it has no certificate; the rows of its
 // schemes have.

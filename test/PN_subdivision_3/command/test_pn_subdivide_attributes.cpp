@@ -122,7 +122,7 @@ protected:
       const std::string message = e.what();
       EXPECT_EQ(message.rfind(file + ": ", 0), 0u) << message;
       EXPECT_NE(message.find(part), std::string::npos) << message << "\nlacks: " << part;
-      expect_no_part(message, '\n');
+      expect_no_part(message, "\n");
     }
   }
 

@@ -128,7 +128,7 @@ TEST_F(Pn_subdivide_curvature, WithoutLimits)
 {
   for (const char* options :
        {"--scheme doo-sabin --levels 2", "--sharp angle:40 --sharpness 2.5"}) {
-    done(surface(data("cube.off"), "o.ply", "--curvature mean " + options));
+    done(surface(data("cube.off"), "o.ply", std::string("--curvature mean ") + options));
   }
 }
 

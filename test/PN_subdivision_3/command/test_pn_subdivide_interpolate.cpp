@@ -112,7 +112,7 @@ TEST_F(Pn_subdivide_interpolate, Curves)
   const auto before = points(in);
   for (const char* options : {"--closed", "--end reflect", "--closed --linear"}) {
     const Outcome outcome =
-      curve(in, out, "--scheme bspline:3 --levels 12 --interpolate points " + options);
+      curve(in, out, std::string("--scheme bspline:3 --levels 12 --interpolate points ") + options);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     expect_part(outcome.err, "through the points: largest distance ");
     const auto after = points(out);

@@ -114,7 +114,7 @@ protected:
     const std::string message = error_of(file);
     EXPECT_EQ(message.rfind(file + ": ", 0), 0u) << message;
     expect_part(message, part);
-    expect_no_part(message, '\n');
+    expect_no_part(message, "\n");
   }
 
   Temporary_folder folder;
