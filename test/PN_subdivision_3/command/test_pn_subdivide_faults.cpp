@@ -116,7 +116,7 @@ TEST_F(Faults, EveryAllocation)
     const std::size_t files = folder.number_of_files();
     std::set<std::string> written;
     long k = 1;
-    for (Ending ending; (ending = run_with_allocations(job, k)) != done; ++k) {
+    for (Ending ending; (ending = run_with_allocations(job, k)) != Ending::done; ++k) {
       ASSERT_EQ(ending, out_of_memory) << out << ", allocation " << k;
       ASSERT_EQ(folder.number_of_files(), files) << "allocation " << k;
       const std::string content = Temporary_folder::content(out);

@@ -138,7 +138,7 @@ protected:
   // the points of a curve of six control points
   std::vector<Triple> curve(const std::string& options) const
   {
-    done(curve("p.txt", "o.txt", "--quiet " + options));
+    done(Command_test::curve("p.txt", "o.txt", "--quiet " + options));
     std::vector<Triple> points;
     std::istringstream lines(Temporary_folder::content(folder.file("o.txt")));
     for (std::string line; std::getline(lines, line);) {

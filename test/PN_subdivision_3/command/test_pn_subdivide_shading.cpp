@@ -238,6 +238,7 @@ protected:
   }
   void expect_data(const Shape& s, const std::vector<Vector>& normals, const std::string& name)
   {
+    SCOPED_TRACE(name);
     for (const std::size_t format : {0u, 1u, 2u, 3u, 4u})
       for (const int digits : {4, 6, 9}) {
         const Outcome outcome = refine(written(s, normals, format, digits), "--levels 1");
