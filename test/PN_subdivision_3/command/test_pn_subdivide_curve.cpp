@@ -183,35 +183,6 @@ TEST_F(Pn_subdivide_curve, NormalsEstimatedFromACircleGiveTheCircle)
   }
 }
 
-TEST_F(Pn_subdivide_curve, SamplesOfACylinderAlongAHelixStayOnIt)
-{
-  std::ostringstream helix;
-  helix << std::setprecision(17);
-  for (int i = 0; i < 16; ++i)
-    helix << std::cos(0.7 * i) << ' ' << std::sin(0.7 * i) << ' ' << 0.3 * i << ' '
-          << std::cos(0.7 * i) << ' ' << std::sin(0.7 * i) << " 0\n";
-  for (const char* scheme : {"chaikin", "6-point"}) {
-    const Rows curve = numbers(refined(helix.str(), std::string("--levels 5 --scheme ") + scheme));
-    EXPECT_GT(curve.size(), 400u);
-    for (const auto& row : curve) {
-      ASSERT_EQ(row.size(), 6u);
-      EXPECT_NEAR(std::hypot(row[0], row[1]), 1, 1e-14);
-      EXPECT_EQ(row[5], 0);
-    }
-  }
-}
-
-TEST_F(Pn_subdivide_curve, InterpolatingSchemesKeepControlPointsToTheLastBit)
-{
-  const std::vector<std::string> old_lines = lines(with_normals);
-  for (const char* scheme : {"4-point", "8-point", "20-point"}) {
-    const std::vector<std::string> curve =
-      lines(refined(with_normals, std::string("--levels 3 --scheme ") + scheme));
-    ASSERT_EQ(curve.size(), 8 * 5 + 1u);
-    for (std::size_t i = 0; i < old_lines.size(); ++i) EXPECT_EQ(curve[8 * i], old_lines[i]);
-  }
-}
-
 TEST_F(Pn_subdivide_curve, NumbersOfPointsByEndRules)
 {
   const auto points = [this](const std::string& options) {

@@ -104,17 +104,6 @@ TEST_F(Pn_subdivide_limit, StaysOnTheSphere)
             "--levels 2 --limit --scheme catmull-clark --verify sphere:0,0,0,1 --tolerance 1e-14"));
 }
 
-// Threads take 2048 elements at a time; two rounds make 2880.
-TEST_F(Pn_subdivide_limit, ThreadsChangeNothing)
-{
-  const std::string options = "--ascii --limit --surface-normals --levels 1 --scheme "
-                              "modified-catmull-clark --normal-scheme kobbelt";
-  done(surface(data("torus_quads.ply"), "one.ply", options));
-  done(surface(data("torus_quads.ply"), "two.ply", options + " --threads 2"));
-  EXPECT_EQ(Temporary_folder::content(folder.file("one.ply")),
-            Temporary_folder::content(folder.file("two.ply")));
-}
-
 TEST_F(Pn_subdivide_limit, SaysWhereTheToleranceIsMissed)
 {
   const Outcome outcome =
