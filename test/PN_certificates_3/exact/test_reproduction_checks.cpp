@@ -28,15 +28,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;

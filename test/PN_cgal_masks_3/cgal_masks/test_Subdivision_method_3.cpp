@@ -23,10 +23,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/subdivision_method_3.h>
 
-#include <gtest/gtest.h>
-
 #include <functional>
-#include <limits>
 #include <set>
 
 namespace {

@@ -15,8 +15,6 @@
 #include <CGAL/PN_curves/curve_limit_points.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 
-#include <random>
-
 using namespace curve_cases;
 
 namespace {

@@ -15,9 +15,6 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
-#include <algorithm>
-#include <stdexcept>
-
 using namespace curve_cases;
 
 namespace {

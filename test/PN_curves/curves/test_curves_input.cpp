@@ -19,10 +19,7 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
-#include <algorithm>
-#include <locale>
 #include <numeric>
-#include <stdexcept>
 
 using namespace curve_cases;
 

@@ -21,11 +21,6 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/centroid.h>
 
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <vector>
-
 namespace {
 
 using namespace interpolation_cases;

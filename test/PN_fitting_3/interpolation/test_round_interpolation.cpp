@@ -20,16 +20,8 @@
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/Surface_mesh.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
 

@@ -13,12 +13,7 @@
 
 #include <Eigen/SVD>
 
-#include <algorithm>
-#include <cstddef>
-#include <random>
 #include <set>
-#include <utility>
-#include <vector>
 
 using namespace estimated_curvatures;
 namespace in = PN::internal;

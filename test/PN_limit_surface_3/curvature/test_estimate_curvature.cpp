@@ -17,12 +17,7 @@
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
 #include <fstream>
-#include <functional>
 #include <limits>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <utility>
 
 using namespace estimated_curvatures;
 namespace params = CGAL::parameters;

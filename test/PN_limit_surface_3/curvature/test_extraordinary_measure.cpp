@@ -14,15 +14,8 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <set>
-#include <string>
-#include <vector>
 
 namespace {
 

@@ -19,17 +19,6 @@
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <CGAL/Polyhedron_3.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <set>
-#include <string>
-#include <type_traits>
-#include <vector>
-
 namespace {
 
 using namespace creased_limit_cases;

@@ -32,9 +32,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include <cstddef>
-#include <stdexcept>
-
 namespace {
 
 using namespace limit_cases;

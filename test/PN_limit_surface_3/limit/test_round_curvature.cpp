@@ -19,12 +19,8 @@
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Surface_mesh.h>
 #include <Eigen/Dense>
-#include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <utility>
 
 namespace PN = CGAL::PN_subdivision_3;
 

@@ -27,13 +27,6 @@
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-#include <string>
-#include <vector>
-
 namespace {
 
 using namespace limit_cases;

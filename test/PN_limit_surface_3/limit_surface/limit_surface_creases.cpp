@@ -14,10 +14,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 namespace {
 
 namespace PN = CGAL::PN_subdivision_3;

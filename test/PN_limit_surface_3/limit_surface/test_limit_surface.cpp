@@ -27,8 +27,6 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
-#include <gtest/gtest.h>
-
 namespace {
 
 namespace PN = CGAL::PN_subdivision_3;

@@ -20,14 +20,6 @@
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <stdexcept>
-#include <string>
-
 namespace {
 
 namespace PN = CGAL::PN_subdivision_3;

@@ -31,18 +31,8 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <boost/mp11.hpp>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <random>
 #include <set>
-#include <stdexcept>
-#include <string>
-#include <type_traits>
-#include <vector>
 
 using namespace pieces_cases;
 

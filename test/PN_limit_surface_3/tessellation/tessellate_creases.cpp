@@ -17,11 +17,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/number_utils.h>
 
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
 namespace {
 
 namespace PN = CGAL::PN_subdivision_3;

@@ -24,15 +24,6 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/subdivision_method_3.h>
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <map>
-#include <set>
-#include <utility>
-
 namespace {
 
 namespace PN = CGAL::PN_subdivision_3;

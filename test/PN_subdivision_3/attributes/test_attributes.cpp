@@ -28,20 +28,13 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <Eigen/Core>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <map>
 #include <set>
-#include <string>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;

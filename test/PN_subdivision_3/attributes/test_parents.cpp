@@ -22,14 +22,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <vector>
-
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
 using namespace mesh_cases;

@@ -17,7 +17,6 @@
 #include <cstdlib>
 #include <map>
 #include <sstream>
-#include <string>
 #include <vector>
 #ifdef __unix__
 #  include <chrono>

@@ -11,14 +11,9 @@
 
 #include "Command_test.h"
 
-#include <gtest/gtest.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <string>
-#include <vector>
 
 // the numbers of an array of a VTP file with raw data
 template <class T>

@@ -13,18 +13,13 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <set>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace pn_subdivide {
 

@@ -13,11 +13,7 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 using namespace pn_subdivide;
 

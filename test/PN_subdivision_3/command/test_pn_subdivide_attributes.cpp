@@ -18,15 +18,9 @@
 #include "io/mesh_io.h"
 #include "io/soup_repair.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <limits>
-#include <random>
-#include <type_traits>
 
 using namespace pn_subdivide;
 

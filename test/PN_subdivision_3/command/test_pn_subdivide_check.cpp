@@ -11,20 +11,12 @@
 
 #include "Command_test.h"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <map>
-#include <random>
-#include <sstream>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace {
 

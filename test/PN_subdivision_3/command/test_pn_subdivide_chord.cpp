@@ -12,15 +12,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-
 namespace pn_subdivide {
 namespace {
 

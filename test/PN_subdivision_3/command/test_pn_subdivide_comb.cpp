@@ -14,15 +14,9 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <sstream>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace {
 

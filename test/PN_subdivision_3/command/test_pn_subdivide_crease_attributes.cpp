@@ -13,13 +13,7 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <sstream>
-#include <string>
 #include <utility>
-#include <vector>
 
 using namespace pn_subdivide;
 

@@ -11,19 +11,10 @@
 #include "Command_test.h"
 #include "Extent.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <map>
-#include <sstream>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace {
 

@@ -13,13 +13,7 @@
 #include "io/mesh_io.h"
 #include "surface/vertex_curvature.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include <cmath>
-#include <sstream>
-#include <vector>
 
 using namespace pn_subdivide;
 

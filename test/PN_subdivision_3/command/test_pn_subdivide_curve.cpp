@@ -11,14 +11,8 @@
 
 #include "Command_test.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace {
 

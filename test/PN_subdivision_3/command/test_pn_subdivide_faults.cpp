@@ -14,12 +14,8 @@
 #include "command_line.h"
 #include "io/Error.h"
 
-#include <gtest/gtest.h>
-
 #include <iostream>
 #include <set>
-#include <string>
-#include <vector>
 
 #ifdef __unix__
 #  include <chrono>

@@ -14,15 +14,6 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
 using namespace pn_subdivide;
 
 namespace {

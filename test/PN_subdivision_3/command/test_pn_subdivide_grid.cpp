@@ -9,11 +9,7 @@
 
 #include "Command_test.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <sstream>
-#include <string>
 
 namespace {
 

@@ -13,15 +13,9 @@
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 #include <CGAL/PN_subdivision_3/version.h>
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <filesystem>
 #include <set>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace {
 

@@ -11,14 +11,9 @@
 #include "Command_test.h"
 #include "Extent.h"
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <sstream>
-#include <vector>
 
 namespace {
 

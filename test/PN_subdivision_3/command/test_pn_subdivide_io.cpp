@@ -17,15 +17,10 @@
 #include "io/soup_repair.h"
 #include "surface/Surface.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <limits>
-#include <random>
 #include <tuple>
 
 using namespace pn_subdivide;

@@ -13,17 +13,10 @@
 #include "io/mesh_io.h"
 #include "io/soup_repair.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
-#include <random>
 #include <set>
-#include <sstream>
-#include <string>
-#include <vector>
 
 using namespace pn_subdivide;
 

@@ -10,12 +10,6 @@
 
 #include "Command_test.h"
 
-#include <gtest/gtest.h>
-
-#include <sstream>
-#include <string>
-#include <vector>
-
 namespace {
 
 const char* const cubic = "-2 0.125 0.5 0.75 0.5 0.125\n";

@@ -10,13 +10,8 @@
 
 #include "Command_test.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <vector>
 
 namespace {
 

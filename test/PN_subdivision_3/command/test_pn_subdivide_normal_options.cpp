@@ -12,12 +12,7 @@
 
 #include "Command_test.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <random>
-#include <sstream>
-#include <string>
 
 namespace {
 

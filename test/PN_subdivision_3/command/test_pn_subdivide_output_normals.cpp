@@ -13,16 +13,6 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
-
 using namespace pn_subdivide;
 
 namespace {

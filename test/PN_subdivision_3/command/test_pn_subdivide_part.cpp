@@ -13,17 +13,7 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
-
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace pn_subdivide;
 

@@ -11,16 +11,6 @@
 
 #include "Pieces_test.h"
 
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
-#include <vector>
-
 #ifdef __unix__
 #  include <chrono>
 #  include <csignal>

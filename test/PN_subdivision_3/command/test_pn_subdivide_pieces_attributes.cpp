@@ -10,14 +10,6 @@
 #include "Extent.h"
 #include "Pieces_test.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <sstream>
-#include <string>
-#include <vector>
-
 namespace {
 
 class Attributes_in_pieces : public Pieces

@@ -10,13 +10,6 @@
 
 #include "Pieces_test.h"
 
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <map>
-#include <string>
-#include <vector>
-
 namespace fs = std::filesystem;
 
 namespace {

@@ -13,13 +13,6 @@
 #include "io/mesh_io.h"
 #include "io/soup_repair.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 using namespace pn_subdivide;
 
 namespace {

@@ -20,17 +20,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <limits>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace pn_subdivide;
 

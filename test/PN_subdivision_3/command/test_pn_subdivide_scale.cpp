@@ -13,8 +13,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <sstream>
-#include <vector>
 
 using namespace pn_subdivide;
 

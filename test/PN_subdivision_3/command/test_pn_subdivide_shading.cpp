@@ -14,17 +14,12 @@
 #include "io/Mesh_data.h"
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
-#include <sstream>
-#include <string>
 #include <utility>
-#include <vector>
 
 using namespace pn_subdivide;
 

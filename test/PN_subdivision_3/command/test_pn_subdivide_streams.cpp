@@ -13,9 +13,6 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
-
-#include <string>
 #include <utility>
 
 #ifdef __unix__

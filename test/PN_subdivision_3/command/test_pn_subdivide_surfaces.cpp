@@ -13,20 +13,7 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
-
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <map>
-#include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace pn_subdivide;
 

@@ -13,17 +13,8 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 #include <limits>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace pn_subdivide;
 

@@ -12,15 +12,8 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
-#include <map>
 #include <set>
-#include <sstream>
-#include <string>
-#include <vector>
 
 using namespace pn_subdivide;
 

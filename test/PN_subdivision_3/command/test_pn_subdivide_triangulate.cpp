@@ -15,10 +15,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <cmath>
-#include <map>
-#include <random>
 #include <set>
-#include <sstream>
 #include <utility>
 
 using namespace pn_subdivide;

@@ -13,12 +13,7 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
-#include <string>
-#include <vector>
 
 using namespace pn_subdivide;
 

@@ -10,16 +10,9 @@
 
 #include "Command_test.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <iomanip>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace {
 

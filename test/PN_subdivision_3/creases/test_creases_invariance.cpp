@@ -19,16 +19,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
 #include <numeric>
-#include <random>
 #include <set>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace {
 

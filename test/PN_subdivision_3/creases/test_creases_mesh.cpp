@@ -30,14 +30,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <random>
-#include <stdexcept>
-#include <string>
 
 namespace {
 

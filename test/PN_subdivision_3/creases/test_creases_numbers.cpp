@@ -26,11 +26,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <vector>
-
 namespace {
 
 using namespace crease_shapes;

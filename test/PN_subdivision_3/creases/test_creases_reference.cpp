@@ -22,9 +22,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <random>
-
 namespace {
 
 using namespace random_creases;

@@ -17,13 +17,6 @@
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string>
-
 using namespace tagged_meshes;
 
 namespace {

@@ -18,13 +18,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <random>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace {
 

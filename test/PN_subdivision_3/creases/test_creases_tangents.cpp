@@ -25,17 +25,6 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <map>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace {
 
 using namespace crease_shapes;

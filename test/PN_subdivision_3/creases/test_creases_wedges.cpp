@@ -17,12 +17,6 @@
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <gtest/gtest.h>
-
-#include <map>
-#include <random>
-#include <vector>
-
 using namespace tagged_meshes;
 
 namespace {

@@ -23,15 +23,10 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;

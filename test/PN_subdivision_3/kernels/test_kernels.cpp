@@ -22,10 +22,7 @@
 #  include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
 #endif
 
-#include <cmath>
-#include <limits>
 #include <stdexcept>
-#include <vector>
 
 using namespace mesh_cases;
 namespace PN = CGAL::PN_subdivision_3;

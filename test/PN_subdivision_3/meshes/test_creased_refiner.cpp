@@ -30,9 +30,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <stdexcept>
-#include <vector>
-
 using namespace surface_refiner_cases;
 
 #ifdef CGAL_LINKED_WITH_TBB

@@ -20,9 +20,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include <limits>
 #include <tuple>
-#include <vector>
 
 namespace {
 

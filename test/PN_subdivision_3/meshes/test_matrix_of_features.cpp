@@ -23,15 +23,6 @@
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <functional>
-#include <map>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 namespace {
 
 using namespace feature_matrix;

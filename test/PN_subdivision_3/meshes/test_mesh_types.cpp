@@ -20,13 +20,10 @@
 #include <CGAL/boost/graph/generators.h>
 
 #include <boost/property_map/property_map.hpp>
-#include <gtest/gtest.h>
 
 #include <iterator>
-#include <map>
 #include <set>
 #include <string>
-#include <vector>
 
 using namespace mesh_type_cases;
 

@@ -18,12 +18,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <limits>
-#include <new>
 #include <string>
 #include <tuple>
 #include <type_traits>
-#include <vector>
 
 using namespace mesh_cases;
 using failing_allocations::Allocation_limit;

@@ -26,11 +26,7 @@
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Polyhedron_3.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 using namespace surface_refiner_cases;

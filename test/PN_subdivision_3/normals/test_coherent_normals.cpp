@@ -18,8 +18,6 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
-#include <array>
-#include <map>
 #include <set>
 
 using namespace estimated_normals;

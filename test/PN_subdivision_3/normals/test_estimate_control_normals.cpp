@@ -27,15 +27,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 using namespace mesh_cases;
 namespace PN = CGAL::PN_subdivision_3;

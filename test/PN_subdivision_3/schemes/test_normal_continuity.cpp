@@ -29,12 +29,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <random>
 #include <set>
-#include <vector>
 
 namespace {
 

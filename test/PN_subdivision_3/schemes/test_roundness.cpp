@@ -23,15 +23,6 @@
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
 

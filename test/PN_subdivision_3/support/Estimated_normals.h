@@ -21,13 +21,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <numeric>
-#include <random>
-#include <string>
-#include <vector>
 
 namespace estimated_normals {
 

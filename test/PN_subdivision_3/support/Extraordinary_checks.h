@@ -17,11 +17,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <type_traits>
-
 // What holds for plain and for modified schemes at a vertex of any valence.
 namespace extraordinary_checks {
 

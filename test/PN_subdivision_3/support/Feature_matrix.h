@@ -21,16 +21,11 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <gtest/gtest.h>
-
-#include <cstddef>
 #include <cstring>
 #include <functional>
 #include <limits>
 #include <stdexcept>
-#include <string>
 #include <type_traits>
-#include <vector>
 
 // A small mesh with everything that a call can be given, of which each cell of the matrix fills in some.
 namespace feature_matrix {

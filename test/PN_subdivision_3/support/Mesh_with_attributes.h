@@ -16,8 +16,6 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
-#include <vector>
-
 namespace carrying_mesh {
 
 namespace PN = CGAL::PN_subdivision_3;

@@ -15,14 +15,9 @@
 
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <map>
 #include <random>
-#include <vector>
 
 namespace random_creases {
 

@@ -23,10 +23,8 @@
 
 #include <boost/core/demangle.hpp>
 
-#include <string>
 #include <type_traits>
 #include <typeinfo>
-#include <vector>
 
 // What most schemes have in common; a description overrides what differs.
 struct Scheme_description

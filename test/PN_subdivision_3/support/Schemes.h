@@ -27,7 +27,6 @@
 #include <gtest/gtest.h>
 
 #include <string_view>
-#include <type_traits>
 
 struct DooSabin_description
   : Scheme_of_reference<CGAL::PN_subdivision_3::DooSabin_scheme, reference::doo_sabin>
