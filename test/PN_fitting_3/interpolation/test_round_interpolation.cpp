@@ -19,7 +19,6 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <optional>
 

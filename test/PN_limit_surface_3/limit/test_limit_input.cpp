@@ -28,9 +28,6 @@
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/helpers.h>
 
 namespace {
 

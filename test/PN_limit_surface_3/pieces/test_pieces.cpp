@@ -27,8 +27,6 @@
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <boost/mp11.hpp>
 

@@ -10,8 +10,6 @@
 
 #include "Refined_files.h"
 
-#include <nlohmann/json.hpp>
-
 namespace pn_subdivide {
 namespace {
 

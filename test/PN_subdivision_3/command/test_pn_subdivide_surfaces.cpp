@@ -13,8 +13,6 @@
 
 #include "io/mesh_io.h"
 
-#include <nlohmann/json.hpp>
-
 using namespace pn_subdivide;
 
 namespace {

@@ -28,8 +28,6 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <random>
 
 namespace {

@@ -27,8 +27,6 @@
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 using namespace surface_refiner_cases;
 

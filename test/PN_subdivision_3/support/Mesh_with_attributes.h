@@ -13,7 +13,6 @@
 #include "Options.h"
 
 #include <CGAL/PN_subdivision_3/attributes.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
 namespace carrying_mesh {
