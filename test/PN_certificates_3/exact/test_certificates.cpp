@@ -13,7 +13,6 @@
 #include "Schemes.h"
 
 #include <CGAL/PN_certificates_3/reproduction.h>
-#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 
 namespace {
 

@@ -13,7 +13,6 @@
 
 #include "reference/PN_rule.h"
 #include <CGAL/PN_curves/curve_limit_points.h>
-#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 
 using namespace curve_cases;
 

@@ -16,8 +16,6 @@
 #include <CGAL/PN_fitting_3/prescribe_limit_data.h>
 #include <CGAL/PN_limit_surface_3/limit_points.h>
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
-#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 
 #include <optional>

@@ -16,7 +16,6 @@
 #include <CGAL/PN_limit_surface_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/schemes/Transfer_schemes.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Surface_mesh.h>
 #include <Eigen/Dense>
 

@@ -26,7 +26,6 @@
 #include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
-#include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/mp11.hpp>
 

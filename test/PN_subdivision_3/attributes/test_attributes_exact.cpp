@@ -16,7 +16,6 @@
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>

@@ -11,10 +11,7 @@
 #include "Random_creases.h"
 #include "Tagged_meshes.h"
 
-#include <CGAL/PN_subdivision_3/parameters/parameters.h>
-#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Surface_mesh.h>
 
 using namespace tagged_meshes;

@@ -15,11 +15,9 @@
 #include "reference/Crease_rule.h"
 
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
-#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
 

@@ -16,11 +16,9 @@
 #include "Pieces_cases.h"
 #include "support/Options.h"
 
-#include <CGAL/PN_limit_surface_3/refine_in_pieces.h>
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
-#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 
 namespace {

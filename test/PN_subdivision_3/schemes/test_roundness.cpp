@@ -16,11 +16,6 @@
 #include <CGAL/PN_limit_surface_3/refine_in_pieces.h>
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
-#include <CGAL/PN_subdivision_3/parameters/parameters.h>
-#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
-#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/subdivide.h>
 
 namespace PN = CGAL::PN_subdivision_3;
 

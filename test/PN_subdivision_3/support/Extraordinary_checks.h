@@ -13,8 +13,6 @@
 #include "analysis/extraordinary_curvature.h"
 #include "analysis/extraordinary_eigenvalues.h"
 
-#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
-
 #include <gtest/gtest.h>
 
 // What holds for plain and for modified schemes at a vertex of any valence.

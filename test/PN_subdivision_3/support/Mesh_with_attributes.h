@@ -12,7 +12,6 @@
 #include "Mesh_cases.h"
 #include "Options.h"
 
-#include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/boost/graph/iterator.h>
 
 namespace carrying_mesh {
