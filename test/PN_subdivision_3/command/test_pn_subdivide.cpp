@@ -279,8 +279,8 @@ TEST_F(Pn_subdivide, FormatsAgree)
     EXPECT_EQ(mesh.normals, reference.normals);
     EXPECT_EQ(mesh.number_of_faces(), reference.number_of_faces());
   }
-  EXPECT_EQ(Temporary_folder::content(folder.file("a.ply")).rfind("ply\nformat ascii", 0), 0u);
-  done(surface(input, folder.file("a.vtp"), "--scheme catmull-clark"));
+  EXPECT_EQ(content("a.ply").rfind("ply\nformat ascii", 0), 0u);
+  done(surface(input, "a.vtp", "--scheme catmull-clark"));
 }
 
 TEST_F(Pn_subdivide, ThreadsDoNotChangeABit)
@@ -324,11 +324,10 @@ TEST_F(Pn_subdivide, ProgressOnLongWorkOnlyAndNotWithQuiet)
   for (const char* step :
        {"round 7 of 7: 131072 faces", "measuring the curvature at 65538 vertices", "writing "})
     expect_part(outcome.err, step);
-  const Outcome again =
-    surface(output, folder.file("again.ply"), "--levels 0 --normals file --ascii");
+  const Outcome again = surface(output, "again.ply", "--levels 0 --normals file --ascii");
   expect_part(again.err, "read " + output + ": 65538 vertices, 131072 faces");
   expect_part(again.err, "normals of the file");
-  const Outcome large = surface(folder.file("again.ply"), output, "--levels 0");
+  const Outcome large = surface("again.ply", output, "--levels 0");
   EXPECT_EQ(large.err.rfind("reading " + folder.file("again.ply") + " (", 0), 0u) << large.err;
   EXPECT_EQ(surface(triangles, output, "--levels 7 --quiet").err, "");
 }
@@ -349,12 +348,11 @@ TEST_F(Pn_subdivide, SoupsThatAreNoManifoldAreRefusedOrRepaired)
     const std::string input = folder.write("soup.off", c.content);
     expect_failure(input, "--scheme loop --no-mend", 1, c.error);
     expect_failure(input, "--scheme loop --strict", 1, "--repair");
-    const Outcome outcome =
-      done(surface(input, folder.file("o.ply"), "--scheme loop --levels 0 --repair"));
+    const Outcome outcome = done(surface(input, "o.ply", "--scheme loop --levels 0 --repair"));
     expect_part(outcome.err, c.report);
     const Mesh_data mesh = read_mesh(folder.file("o.ply"));
     EXPECT_EQ(mesh.points.size(), c.points);
-    done(surface(input, folder.file("o.ply"), "--scheme loop --levels 2 --repair"));
+    done(surface(input, "o.ply", "--scheme loop --levels 2 --repair"));
     std::filesystem::remove(folder.file("o.ply"));
   }
   const Outcome sound = done(surface(folder.write("c.off", cube_off), folder.file("o.ply"),
@@ -390,7 +388,7 @@ TEST_F(Pn_subdivide, PointsAreMergedWhereWanted)
     "m.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 3 4 5\n");
   EXPECT_EQ(refined(input, "--levels 1").points.size(), 12u);
   EXPECT_EQ(refined(input, "--levels 1 --merge-points").points.size(), 9u);
-  expect_part(surface(input, folder.file("o.ply"), "--merge-points").err, "2 vertices merged");
+  expect_part(surface(input, "o.ply", "--merge-points").err, "2 vertices merged");
 }
 
 TEST_F(Pn_subdivide, FacesAreSplitForTriangleSchemes)
@@ -425,7 +423,7 @@ TEST_F(Pn_subdivide, WithoutASchemeTheFacesDecide)
   EXPECT_EQ(refined(triangles, "").points, refined(triangles, "--scheme loop").points);
   EXPECT_EQ(refined(quads, "--triangulate").points,
             refined(quads, "--triangulate --scheme loop").points);
-  expect_part(surface(quads, folder.file("o.ply"), "").err, "1 round of catmull-clark");
+  expect_part(surface(quads, "o.ply", "").err, "1 round of catmull-clark");
   expect_failure(quads, "--normal-scheme butterfly", 2, "does not go with --scheme catmull-clark");
   expect_failure(quads, "--cap 1/2", 2, "--cap belongs");
 }
@@ -437,14 +435,12 @@ TEST_F(Pn_subdivide, WhatIsNotCarriedIsSaidOnceTheOutputIsComplete)
   const std::string input = folder.write(
     "t.obj", "mtllib a.mtl\no thing\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
              "vn 1 0 0\nusemtl red\nf 1/1/1 2/1/1 3/1/1\nf 1/1/2 3/1/2 2/1/2\nl 1 2\n");
-  const Outcome outcome =
-    surface(input, folder.file("o.ply"), "--quiet --levels 0 --sharp none --normals file");
+  const Outcome outcome = surface(input, "o.ply", "--quiet --levels 0 --sharp none --normals file");
   EXPECT_EQ(outcome.err, "warning: " + input +
                            ": not carried over to the result: lines and points\nwarning: " + input +
                            ": 3 vertices have several normals; their normalized sum is taken\n");
-  EXPECT_EQ(
-    surface(input, folder.file("o.ply"), "--quiet --levels 0 --sharp none --normals none").err,
-    "warning: " + input + ": not carried over to the result: lines and points\n");
+  EXPECT_EQ(surface(input, "o.ply", "--quiet --levels 0 --sharp none --normals none").err,
+            "warning: " + input + ": not carried over to the result: lines and points\n");
   expect_failure(input, "--quiet --scheme kobbelt", 1,
                  "quadrilaterals"); // one line, without warnings
 }
@@ -581,10 +577,10 @@ TEST_F(Pn_subdivide, OutputThatCannotBeWritten)
   const std::string options = "--quiet --scheme catmull-clark --levels ";
   expect_one_line(surface(input, folder.file("no/such/folder/o.ply"), options + "1"), 1, "folder");
   std::filesystem::create_directory(folder.file("folder.ply"));
-  expect_one_line(surface(input, folder.file("folder.ply"), options + "1"), 1, "directory");
+  expect_one_line(surface(input, "folder.ply", options + "1"), 1, "directory");
   if (std::filesystem::exists("/dev/full")) {
     std::filesystem::create_symlink("/dev/full", folder.file("full.ply"));
-    expect_one_line(surface(input, folder.file("full.ply"), options + "5"), 1, "space");
+    expect_one_line(surface(input, "full.ply", options + "5"), 1, "space");
   }
 #ifdef __unix__
   const std::string output = folder.write("o.ply", "untouched");

@@ -139,8 +139,6 @@ const std::string obj =
   "usemtl red\ns off\n"
   "f 1 4 5\n";
 
-} // namespace
-
 // --- OBJ ---
 
 TEST_F(Pn_subdivide_attributes, ObjIsRead)
@@ -255,8 +253,6 @@ TEST_F(Pn_subdivide_attributes, ObjDamage)
 
 // --- PLY ---
 
-namespace {
-
 // Every type at vertices and faces, and lists of texture coordinates, one of them empty.
 std::string ply_with_every_type(const std::string& format, bool with_texture = true)
 {
@@ -325,8 +321,6 @@ void expect_every_type(const Attributes& a)
   EXPECT_TRUE(std::all_of(a.texture.begin() + 3, a.texture.end(), is_none));
 }
 
-} // namespace
-
 TEST_F(Pn_subdivide_attributes, PlyOfEveryTypeAndByteOrder)
 {
   std::string text = ply_with_every_type("ascii");
@@ -357,13 +351,9 @@ TEST_F(Pn_subdivide_attributes, PlyOfEveryTypeAndByteOrder)
   }
 }
 
-namespace {
-
 const std::string ply_head = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
                              "property float y\nproperty float z\n";
 const std::string ply_faces = "element face 1\nproperty list uchar int vertex_indices\n";
-
-} // namespace
 
 TEST_F(Pn_subdivide_attributes, PlyKeepsWhatIsNotANumber)
 {
@@ -616,15 +606,11 @@ TEST_F(Pn_subdivide_attributes, FileNamesFollowTheOutput)
 
 // --- vertices of their own on both sides of seams ---
 
-namespace {
-
 // Two squares that are apart, with the same texture coordinates and a seam across each; one face has none.
 const std::string two_squares =
   "v 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 6 1 0\nv 5 1 0\n"
   "vt 0 0\nvt 6 0\nvt 6 6\nvt 0.1 0\nvt 0.9 1\nvt 0 -1\n"
   "f 1/1 2/2 3/3\nf 1/4 3/5 4/6\nf 5/1 6/2 7/3\nf 5/4 7/5 8/6\n";
-
-} // namespace
 
 TEST_F(Pn_subdivide_attributes, SeamsAreSplit)
 {
@@ -669,8 +655,6 @@ TEST_F(Pn_subdivide_attributes, SeamsAreSplit)
 
 // --- repair, merged points, split faces ---
 
-namespace {
-
 // Face k has 'id' 10 k, and its i-th corner has the texture point (k, i); vertex v has 'w' v / 2.
 Mesh_data marked_soup(const std::vector<Triple>& points, const std::vector<std::vector<int>>& faces)
 {
@@ -707,8 +691,6 @@ void expect_marks_follow(const Mesh_data& mesh, const std::vector<std::vector<in
       EXPECT_EQ(old_faces[std::size_t(t[0])][std::size_t(t[1])], originals[v]);
     }
 }
-
-} // namespace
 
 TEST_F(Pn_subdivide_attributes, RepairCarriesThem)
 {
@@ -757,8 +739,6 @@ TEST_F(Pn_subdivide_attributes, MergedPoints)
 
 // --- damaged files ---
 
-namespace {
-
 bool are_consistent(const Mesh_data& mesh)
 {
   const Attributes& a = mesh.attributes;
@@ -770,8 +750,6 @@ bool are_consistent(const Mesh_data& mesh)
          all_have(a.of_faces, mesh.number_of_faces()) &&
          (a.texture.empty() || a.texture.size() == mesh.number_of_corners());
 }
-
-} // namespace
 
 // Whatever is in a file, it is read or refused by one line, and what is read can be written.
 TEST_F(Pn_subdivide_attributes, DamagedFilesAreReadOrRefused)
@@ -814,8 +792,6 @@ TEST_F(Pn_subdivide_attributes, DamagedFilesAreReadOrRefused)
 }
 
 // --- the command ---
-
-namespace {
 
 class Pn_subdivide_carries : public Command_test
 {
@@ -885,8 +861,6 @@ double texture_area(const Mesh_data& mesh)
   }
   return area;
 }
-
-} // namespace
 
 TEST_F(Pn_subdivide_carries, NoRoundKeepsEveryBit)
 {
@@ -1055,12 +1029,12 @@ TEST_F(Pn_subdivide_carries, WhatIsLostIsSaidOnce)
               ": not written, off files cannot hold it: texture coordinates, objects, groups, "
               "materials, smoothing groups and names of material files\n");
   EXPECT_EQ(surface(input, off, "--quiet --levels 0 --drop-attributes").err, "");
-  EXPECT_EQ(surface(input, folder.file("b.ply"), "--quiet --drop-attributes").err, "");
+  EXPECT_EQ(surface(input, "b.ply", "--quiet --drop-attributes").err, "");
   EXPECT_TRUE(read_mesh(folder.file("b.ply")).attributes.empty());
 
   // a seam would tear where edges are not kept
   for (const std::string scheme : {"doo-sabin", "sqrt3"}) {
-    const Outcome outcome = surface(input, folder.file("b.ply"), "--quiet --scheme " + scheme);
+    const Outcome outcome = surface(input, "b.ply", "--quiet --scheme " + scheme);
     EXPECT_EQ(outcome.err, "warning: " + input +
                              ": not carried over to the result: texture coordinates, because they "
                              "have seams and " +
@@ -1137,8 +1111,7 @@ TEST_F(Pn_subdivide_carries, SeamsAreSplitInVtpAndWhereItIsAskedFor)
   EXPECT_TRUE(mesh.attributes.texture.empty());
   EXPECT_EQ(values(mesh.attributes.of_vertices, "texture_v"),
             (Numbers{0, 0, 6, -1, 0, 0, 6, -1, 0, 1, 0, 1}));
-  expect_one_line(surface(input, folder.file("b.off"), "--split-seams"), 2,
-                  "--split-seams is for .ply");
+  expect_one_line(surface(input, "b.off", "--split-seams"), 2, "--split-seams is for .ply");
   for (const char* const other :
        {"--pieces 2", "--output-normals both", "--write-tags x.selection.txt"})
     expect_one_line(surface(input, ply, std::string("--split-seams ") + other), 2, "--split-seams");
@@ -1172,7 +1145,7 @@ TEST_F(Pn_subdivide_carries, BadAttributesFailWithOneLineAndLeaveTheOutput)
     const std::string input = folder.write("a.obj", points + rest);
     expect_one_line(surface(input, output), 1, "line 5: ");
     EXPECT_EQ(Temporary_folder::content(output), "old");
-    done(surface(input, folder.file("p.ply"), "--drop-attributes"));
+    done(surface(input, "p.ply", "--drop-attributes"));
   }
 }
 
@@ -1205,9 +1178,11 @@ TEST_F(Pn_subdivide_carries, SplitFacesAndMergedPoints)
   const std::string twice = folder.write(
     "a.off", "COFF\n4 2 0\n0 0 0 1 1 1\n1 0 0 2 2 2\n0 1 0 3 3 3\n0 0 0 9 1 1\n3 0 1 2\n3 3 2 1\n");
   const Outcome outcome =
-    surface(twice, folder.file("b.off"), "--quiet --levels 0 --merge-points --normals none");
+    surface(twice, "b.off", "--quiet --levels 0 --merge-points --normals none");
   EXPECT_EQ(outcome.err,
             "warning: " + twice +
               ": merged vertices had different values of 'red'; those of the first are "
               "kept\n");
 }
+
+} // namespace

@@ -185,8 +185,7 @@ TEST_F(Pn_subdivide_check, VolumesAndFoldsAreThoseOfTheFiles)
     const std::string text = check(input, options), linear_file = folder.file("l.obj");
     const std::size_t normals = options.find(" --normals");
     done(run(words(input, linear_file) + options.substr(0, normals) + " --linear"));
-    const Faces_of_file result(Temporary_folder::content(folder.file("o.obj"))),
-      linear(Temporary_folder::content(linear_file));
+    const Faces_of_file result(content("o.obj")), linear(Temporary_folder::content(linear_file));
     ASSERT_EQ(result.points.size(), linear.points.size());
     if (input == beam)
       expect_part(text, ratio_text(result.volume() / 80, linear.volume() / 80));
@@ -263,7 +262,7 @@ TEST_F(Pn_subdivide_check, DistancesAreFromTheControlMesh)
   for (const std::string options : {"--levels 2 --normals none", "--chord 0.01 --normals none"}) {
     const std::string text = check(cube, options);
     double largest = 0;
-    for (const Triple& p : Faces_of_file(Temporary_folder::content(folder.file("o.obj"))).points) {
+    for (const Triple& p : Faces_of_file(content("o.obj")).points) {
       const double outmost = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
       largest = (std::max)(largest, 1 - outmost);
     }
@@ -341,7 +340,7 @@ TEST_F(Pn_subdivide_check, TheReportHasTheNumbers)
     return nlohmann::json::parse(Temporary_folder::content(file)).at("check");
   };
   nlohmann::json json = report(beam, "--levels 3 --normals angle --check");
-  const Faces_of_file result(Temporary_folder::content(folder.file("o.obj")));
+  const Faces_of_file result(content("o.obj"));
   EXPECT_NEAR(json.at("volume"), result.volume() / 80, 1e-9);
   EXPECT_LT(json.at("linear_volume"), 0.5);
   EXPECT_EQ(json.at("edges_that_turn_by_40_degrees"), 12);

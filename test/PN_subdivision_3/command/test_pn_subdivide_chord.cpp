@@ -260,7 +260,7 @@ TEST_F(Pn_subdivide_chord, WhatDoesNotGoTogether)
     const Outcome outcome = surface("cube.off", "o.ply", options);
     expect_one_line(outcome, 2, other);
     expect_part(outcome.err, "--chord");
-    EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "untouched");
+    EXPECT_EQ(content("o.ply"), "untouched");
   };
   refused("--chord 0.1 --levels 3", "--levels 3");
   refused("--levels auto", "--levels N");
@@ -285,7 +285,7 @@ TEST_F(Pn_subdivide_chord, WhatDoesNotGoTogether)
                   "vertex number 0, which is sharp");
   expect_one_line(surface("cube.off", "o.ply", proven + " --scheme modified-catmull-clark"), 1,
                   "modified");
-  EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "untouched");
+  EXPECT_EQ(content("o.ply"), "untouched");
   done(surface("cube.off", "o.ply", "--chord 0.1 --sharp angle:30 --sharpness 1.5"));
   done(surface("cube.off", "o.ply", "--chord 0.1 --chord-bound estimated"));
   const std::size_t estimated = read_mesh(folder.file("o.ply")).number_of_faces();

@@ -191,7 +191,7 @@ protected:
   void expect_refusal(const std::string& input, const std::string& options, int code,
                       const std::string& what) const
   {
-    expect_one_line(surface(input, folder.file("no.obj"), options), code, what);
+    expect_one_line(surface(input, "no.obj", options), code, what);
     EXPECT_FALSE(std::filesystem::exists(folder.file("no.obj")));
   }
 };
@@ -282,7 +282,7 @@ TEST_F(Pn_subdivide_creases, LimitsNeedWhatIsSmoothOrSharpForEver)
   const std::string input = part("lens.obj");
   const std::string options = "--sharp file --sharpness 1.5 --limit --levels ";
   expect_refusal(input, options + "1", 2, "take --levels 2 or more");
-  done(surface(input, folder.file("limit.obj"), options + "2"));
+  done(surface(input, "limit.obj", options + "2"));
 }
 
 TEST_F(Pn_subdivide_creases, TrianglesOfPartsKeepTheNormalsOfTheirCorners)
@@ -313,7 +313,7 @@ TEST_F(Pn_subdivide_creases, NormalsOfTheFileAnglesAndSelectionsFindTheSameCreas
   for (const std::string& sharp : {std::string("auto"), std::string("file"),
                                    std::string("angle:75"), part("capped_cylinder.selection.txt")})
     EXPECT_EQ(content(refine(input, "--levels 2 --sharp '" + sharp + "'")), expected) << sharp;
-  expect_part(surface(input, folder.file("result.obj"), "").err, "14 sharp edges");
+  expect_part(surface(input, "result.obj", "").err, "14 sharp edges");
   // tangent surfaces have the same normals along their edge
   const std::string bracket = part("bracket.obj");
   EXPECT_NE(content(refine(bracket, "--sharp file")),
@@ -361,7 +361,7 @@ TEST_F(Pn_subdivide_creases, AnglesAreMeantWithATenthOfADegree)
       off << "4 " << i << ' ' << (i + 1) % 12 << ' ' << 12 + (i + 1) % 12 << ' ' << 12 + i << '\n';
     const std::string input = folder.write("prism.off", off.str());
     const auto said = [&](const std::string& angle) {
-      return surface(input, folder.file("a.obj"), "--sharp angle:" + angle).err;
+      return surface(input, "a.obj", "--sharp angle:" + angle).err;
     };
     expect_part(said("30"), ", 24 sharp edges, 12 edges within 1 degree of 30, ");
     expect_part(said("29.95"), ", 24 sharp edges, 12 edges within 1 degree of 29.95, ");
@@ -396,7 +396,7 @@ TEST_F(Pn_subdivide_creases, CubesOfFlatShadingHaveCreases)
   for (const auto& face : cube.faces)
     for (const auto& [v, n] : face) EXPECT_EQ(dot(cube.points[v], cube.normals[n]), 1);
   EXPECT_EQ(cube.normals.size(), 6u * 81);
-  expect_part(surface(input, folder.file("result.obj"), "--sharp file").err,
+  expect_part(surface(input, "result.obj", "--sharp file").err,
               "normals of the file, 12 sharp edges,");
 }
 
@@ -436,7 +436,7 @@ TEST_F(Pn_subdivide_creases, SharpnessIsTheNumberOfSharpRounds)
   EXPECT_EQ(points(refine(cube, sharp + "--levels 2 --sharpness 1")), expected);
   EXPECT_NE(points(refine(cube, sharp + "--levels 2 --sharpness 1.5")), expected);
   EXPECT_NE(points(refine(cube, sharp + "--levels 2")), expected);
-  expect_part(surface(cube, folder.file("a.ply"), sharp + "--sharpness 2.5").err,
+  expect_part(surface(cube, "a.ply", sharp + "--sharpness 2.5").err,
               "12 sharp edges of sharpness 2.5");
   EXPECT_EQ(warnings(cube, sharp + "--sharpness 0", "a.off"),
             "warning: " + cube + ": no edge is sharp\n");
@@ -483,7 +483,7 @@ TEST_F(Pn_subdivide_creases, Borders)
     }
     EXPECT_NEAR(double(least), std::sqrt(0.75), 1e-15) << rule;
   }
-  expect_part(surface(input, folder.file("a.ply"), "--border fixed").err, "the border fixed");
+  expect_part(surface(input, "a.ply", "--border fixed").err, "the border fixed");
   EXPECT_EQ(warnings(PN_DATA_DIR "/cube.off", "--border curve"),
             "warning: " PN_DATA_DIR "/cube.off: there is no border for --border\n");
 }
@@ -510,8 +510,7 @@ TEST_F(Pn_subdivide_creases, SelectionsNumberTheVerticesOfTheFile)
   }
   const std::string input = folder.write("cube24.off", off);
   const std::string selection = folder.write("a.selection.txt", "\n\n21 22\n");
-  const Outcome outcome =
-    surface(input, folder.file("a.ply"), "--merge-points --sharp '" + selection + "'");
+  const Outcome outcome = surface(input, "a.ply", "--merge-points --sharp '" + selection + "'");
   expect_part(outcome.err, ", 1 sharp edge,");
   // its middle is the only edge point of a crease: it stays on the edge's line
   const std::string refined =
@@ -523,7 +522,7 @@ TEST_F(Pn_subdivide_creases, SelectionsNumberTheVerticesOfTheFile)
 
   const std::string cube = PN_DATA_DIR "/cube.off";
   const std::string corner = folder.write("b.selection.txt", "0 3 \n \n\n");
-  expect_part(surface(cube, folder.file("a.ply"), "--sharp '" + corner + "'").err, ", 2 corners,");
+  expect_part(surface(cube, "a.ply", "--sharp '" + corner + "'").err, ", 2 corners,");
   expect_part(warnings(cube, "--sharp '" + folder.write("c.selection.txt", "\n0 1\n0 1\n") + "'"),
               "c.selection.txt: the faces of the selection take no part");
 }
@@ -586,7 +585,7 @@ TEST_F(Pn_subdivide_creases, SchemesWithoutCreases)
   expect_refusal(washer, "--scheme bilinear --border curve", 2, "--border curve: bilinear");
   expect_refusal(washer, "--scheme catmull-clark --normal-scheme kobbelt --border fixed", 2,
                  "kobbelt has no rules");
-  done(surface(washer, folder.file("a.obj"), "--scheme kobbelt --sharp none"));
+  done(surface(washer, "a.obj", "--scheme kobbelt --sharp none"));
 }
 
 TEST_F(Pn_subdivide_creases, WrongOptionsAreRefused)

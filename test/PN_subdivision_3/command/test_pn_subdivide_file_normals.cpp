@@ -139,7 +139,7 @@ protected:
   std::string refined(const std::string& input, const std::string& options) const
   {
     refine(input, "--quiet " + options);
-    return Temporary_folder::content(folder.file("out.obj"));
+    return content("out.obj");
   }
 };
 

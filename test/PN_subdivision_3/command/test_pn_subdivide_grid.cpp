@@ -24,7 +24,7 @@ protected:
   // the largest distance from the torus of torus_quads.ply
   double distance() const
   {
-    std::istringstream file(Temporary_folder::content(folder.file("fine.off")));
+    std::istringstream file(content("fine.off"));
     std::string off;
     std::size_t vertices = 0, faces = 0, edges = 0;
     file >> off >> vertices >> faces >> edges;

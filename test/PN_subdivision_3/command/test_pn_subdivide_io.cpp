@@ -125,8 +125,6 @@ std::string raw(T x, bool big_endian)
   return big_endian == host_is_big_endian ? s : std::string(s.rbegin(), s.rend());
 }
 
-} // namespace
-
 // --- round trips ---
 
 TEST_F(Mesh_io, EveryFormatThatIsReadAndWrittenKeepsEveryBit)
@@ -875,8 +873,6 @@ TEST_F(Mesh_io, VtpBinaryOffsetsLeadToTheArrays)
 
 // --- checks and repair of soups ---
 
-namespace {
-
 Mesh_data soup(std::size_t points, const Faces& faces)
 {
   Mesh_data mesh;
@@ -897,8 +893,6 @@ std::string element_error(const Mesh_data& mesh)
   }
   return "";
 }
-
-} // namespace
 
 TEST(Soup, ManifoldsHaveNoDefects)
 {
@@ -1027,8 +1021,6 @@ TEST(Soup, DuplicateFacesAreRemovedFromSoupsWithDefectsOnly)
 
 // --- the mesh of a soup ---
 
-namespace {
-
 Surface by_add_face(const Mesh_data& mesh)
 {
   Surface surface;
@@ -1055,8 +1047,6 @@ void expect_same_connectivity(const Surface& a, const Surface& b)
   }
   EXPECT_TRUE(a.is_valid(false));
 }
-
-} // namespace
 
 TEST(Soup, BecomesTheMeshThatAddFaceMakes)
 {
@@ -1096,3 +1086,5 @@ TEST(Soup, AVertexOfLargeValence)
   EXPECT_EQ(surface.number_of_edges(), 2 * n);
   EXPECT_EQ(surface.face(surface.halfedge(Surface::Vertex_index(n))), Surface::Face_index(n - 1));
 }
+
+} // namespace

@@ -506,7 +506,7 @@ TEST_F(Pn_subdivide_output_normals, DamagedListsOfNormals)
   for (const std::string list : {"3 0 0 1", "8 0 0 1 0 0 1 0 1"}) {
     folder.write("a.ply", ply(list));
     expect_one_line(surface("a.ply", "o.ply", ""), 1, "normal");
-    EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
+    EXPECT_EQ(content("o.ply"), "old");
   }
 }
 
@@ -519,7 +519,7 @@ TEST_F(Pn_subdivide_output_normals, WhatDoesNotGoTogetherIsRefused)
     folder.write(output, "old");
     for (const std::string& part : parts)
       expect_one_line(surface("quads.obj", output, options), 2, part);
-    EXPECT_EQ(Temporary_folder::content(folder.file(output)), "old");
+    EXPECT_EQ(content(output), "old");
   };
   for (const char* const output : {"o.obj", "o.off", "o.stl"})
     expect_refusal(output, "--output-normals both", {"--output-normals both", output, ".ply"});

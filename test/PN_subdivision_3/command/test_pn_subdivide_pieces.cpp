@@ -23,8 +23,6 @@ const std::vector<std::string> schemes = {
   "catmull-clark",          "loop",          "butterfly", "kobbelt",
   "modified-catmull-clark", "modified-loop", "midpoint",  "bilinear"};
 
-} // namespace
-
 TEST_F(Pieces, AreTheWholeFile)
 {
   for (const std::string& scheme : schemes)
@@ -277,8 +275,6 @@ TEST_F(Pieces, ASignal)
 
 #  ifdef PN_TEST_MPIRUN
 
-namespace {
-
 class Ranks : public Pieces
 {
 protected:
@@ -294,8 +290,6 @@ protected:
            std::to_string(number) + " ";
   }
 };
-
-} // namespace
 
 TEST_F(Ranks, WriteTheWholeFile)
 {
@@ -374,3 +368,5 @@ TEST_F(Ranks, AKilledRank)
 
 #  endif
 #endif
+
+} // namespace

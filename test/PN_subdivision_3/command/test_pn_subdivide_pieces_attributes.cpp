@@ -84,8 +84,6 @@ protected:
   }
 };
 
-} // namespace
-
 TEST_F(Attributes_in_pieces, AreThoseOfTheWholeFile)
 {
   for (const bool has_seams : {false, true})
@@ -139,8 +137,6 @@ TEST_F(Attributes_in_pieces, OfOtherFormats)
   expect_part(content("out.ply"), "property uchar red");
 }
 
-namespace {
-
 template <class T>
 void expect_rows(const std::string& piece, const std::string& whole, const std::string& name,
                  const std::vector<std::int64_t>& rows, std::size_t components)
@@ -151,8 +147,6 @@ void expect_rows(const std::string& piece, const std::string& whole, const std::
     ASSERT_EQ(values[i], of_whole[components * std::size_t(rows[i / components]) + i % components])
       << name;
 }
-
-} // namespace
 
 TEST_F(Attributes_in_pieces, PvtpHasThoseOfTheVtpFile)
 {
@@ -190,3 +184,5 @@ TEST_F(Attributes_in_pieces, WhatSomeCornersLackIsRefused)
                   "--drop-attributes");
   done(run(job("catmull-clark", "in.ply", "out.pvtp") + "--levels 1 --pieces 2"));
 }
+
+} // namespace

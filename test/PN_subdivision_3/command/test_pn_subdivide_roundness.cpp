@@ -130,7 +130,7 @@ protected:
   {
     done(Command_test::curve("p.txt", "o.txt", "--quiet " + options));
     std::vector<Triple> points;
-    std::istringstream lines(Temporary_folder::content(folder.file("o.txt")));
+    std::istringstream lines(content("o.txt"));
     for (std::string line; std::getline(lines, line);) {
       std::istringstream numbers(line);
       Triple p{};
@@ -206,7 +206,7 @@ TEST_F(Pn_subdivide_roundness, FileNeedsTheProperty)
   folder.write("o.ply", "old");
   expect_one_line(surface("ridge.ply", "o.ply", "--roundness file"), 1, "--roundness file");
   expect_one_line(surface("box.obj", "o.ply", "--roundness file"), 1, "--roundness estimate");
-  EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
+  EXPECT_EQ(content("o.ply"), "old");
   // also where the normals are estimated
   expect_part(err("points.ply", "--roundness file"),
               "estimated normals, roundness 0 at 2 of 6 vertices");
@@ -430,7 +430,7 @@ TEST_F(Pn_subdivide_roundness, WhatMeansNothingIsAUsageError)
     for (const std::string other : {"--linear", "--normals none"})
       for (const std::string& part : {std::string("--roundness"), other})
         expect_one_line(surface("round.ply", "o.ply", "--roundness " + x + " " + other), 2, part);
-  EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
+  EXPECT_EQ(content("o.ply"), "old");
   expect_one_line(surface("box.obj", "o.ply", "--normals coherently"), 2, "coherent");
 }
 

@@ -223,7 +223,7 @@ protected:
   std::string refined(const std::string& input, const std::string& options) const
   {
     refine(input, "--quiet --output-normals control " + options);
-    return Temporary_folder::content(folder.file("out.ply"));
+    return content("out.ply");
   }
   std::string written(const Shape& s, const std::vector<Vector>& normals, std::size_t format,
                       int digits, bool is_fixed = true)
@@ -268,7 +268,7 @@ TEST_F(Pn_subdivide_shading, EachKindIsFoundWithItsDigits)
             expect_part(outcome.err, std::string(name) + " (");
             expect_part(outcome.err, "estimated normals");
             expect_no_part(outcome.err, "warning");
-            EXPECT_EQ(Temporary_folder::content(folder.file("out.ply")), expected);
+            EXPECT_EQ(content("out.ply"), expected);
           }
   }
 }
@@ -491,8 +491,7 @@ TEST_F(Pn_subdivide_shading, WhatAFileCallsControlNormalsAreData)
   const std::string options = "--normals angle --levels 0 --output-normals ";
   for (const std::string choice : {"control", "both"}) {
     refine(plain, options + choice);
-    const std::string input =
-      folder.write("said.ply", Temporary_folder::content(folder.file("out.ply")));
+    const std::string input = folder.write("said.ply", content("out.ply"));
     expect_no_part(refine(input, "").err, "shading");
     EXPECT_EQ(refined(input, "--levels 2"), refined(plain, "--levels 2 --normals angle"));
   }

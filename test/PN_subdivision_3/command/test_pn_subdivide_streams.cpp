@@ -46,7 +46,7 @@ TEST_F(Streams, TheSameBytesAsInFiles)
   for (const std::string format : {"ply", "off", "obj", "stl", "vtp"}) {
     const std::string file = "file." + format;
     done(run("surface " + quoted("cube.off") + " " + quoted(file) + " --levels 2"));
-    const std::string expected = Temporary_folder::content(folder.file(file));
+    const std::string expected = content(file);
     EXPECT_GT(expected.size(), 100u);
 
     const Outcome out =
@@ -57,12 +57,11 @@ TEST_F(Streams, TheSameBytesAsInFiles)
   // the format of standard input says nothing about a file
   const Outcome in = done(run("surface - " + quoted("in.ply") + " --levels 2 --format off",
                               "cat " + quoted("cube.off") + " | "));
-  EXPECT_EQ(Temporary_folder::content(folder.file("in.ply")),
-            Temporary_folder::content(folder.file("file.ply")));
+  EXPECT_EQ(content("in.ply"), content("file.ply"));
 
   const Outcome both =
     run("surface - - --levels 2 --quiet --format OFF", "cat " + quoted("cube.off") + " | ");
-  EXPECT_EQ(both.out, Temporary_folder::content(folder.file("file.off")));
+  EXPECT_EQ(both.out, content("file.off"));
   EXPECT_FALSE(std::filesystem::exists("-"));
 }
 
@@ -72,7 +71,7 @@ TEST_F(Streams, Curves)
   const std::string options = "--closed --scheme chaikin --quiet";
   done(run("curve " + quoted("p.txt") + " " + quoted("c.txt") + " " + options));
   const Outcome both = done(run("curve - - " + options, "cat " + quoted("p.txt") + " | "));
-  EXPECT_EQ(both.out, Temporary_folder::content(folder.file("c.txt")));
+  EXPECT_EQ(both.out, content("c.txt"));
   expect_one_line(run("curve - - --comb - " + options, "cat " + quoted("p.txt") + " | "), 2,
                   "--comb");
 }
@@ -193,11 +192,11 @@ TEST_F(Streams, AnIgnoredSignalStaysIgnored)
   for (int i = 0; i < 1000 && folder.number_of_files() != 3; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_EQ(kill(child, SIGHUP), 0);
-  EXPECT_NE(Temporary_folder::content(folder.file("comb.svg")), ""); // lets the command go on
+  EXPECT_NE(content("comb.svg"), ""); // lets the command go on
   int status = 0;
   EXPECT_EQ(waitpid(child, &status, 0), child);
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
-  EXPECT_NE(Temporary_folder::content(folder.file("c.txt")), "");
+  EXPECT_NE(content("c.txt"), "");
 }
 
 #endif

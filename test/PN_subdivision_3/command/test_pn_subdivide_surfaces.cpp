@@ -104,7 +104,7 @@ protected:
   }
   std::vector<std::size_t> labels() const
   {
-    std::istringstream in(Temporary_folder::content(folder.file("labels.txt")));
+    std::istringstream in(content("labels.txt"));
     std::vector<std::size_t> result;
     for (std::size_t label = 0; in >> label;) result.push_back(label);
     return result;
@@ -389,9 +389,9 @@ TEST_F(Pn_subdivide_surfaces, TagsAreTheSameEveryTime)
   written("bar.ply", "a.ply", control + tags("a"));
   written("bar.ply", "b.obj", control + tags("b"));
   written("a.ply", "c.ply", control + tags("c"));
-  const std::string selection = Temporary_folder::content(folder.file("a.selection.txt"));
-  EXPECT_EQ(Temporary_folder::content(folder.file("b.selection.txt")), selection);
-  EXPECT_EQ(Temporary_folder::content(folder.file("c.selection.txt")), selection);
+  const std::string selection = content("a.selection.txt");
+  EXPECT_EQ(content("b.selection.txt"), selection);
+  EXPECT_EQ(content("c.selection.txt"), selection);
   std::istringstream edges(selection.substr(selection.rfind('\n', selection.size() - 2)));
   std::size_t numbers = 0;
   for (int v = 0; edges >> v;) ++numbers;
@@ -459,7 +459,7 @@ TEST_F(Pn_subdivide_surfaces, TheLinearTwinHasTheTags)
   for (const Triple& p : mesh.points)
     EXPECT_TRUE(std::abs(p[2]) < 1e-12 || std::abs(p[2] - 1) < 1e-12 ||
                 std::abs(p[2] - 3) < 1e-12 || off_axis(p) < 2);
-  EXPECT_FALSE(Temporary_folder::content(folder.file("a.selection.txt")).empty());
+  EXPECT_FALSE(content("a.selection.txt").empty());
 }
 
 // How much larger the faces of planes are than the planes.
@@ -658,7 +658,7 @@ TEST_F(Pn_subdivide_surfaces, TheOptionsOfRecognition)
   // where nothing is recognized the angle counts
   const auto tagged = [&](const std::string& options) {
     written("stone.ply", "o.obj", "--sharp surfaces " + options + tags("s"));
-    return Temporary_folder::content(folder.file("s.selection.txt")).size();
+    return content("s.selection.txt").size();
   };
   EXPECT_LT(tagged("--sharp-angle 170"), 5u);
   EXPECT_GT(tagged("--sharp-angle 5"), tagged("--sharp-angle 30"));
@@ -679,7 +679,7 @@ TEST_F(Pn_subdivide_surfaces, WhatExcludesEachOther)
   const auto refused = [&](const std::string& options, const std::vector<std::string>& parts) {
     for (const std::string& part : parts)
       expect_one_line(surface("plate_3.ply", "o.ply", options), 2, part);
-    EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
+    EXPECT_EQ(content("o.ply"), "old");
   };
   const std::string sharp = "--sharp surfaces ";
   refused(sharp + "--sharpness 2", {"--sharpness", "--sharp surfaces"});

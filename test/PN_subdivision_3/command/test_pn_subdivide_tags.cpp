@@ -241,7 +241,7 @@ TEST_F(Pn_subdivide_tags, ASelectionOfTheResultGoesWithEveryFormat)
     }
   // without creases it is an empty one
   written("quads.obj", "o.ply", "--write-tags '" + folder.file("tags.selection.txt") + "'");
-  EXPECT_EQ(Temporary_folder::content(folder.file("tags.selection.txt")), "\n\n\n");
+  EXPECT_EQ(content("tags.selection.txt"), "\n\n\n");
 }
 
 TEST_F(Pn_subdivide_tags, ASelectionIsReadAgain)
@@ -516,7 +516,7 @@ TEST_F(Pn_subdivide_tags, WhatDoesNotGoWithWriteTags)
   const auto expect_refusal = [&](const std::string& options, const std::string& part) {
     folder.write("o.ply", "old");
     expect_one_line(surface("quads.obj", "o.ply", options), 2, part);
-    EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
+    EXPECT_EQ(content("o.ply"), "old");
   };
   const std::string tags = " --write-tags '" + folder.file("t.selection.txt") + "' ";
   for (const char* const part : {"--write-tags", "doo-sabin"})
@@ -531,5 +531,5 @@ TEST_F(Pn_subdivide_tags, WhatDoesNotGoWithWriteTags)
                  "a file of its own");
   expect_one_line(surface("quads.obj", "o.ply", "--write-tags /no/such/t.selection.txt"), 1,
                   "/no/such");
-  EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
+  EXPECT_EQ(content("o.ply"), "old");
 }
