@@ -112,8 +112,6 @@ void expect_scaled_nets(const std::vector<int>& exponents)
     }
 }
 
-} // namespace
-
 TEST(Interpolation_at_any_scale, OfMeshesInDouble)
 {
   expect_scaled_nets<double>({-600, -300, -260, -100, -1, 100, 280, 300, 600, 1000});
@@ -186,8 +184,6 @@ TEST(Interpolation_at_any_scale, WhatIsOutOfRangeIsRefused)
 
 // --- the smoothest change of control points that meets conditions, against a dense matrix of what it is defined by ---
 
-namespace {
-
 namespace in = CGAL::PN_subdivision_3::internal;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Correction = in::Smooth_correction<3>;
@@ -252,8 +248,6 @@ Eigen::VectorXd expected_change(const Mesh& mesh, const Conditions& conditions,
   return system.partialPivLu().solve(right_side).head(n);
 }
 
-} // namespace
-
 TEST(Smooth_correction, IsTheSmoothestChange)
 {
   const std::vector<double> values = {1, 0.2, -0.4, 0.7, -0.5};
@@ -273,3 +267,5 @@ TEST(Smooth_correction, IsTheSmoothestChange)
                 1e-9 * expected.norm());
   }
 }
+
+} // namespace

@@ -76,8 +76,6 @@ Sampled_surface read_sampled(const std::string& file, double gaussian, double me
   return s;
 }
 
-} // namespace
-
 // --- accuracy ---
 
 TEST(Estimate_curvature, SecondOrderAtAllValences)
@@ -190,8 +188,6 @@ TEST(Estimate_curvature, SpheresAndCylindersAreExactWithNormals)
   }
 }
 
-namespace {
-
 // points of the unit sphere
 Sampled_surface on_unit_sphere(Soup soup)
 {
@@ -249,8 +245,6 @@ Sampled_surface coarse_cylinder(std::size_t sides)
   return s;
 }
 
-} // namespace
-
 // However coarse and uneven the triangles are.
 TEST(Estimate_curvature, CoarseSpheresAndCylindersAreExactWithNormals)
 {
@@ -268,8 +262,6 @@ TEST(Estimate_curvature, CoarseSpheresAndCylindersAreExactWithNormals)
     EXPECT_LT(error(from_normals(s.soup, normals_of(s)), s), 1e-13);
   }
 }
-
-namespace {
 
 // The largest errors of K and H on a torus of radii 2 and 0.8.
 std::pair<double, double> torus_errors(std::size_t n, double jitter)
@@ -297,8 +289,6 @@ std::pair<double, double> torus_errors(std::size_t n, double jitter)
   }
   return largest;
 }
-
-} // namespace
 
 // Second derivatives are those of edges, (n_j - n_i).e/|e|^2, but for what points and normals together tell of the third and
 // fourth ones. The edges alone are off by 0.079, 0.026 and 0.0065 (K), 0.009, 0.005 and 0.0015 (H) on the even torus, and by
@@ -653,3 +643,5 @@ TEST(Estimate_curvature, IsTheSameInParallel)
               from_normals<CGAL::Parallel_tag>(s.soup, normals_of(s)));
 }
 #endif
+
+} // namespace

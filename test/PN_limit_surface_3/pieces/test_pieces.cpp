@@ -66,8 +66,6 @@ std::vector<Control_mesh> random_controls(Kind kind, int number)
   return controls;
 }
 
-} // namespace
-
 TYPED_TEST(Pieces_of_scheme, IsTheWholeSurface)
 {
   constexpr Kind kind = kind_of<TypeParam>();
@@ -162,8 +160,6 @@ TEST(Pieces, OfSchemesThatDoNotHalveEdgesAreRefused)
 
 // --- how faces are divided, against a slow way to the same, and the order of the elements of a piece ---
 
-namespace {
-
 namespace in = CGAL::PN_subdivision_3::internal;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Level = CGAL::PN_subdivision_3::Level_connectivity;
@@ -239,8 +235,6 @@ private:
     divide({end_of_half, faces.end()}, first + half, number - half);
   }
 };
-
-} // namespace
 
 TEST(Piece_division, EqualFacesAreHalvedByCount)
 {
@@ -321,3 +315,5 @@ TEST(Piece_division, ListsKnowTheirPlaces)
     }
   }
 }
+
+} // namespace

@@ -80,8 +80,6 @@ double linear_function(const Kernel::Point_3& p)
   return 0.3 * p.x() - 0.7 * p.y() + 1.1 * p.z() + 0.1;
 }
 
-} // namespace
-
 TEST(Attributes, ConstantsKeepTheirBits)
 {
   const double inf = std::numeric_limits<double>::infinity();
@@ -210,8 +208,6 @@ TEST(Attributes, FacesAndEdgesInherit)
 
 // \name Charts
 
-namespace {
-
 using Uv = std::array<double, 2>;
 
 // a value for each corner of a soup: by face and position in the face
@@ -324,8 +320,6 @@ std::multiset<std::vector<std::pair<long, long>>> polygons(const Mesh& mesh, con
   return result;
 }
 
-} // namespace
-
 template <class Scheme>
 class Chart_attributes : public ::testing::Test
 {};
@@ -411,8 +405,6 @@ TYPED_TEST(Chart_attributes, AreLinearInsideFacesIfAskedFor)
 
 // \name Labels and directions
 
-namespace {
-
 enum class Label { none, red, blue };
 
 template <class Scheme>
@@ -445,8 +437,6 @@ struct Flat_torus
   }
   Soup soup;
 };
-
-} // namespace
 
 // Every vertex is as near to no other control vertex in its control face, where corners are carried linearly: in the plane of a
 // regular polygon. Doo-Sabin and sqrt(3) subdivision keep no edges; there values are those of the faces' corners.
@@ -577,8 +567,6 @@ TEST(Attributes, DirectionsAreUnitVectors)
 
 // \name Tables, threads
 
-namespace {
-
 struct Results
 {
   std::vector<double> scalar, color;
@@ -672,8 +660,6 @@ Results by_table(const Charts& c, const Mesh& control, unsigned extra = 0,
   for (std::uint32_t p : table.face_parents) r.parent.push_back(int(p));
   return r;
 }
-
-} // namespace
 
 TEST(Attributes, AreTheSameInTablesAndByThreads)
 {
@@ -786,8 +772,6 @@ TEST(Attributes, OfCornersWithoutSeamsAreThoseOfVertices)
 
 // \name Failures
 
-namespace {
-
 struct Failure
 {};
 
@@ -804,8 +788,6 @@ struct Fragile
   static long left;
 };
 long Fragile::left = 0;
-
-} // namespace
 
 TEST(Attributes, ThatThrowLeaveEverythingAsItWas)
 {
@@ -835,3 +817,5 @@ TEST(Attributes, ThatThrowLeaveEverythingAsItWas)
     for (auto h : mesh.halfedges()) EXPECT_EQ(uv[h], uv_before[h]);
   }
 }
+
+} // namespace

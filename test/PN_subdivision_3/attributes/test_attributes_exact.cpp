@@ -54,8 +54,6 @@ Soup with_isolated_vertex(Soup soup)
   return soup;
 }
 
-} // namespace
-
 template <class Scheme>
 class Exact_attributes : public ::testing::Test
 {};
@@ -109,8 +107,6 @@ TYPED_TEST(Exact_attributes, LinearFunctionsStay)
   }
 }
 
-namespace {
-
 // a cube of 2 x 2 quads a side
 Soup box()
 {
@@ -127,8 +123,6 @@ Soup triangulated(const Soup& soup)
     for (std::size_t i = 2; i < f.size(); ++i) result.faces.push_back({f[0], f[i - 1], f[i]});
   return result;
 }
-
-} // namespace
 
 template <class Scheme>
 class Creased_attributes : public ::testing::Test
@@ -256,3 +250,5 @@ TEST(Exact_attributes_of_a_polyhedron, InMapsOfTheirOwn)
     EXPECT_EQ(get(x, v), CGAL::to_double(v->point().x()));
   }
 }
+
+} // namespace

@@ -51,8 +51,6 @@ std::size_t hidden_borders(const Mesh& mesh)
   return n;
 }
 
-} // namespace
-
 TEST(Mesh_types, SurfaceMeshWithEpick)
 {
   expect_same_as_surface_mesh<Epick, CGAL::Surface_mesh<Epick::Point_3>>();
@@ -164,8 +162,6 @@ TEST(Property_maps, PointsOfAnotherKernelDecideTheNumberType)
 
 // \name Removed elements of a Surface_mesh
 
-namespace {
-
 struct Properties
 {
   Mesh::Property_map<Mesh::Vertex_index, int> vertex;
@@ -241,8 +237,6 @@ Mesh compacted(const Mesh& mesh)
   for (auto f : mesh.faces()) result.set_halfedge(face[f], halfedge[mesh.halfedge(f)]);
   return result;
 }
-
-} // namespace
 
 TEST(Removed_elements, ResultIsThatOfTheCompactMesh)
 {
@@ -372,15 +366,11 @@ TEST(Properties_of_the_user, StayValidAndKeepTheirValues)
 
 // \name geom_traits and visitor
 
-namespace {
-
 struct Visitor
 {
   std::vector<std::pair<unsigned, std::size_t>>* seen;
   void round_done(unsigned k, std::size_t n) { seen->emplace_back(k, n); }
 };
-
-} // namespace
 
 TEST(Visitor_parameter, IsCalledAfterEachRound)
 {
@@ -426,8 +416,6 @@ TEST(Geom_traits_parameter, DecidesTheNumberType)
 
 // --- property maps of a Surface_mesh by name, with CGAL 5 and with CGAL 6 ---
 
-namespace {
-
 using CGAL::PN_subdivision_3::internal::find_property_map;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -446,8 +434,6 @@ void expect_found_by_name_and_type(Mesh mesh, const Value& value)
   EXPECT_FALSE((find_property_map<Element, char>(copy, "x")));
 }
 
-} // namespace
-
 TEST(Property_maps, AreFoundByNameAndType)
 {
   Mesh mesh;
@@ -460,3 +446,5 @@ TEST(Property_maps, AreFoundByNameAndType)
   ASSERT_TRUE(points);
   EXPECT_EQ((*points)[Mesh::Vertex_index(1)], Kernel::Point_3(1, 0, 0));
 }
+
+} // namespace

@@ -104,8 +104,6 @@ Soup fan()
   return {{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 5}}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
-} // namespace
-
 TEST(Estimate_control_normals, CubeCornersAreDiagonal)
 {
   for (Control_normal_estimate how : all) {
@@ -495,8 +493,6 @@ TEST(Estimate_control_normals, AdaptorsOfSchemesNest)
 }
 
 // --- passed on as one thing: the surface is the one without normals, and where a normal is put it is round ---
-
-namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
