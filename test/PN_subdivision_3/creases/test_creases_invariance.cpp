@@ -312,6 +312,8 @@ Control icosahedron()
   Control c;
   c.points = mesh.points;
   c.faces = mesh.faces;
+  for (std::size_t v = 12; v < c.points.size(); ++v)
+    for (double& x : c.points[v]) x *= 0.85; // on the edges, not on the sphere
   for (std::size_t f = 0; f < c.faces.size(); ++f)
     for (const int v : c.faces[f]) c.normals[{int(f), v}] = mesh.normals[std::size_t(v)];
   return c;
