@@ -1,11 +1,13 @@
 # Several test sources as one program: what they instantiate alike is compiled once, which takes less than half the time.
 option(PN_TEST_JOINED "The unit tests of a subject are compiled as one source, or a few (CMake 3.18 or newer)" OFF)
 set(PN_TESTS_IN_A_SOURCE 5) # so that none takes more than a minute and 1.8 GB
-# with settings or an operator new of their own, or with names that headers of others have, too
+# with settings or an operator new of their own, with names that headers of others have, too, or long
 set(pn_tests_apart
-    test_PN_mask_3_custom test_any_scheme test_Subdivision_method_3_examples test_coherent_normals test_enclose test_estimate_control_normals test_failures
-    test_kernels_exact test_kernels_floating test_kernels_intervals test_modified_schemes_numbers test_normal_guards
-    test_reciprocal_normals test_strong_guarantee)
+    test_PN_mask_3_custom test_any_scheme test_Subdivision_method_3_examples test_coherent_normals test_creased_refiner
+    test_enclose test_estimate_control_normals test_estimate_curvature test_failures test_kernels_exact
+    test_kernels_floating test_kernels_intervals test_limit_creases test_limit_input test_matrix_of_features
+    test_mesh_types test_modified_schemes_numbers test_normal_guards test_pieces test_reciprocal_normals
+    test_strong_guarantee)
 # several sources of one test, with names that are not the same in all of them
 set(pn_sources_apart test_limit_surface test_tessellate)
 

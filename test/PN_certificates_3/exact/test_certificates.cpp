@@ -204,29 +204,6 @@ TYPED_TEST(Certificate, HoldsForOtherWeightsThatSumToOne)
     }
 }
 
-// Heights that are larger by 2^-60: q is the linear point.
-TYPED_TEST(Certificate, FailsIfTheFormulaIsChanged)
-{
-  const Shape shape = rational_shapes::sphere();
-  for (const Control_mesh& control : small_meshes_for<TypeParam>()) {
-    Exact_control pn(shape, control), linear = pn;
-    pn.refine(scheme_of_rows<TypeParam>());
-    PN::subdivide(linear.mesh, PN::linear(scheme_of_rows<TypeParam>()));
-    std::size_t changed = 0;
-    for (auto v : pn.mesh.vertices()) {
-      const auto &p = pn.mesh.point(v), &q = linear.mesh.point(v);
-      const auto& n = pn.normals[v];
-      if (p == q) continue; // a copy
-      ++changed;
-      EXPECT_TRUE(Exact_control::is_on(shape, p, n));
-      EXPECT_FALSE(Exact_control::is_on(shape, p + Number(tiny) * (p - q), n));
-      EXPECT_FALSE(Exact_control::is_on(shape, p + Number(tiny) * n, n));
-      EXPECT_FALSE(Exact_control::is_on(shape, p, Number(1 + std::ldexp(1., -52)) * n));
-    }
-    EXPECT_GT(changed, 0u) << control.name;
-  }
-}
-
 // --- the hypothesis ---
 
 // Any stencil whose weights sum to 1, over any normals of a shape: exact if N does not vanish and
@@ -343,30 +320,6 @@ TEST(Certificate_of_the_average, NeedsWeightsThatTheFadeLeaves)
   const auto value = Average()(row, row + 4, old.data());
   EXPECT_TRUE(value.normal == (PN::Coordinates<Number, 3>{0, 0, 1}));
   EXPECT_TRUE(value.point == (PN::Coordinates<Number, 3>{0, 0, 4})); // the linear point
-}
-
-// --- the number type ---
-
-TEST(One_root_number, RefusesToMixRoots)
-{
-  const Number root_2 = Number::root(1, 2), root_3 = Number::root(1, 3);
-  EXPECT_TRUE(root_2 * root_2 == Number(2));
-  EXPECT_TRUE(Number::root(1, CGAL::Gmpq(9, 4)) == Number(CGAL::Gmpq(3, 2)));
-  EXPECT_TRUE(1 / (root_2 - 1) == root_2 + 1);
-  EXPECT_LT(root_2, Number(CGAL::Gmpq(3, 2)));
-  EXPECT_THROW(root_2 + root_3, Mixed_roots);
-  EXPECT_THROW(root_2 * root_3, Mixed_roots);
-  EXPECT_THROW(void(root_2 == root_3), Mixed_roots);
-  EXPECT_THROW(void(root_2 < root_3), Mixed_roots);
-}
-
-// Two rounds would need roots of roots: a certificate is one of a single round.
-TEST(One_root_number, RefusesASecondRound)
-{
-  Exact_control control(rational_shapes::sphere(), test_meshes::bipyramid(5));
-  const std::size_t size = control.mesh.number_of_vertices();
-  EXPECT_THROW(control.refine(PN::Loop_scheme(), 2), Mixed_roots);
-  EXPECT_EQ(control.mesh.number_of_vertices(), size);
 }
 
 } // namespace

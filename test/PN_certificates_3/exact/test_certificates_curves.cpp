@@ -169,29 +169,6 @@ TEST(CurveCertificate, LinesStayLinesExactly)
 
 // --- what a certificate tells apart ---
 
-// q is the linear point.
-TEST(CurveCertificate, FailsIfTheFormulaIsChanged)
-{
-  for (Curve_end end : {Curve_end::closed, Curve_end::reflect, Curve_end::none}) {
-    const auto polygon = circle(11, end);
-    const auto curve = PN::subdivide_curve(polygon, PN::B_spline_mask(3), end);
-    const auto linear = PN::subdivide_curve(polygon, PN::linear(PN::B_spline_mask(3)), end);
-    ASSERT_EQ(curve.size(), linear.size());
-    std::size_t changed = 0;
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-      const auto& [p, n] = curve[i];
-      const auto& q = linear[i].first;
-      if (p == q) continue; // the ends
-      ++changed;
-      EXPECT_TRUE(is_on(p, n));
-      EXPECT_FALSE(is_on(p + Number(tiny) * (p - q), n)); // heights
-      EXPECT_FALSE(is_on(p + Number(tiny) * n, n));
-      EXPECT_FALSE(is_on(p, Number(1 + std::ldexp(1., -52)) * n));
-    }
-    EXPECT_GT(changed, 5u);
-  }
-}
-
 // An exact mask whose coefficients miss 2^-60 is none; other coefficients that sum to 1 keep circles.
 TEST(CurveCertificate, ChangedCoefficientsAreRefusedUnlessTheySumToOne)
 {

@@ -13,8 +13,6 @@
 
 #include <CGAL/boost/graph/generators.h>
 
-#include <limits>
-
 namespace {
 
 using reference::Real;

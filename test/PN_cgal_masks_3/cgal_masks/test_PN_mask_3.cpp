@@ -18,10 +18,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <gtest/gtest.h>
-
-#include <limits>
-
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;

@@ -23,10 +23,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/subdivision_method_3.h>
 
-#include <gtest/gtest.h>
-
 #include <functional>
-#include <limits>
 #include <set>
 
 namespace {
@@ -42,89 +39,34 @@ using Polyhedron = CGAL::Polyhedron_3<K>;
 
 // --- the four schemes, and their masks in their hosts ---
 
-struct Catmull_clark
-{
-  static constexpr bool triangles = false, is_dual = false;
-  static auto scheme() { return PN::CatmullClark_scheme(); }
-  template <class Mesh, class NP>
-  static void of_cgal(Mesh& mesh, const NP& p)
-  {
-    cgal::CatmullClark_subdivision(mesh, p);
-  }
-  template <class Mesh, class NP>
-  static void of_ours(Mesh& mesh, const NP& p)
-  {
-    ours::CatmullClark_subdivision(mesh, p);
-  }
-  template <class Mesh, class NP>
-  static void masked(Mesh& mesh, const NP& p)
-  {
-    ours::PQQ(mesh, CGAL::CatmullClark_mask_3<Mesh>(&mesh, get(CGAL::vertex_point, mesh)), p);
-  }
-};
+#define PN_SCHEME_AS_CGAL(NAME, HOST, TRIANGLES, IS_DUAL)                                          \
+  struct NAME                                                                                      \
+  {                                                                                                \
+    static constexpr bool triangles = TRIANGLES, is_dual = IS_DUAL;                                \
+    static auto scheme() { return PN::NAME##_scheme(); }                                           \
+    template <class Mesh, class NP>                                                                \
+    static void of_cgal(Mesh& mesh, const NP& p)                                                   \
+    {                                                                                              \
+      cgal::NAME##_subdivision(mesh, p);                                                           \
+    }                                                                                              \
+    template <class Mesh, class NP>                                                                \
+    static void of_ours(Mesh& mesh, const NP& p)                                                   \
+    {                                                                                              \
+      ours::NAME##_subdivision(mesh, p);                                                           \
+    }                                                                                              \
+    template <class Mesh, class NP>                                                                \
+    static void masked(Mesh& mesh, const NP& p)                                                    \
+    {                                                                                              \
+      ours::HOST(mesh, CGAL::NAME##_mask_3<Mesh>(&mesh, get(CGAL::vertex_point, mesh)), p);        \
+    }                                                                                              \
+  };
 
-struct Loop
-{
-  static constexpr bool triangles = true, is_dual = false;
-  static auto scheme() { return PN::Loop_scheme(); }
-  template <class Mesh, class NP>
-  static void of_cgal(Mesh& mesh, const NP& p)
-  {
-    cgal::Loop_subdivision(mesh, p);
-  }
-  template <class Mesh, class NP>
-  static void of_ours(Mesh& mesh, const NP& p)
-  {
-    ours::Loop_subdivision(mesh, p);
-  }
-  template <class Mesh, class NP>
-  static void masked(Mesh& mesh, const NP& p)
-  {
-    ours::PTQ(mesh, CGAL::Loop_mask_3<Mesh>(&mesh, get(CGAL::vertex_point, mesh)), p);
-  }
-};
+PN_SCHEME_AS_CGAL(CatmullClark, PQQ, false, false)
+PN_SCHEME_AS_CGAL(Loop, PTQ, true, false)
+PN_SCHEME_AS_CGAL(DooSabin, DQQ, false, true)
+PN_SCHEME_AS_CGAL(Sqrt3, Sqrt3, true, false)
 
-struct Doo_sabin
-{
-  static constexpr bool triangles = false, is_dual = true;
-  static auto scheme() { return PN::DooSabin_scheme(); }
-  template <class Mesh, class NP>
-  static void of_cgal(Mesh& mesh, const NP& p)
-  {
-    cgal::DooSabin_subdivision(mesh, p);
-  }
-  template <class Mesh, class NP>
-  static void of_ours(Mesh& mesh, const NP& p)
-  {
-    ours::DooSabin_subdivision(mesh, p);
-  }
-  template <class Mesh, class NP>
-  static void masked(Mesh& mesh, const NP& p)
-  {
-    ours::DQQ(mesh, CGAL::DooSabin_mask_3<Mesh>(&mesh, get(CGAL::vertex_point, mesh)), p);
-  }
-};
-
-struct Sqrt_3
-{
-  static constexpr bool triangles = true, is_dual = false;
-  static auto scheme() { return PN::Sqrt3_scheme(); }
-  template <class Mesh, class NP>
-  static void of_cgal(Mesh& mesh, const NP& p)
-  {
-    cgal::Sqrt3_subdivision(mesh, p);
-  }
-  template <class Mesh, class NP>
-  static void of_ours(Mesh& mesh, const NP& p)
-  {
-    ours::Sqrt3_subdivision(mesh, p);
-  }
-  template <class Mesh, class NP>
-  static void masked(Mesh& mesh, const NP& p)
-  {
-    ours::Sqrt3(mesh, CGAL::Sqrt3_mask_3<Mesh>(&mesh, get(CGAL::vertex_point, mesh)), p);
-  }
-};
+#undef PN_SCHEME_AS_CGAL
 
 // --- meshes ---
 
@@ -224,7 +166,7 @@ void compare_with_cgal(const std::function<void(Mesh&, unsigned)>& refine)
       if (rounds == 3 && control.faces.size() > 24) continue;
       SCOPED_TRACE(control.name + ", rounds " + std::to_string(rounds));
       Mesh mine = built<Mesh>(control);
-      if (std::is_same_v<Scheme, Sqrt_3> && rounds > 1 && most_border_edges_of_a_face(mine) > 1)
+      if (std::is_same_v<Scheme, Sqrt3> && rounds > 1 && most_border_edges_of_a_face(mine) > 1)
         continue;
       const double box = box_size(points(mine));
       const auto p = np::number_of_iterations(rounds);
@@ -257,7 +199,7 @@ struct Names
     return Scheme::scheme().name();
   }
 };
-using Four_schemes = testing::Types<Catmull_clark, Loop, Doo_sabin, Sqrt_3>;
+using Four_schemes = testing::Types<CatmullClark, Loop, DooSabin, Sqrt3>;
 TYPED_TEST_SUITE(As_cgal, Four_schemes, Names);
 
 TYPED_TEST(As_cgal, RefinesSurfaceMeshes)
@@ -343,7 +285,7 @@ TYPED_TEST(As_cgal, KeepsVerticesWithoutEdges)
         masked ? TypeParam::masked(m, np::number_of_iterations(2))
                : TypeParam::of_ours(m, np::number_of_iterations(2));
       };
-      if (std::is_same_v<TypeParam, Sqrt_3> && most_border_edges_of_a_face(mesh) > 1) continue;
+      if (std::is_same_v<TypeParam, Sqrt3> && most_border_edges_of_a_face(mesh) > 1) continue;
       run(mesh);
       run(with);
       std::vector<K::Point_3> expected = points(mesh);
@@ -371,7 +313,7 @@ TEST(As_cgal_refusals, LeaveTheMeshAsItWas)
   messages::expect_refused([&] { ours::Loop_subdivision(quad); }, {corners});
   messages::expect_refused([&] { Loop::masked(quad, 1); }, {corners});
   messages::expect_refused([&] { ours::Sqrt3_subdivision(quad); }, {corners});
-  messages::expect_refused([&] { Sqrt_3::masked(quad, 1); }, {corners});
+  messages::expect_refused([&] { Sqrt3::masked(quad, 1); }, {corners});
   EXPECT_EQ(quad.number_of_faces(), 1u);
   ours::Sqrt3_subdivision(triangle, np::number_of_iterations(2));
   EXPECT_EQ(triangle.number_of_faces(), 9u);
@@ -381,7 +323,7 @@ TEST(As_cgal_refusals, LeaveTheMeshAsItWas)
 TEST(As_cgal_masks, LeaveWhatTheyDoNotSet)
 {
   std::size_t bordered = 0;
-  for (const Control_mesh& control : control_meshes<Catmull_clark>()) {
+  for (const Control_mesh& control : control_meshes<CatmullClark>()) {
     Surface_mesh mesh = built<Surface_mesh>(control), linear = mesh;
     ours::PQQ(mesh, CGAL::Linear_mask_3<Surface_mesh>(&mesh, get(CGAL::vertex_point, mesh)),
               np::number_of_iterations(2));
@@ -396,7 +338,7 @@ TEST(As_cgal_masks, LeaveWhatTheyDoNotSet)
 // point maps of pairs: the point-normal masks of CGAL's masks, in these hosts
 TEST(As_cgal_masks, MayBePointNormalOnes)
 {
-  const Control_mesh control = control_meshes<Catmull_clark>().front();
+  const Control_mesh control = control_meshes<CatmullClark>().front();
   Surface_mesh mesh = built<Surface_mesh>(control), expected = mesh;
   const auto run = [](Surface_mesh& m, const auto& host) {
     const auto normals =

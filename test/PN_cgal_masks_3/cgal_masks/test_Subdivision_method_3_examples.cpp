@@ -26,12 +26,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <set>
 #include <sstream>
-#include <string>
 #include <vector>
 
 // Unpacked, and changed, by the build; what they include is included above.

@@ -13,9 +13,6 @@
 
 #include "reference/PN_rule.h"
 #include <CGAL/PN_curves/curve_limit_points.h>
-#include <CGAL/PN_subdivision_3/parameters/parameters.h>
-
-#include <random>
 
 using namespace curve_cases;
 
@@ -311,10 +308,6 @@ TEST(Curves, PropertyMaps)
   EXPECT_EQ(curve, refined(polygon, {false, 3}, Curve_end::closed));
 }
 
-} // namespace
-
-namespace {
-
 // trigonometric splines: a regular polygon whose edges span the angle stays one
 auto trigonometric_mask(double angle)
 {
@@ -324,8 +317,6 @@ auto trigonometric_mask(double angle)
     return PN::Univariate_mask<double>(-2, {side, 0.5, 1 - 2 * side, 0.5, side});
   });
 }
-
-} // namespace
 
 TEST(Level_dependent_mask, KeepsRegularPolygonsWithoutNormals)
 {
@@ -386,3 +377,5 @@ TEST(Level_dependent_mask, IsTheMaskWhereItDoesNotDepend)
                                    CGAL::parameters::number_of_iterations(2)),
                std::invalid_argument);
 }
+
+} // namespace

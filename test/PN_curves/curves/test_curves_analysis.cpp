@@ -15,10 +15,6 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
-#include <algorithm>
-#include <limits>
-#include <stdexcept>
-
 using namespace curve_cases;
 
 namespace {

@@ -19,10 +19,7 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
-#include <algorithm>
-#include <locale>
 #include <numeric>
-#include <stdexcept>
 
 using namespace curve_cases;
 
@@ -288,16 +285,12 @@ TEST(Curve_svg, TextIsEscapedAndFailuresAreTold)
   EXPECT_FALSE(svg::write("no such folder/drawing.svg", title, {}));
 }
 
-namespace {
-
 struct Commas : std::numpunct<char>
 {
   char do_decimal_point() const override { return ','; }
   char do_thousands_sep() const override { return '.'; }
   std::string do_grouping() const override { return "\1"; }
 };
-
-} // namespace
 
 TEST(Curve_svg, NumbersAreThoseOfSvgInEveryLocale)
 {

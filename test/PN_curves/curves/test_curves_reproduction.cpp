@@ -11,8 +11,6 @@
 #include "Curve_cases.h"
 #include "reference/PN_rule.h"
 
-#include <cmath>
-
 using namespace curve_cases;
 
 namespace {

@@ -14,17 +14,9 @@
 #include "Surface_checks.h"
 
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
-#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
-#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/centroid.h>
-
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <vector>
 
 namespace {
 

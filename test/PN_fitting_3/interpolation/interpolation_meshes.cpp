@@ -16,8 +16,6 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
-#include <gtest/gtest.h>
-
 namespace {
 
 using namespace interpolation_cases;

@@ -13,11 +13,8 @@
 
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
-#include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-
-#include <algorithm>
 
 namespace {
 

@@ -17,10 +17,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <gtest/gtest.h>
-
-#include <vector>
-
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
 

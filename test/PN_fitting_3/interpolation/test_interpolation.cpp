@@ -17,8 +17,6 @@
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 
-#include <gtest/gtest.h>
-
 #include <tuple>
 
 namespace {

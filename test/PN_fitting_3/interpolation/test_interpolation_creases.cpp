@@ -17,11 +17,6 @@
 #include <CGAL/Gmpq.h>
 #include <CGAL/Polyhedron_3.h>
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 namespace {
 
 using namespace feature_matrix;

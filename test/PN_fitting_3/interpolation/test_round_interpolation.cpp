@@ -16,20 +16,9 @@
 #include <CGAL/PN_fitting_3/prescribe_limit_data.h>
 #include <CGAL/PN_limit_surface_3/limit_points.h>
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
-#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
-#include <CGAL/Surface_mesh.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
 

@@ -13,12 +13,7 @@
 
 #include <Eigen/SVD>
 
-#include <algorithm>
-#include <cstddef>
-#include <random>
 #include <set>
-#include <utility>
-#include <vector>
 
 using namespace estimated_curvatures;
 namespace in = PN::internal;
@@ -112,8 +107,6 @@ bool is_fitted(const Samples& samples, in::Curvature_fit& fit)
   return fit.fit(all, {0, 0, 1}, 3);
 }
 
-} // namespace
-
 TEST(Curvature_fit, NormalEquationsAgreeWithSingularValues)
 {
   Generator g(1);
@@ -152,8 +145,6 @@ TEST(Curvature_fit, UndeterminedCubicsAreToldApart)
 }
 
 // --- neighborhoods, normals ---
-
-namespace {
 
 // Random quadrilaterals, triangles and others over a torus and a square, with flat and with steep parts. About the tube
 // of the coarse torus two rings reach vertices that face the other way.
@@ -216,8 +207,6 @@ Samples samples_of(const std::set<std::size_t>& vertices, const Vectors& p, cons
   return samples;
 }
 
-} // namespace
-
 // Rings grow until they determine a cubic, at the border, too.
 TEST(Curvature_fit, EstimatesAreThoseOfSetsOfVertices)
 {
@@ -246,3 +235,5 @@ TEST(Curvature_fit, EstimatesAreThoseOfSetsOfVertices)
   EXPECT_GT(found, 80u);
   EXPECT_GT(of_more_rings, 5u);
 }
+
+} // namespace

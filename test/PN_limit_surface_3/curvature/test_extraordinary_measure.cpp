@@ -7,26 +7,15 @@
 // Author(s): PN_subdivision_3 developers
 
 // Whether the measurement of curvature at extraordinary vertices measures right: on surfaces whose
-// curvature is known, at regular vertices, and with the plain schemes, whose curvature diverges.
+// curvature is known, and by published eigenvalues.
 
 #include "Extraordinary_checks.h"
 
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <set>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 
@@ -37,8 +26,6 @@ using data::Index;
 using PN::CatmullClark_scheme;
 using PN::Extraordinary_vertex_zoom;
 using PN::Loop_scheme;
-using Zoom_quads = Extraordinary_vertex_zoom<CatmullClark_scheme>;
-using Zoom_triangles = Extraordinary_vertex_zoom<Loop_scheme>;
 
 template <class Function>
 void for_plain_schemes(const std::vector<Index>& valences, const Function& f)
@@ -82,45 +69,6 @@ TEST(Extraordinary_net, HasOneVertexOfItsValence)
   for (const Index degree : {3u, 4u})
     for (const Index valence : {3u, 5u, 6u})
       for (const Index rings : {1u, 2u, 5u}) check_net(Extraordinary_net(degree, valence, rings));
-}
-
-TEST(Extraordinary_net, RefusesWhatIsNoNet)
-{
-  EXPECT_THROW(Extraordinary_net(5, 5, 5), std::invalid_argument);
-  EXPECT_THROW(Extraordinary_net(4, 2, 5), std::invalid_argument);
-  EXPECT_THROW(Extraordinary_net(3, 5, 0), std::invalid_argument);
-  const Zoom_quads zoom(CatmullClark_scheme(), 5);
-  EXPECT_THROW(zoom.measure(data::Values(3)), std::invalid_argument);
-}
-
-// A regular net in the plane has its shape again after a round, and every vertex its place.
-template <class Scheme>
-void check_places_are_kept(const Scheme& scheme, Index valence)
-{
-  const Extraordinary_vertex_zoom<Scheme> zoom(scheme, valence);
-  data::Values values(zoom.net().number_of_vertices());
-  for (Index v = 0; v < values.size(); ++v) {
-    const auto p = data::layout(zoom.net(), v);
-    values[v].point = {p[0] + 1, p[1] - 2, 0};
-  }
-  data::Vector origin{};
-  const data::Values half = zoom.refined(values, origin);
-  const data::Values quarter = zoom.twice_refined(values);
-  EXPECT_NEAR(origin[0], 1, 1e-15);
-  EXPECT_NEAR(origin[1], -2, 1e-15);
-  const Extraordinary_net larger(zoom.degree, valence, 17);
-  for (std::size_t c = 0; c < 2; ++c) {
-    for (Index v = 0; v < half.size(); ++v)
-      EXPECT_NEAR(half[v].point[c], data::layout(zoom.net(), v)[c] / 2, 1e-14) << v;
-    for (Index v = 0; v < quarter.size(); ++v)
-      EXPECT_NEAR(quarter[v].point[c], origin[c] + data::layout(larger, v)[c] / 4, 1e-14) << v;
-  }
-}
-
-TEST(Extraordinary_zoom, KeepsThePlacesOfVertices)
-{
-  check_places_are_kept(CatmullClark_scheme(), 4);
-  check_places_are_kept(Loop_scheme(), 6);
 }
 
 // --- known curvatures ---
@@ -223,29 +171,6 @@ TEST(Extraordinary_zoom, FindsTheCurvatureOfSpheresAndCylinders)
                     [](const auto& s, Index n) { check_sphere_and_cylinder(s, n); });
 }
 
-TEST(Extraordinary_zoom, StaysOnTheSphere)
-{
-  for_plain_schemes({3, 5, 12}, [](const auto& s, Index n) {
-    extraordinary_checks::check_sphere(s, n);
-    extraordinary_checks::check_slope_on_sphere(s, n);
-  });
-}
-
-// The limit from a single net: on a graph its error falls with the square of the spacing. Here it is
-// the one of a regular vertex, whose quadratic parts the prediction does not hold: the slopes alone.
-TEST(Extraordinary_zoom, PredictsFromTheSlopes)
-{
-  const auto twisted = [](double x, double y) -> std::array<double, 2> {
-    return {.8 * x + .7 * y, -.1 * x + .2 * y}; // sym = (.8, .3; .3, .2)
-  };
-  for_plain_schemes({3, 5, 8}, [&](const auto& scheme, Index n) {
-    const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
-    const auto limit = zoom.limit(data::turned(data::with_slopes(zoom.net(), nullptr, twisted)));
-    EXPECT_NEAR(limit.gaussian, .8 * .2 - .3 * .3, 1e-2);
-    EXPECT_NEAR(limit.mean, -.5, 1e-2);
-  });
-}
-
 // Points of a plane that is not perpendicular to the control normal: the curvatures are those of the graph of
 // x + y/2 + (x, y) sym (x, y) / 2 at the origin.
 TEST(Extraordinary_zoom, PredictsAcrossSlopes)
@@ -285,124 +210,6 @@ TEST(Extraordinary_zoom, FitsTheRate)
   EXPECT_EQ(curvature.rate(), 0);
 }
 
-TEST(Extraordinary_zoom, ShowsWhatIsNotANumber)
-{
-  for_plain_schemes({5}, [](const auto& scheme, Index n) {
-    const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
-    data::Values values = data::sampled(zoom.net(), data::cubic);
-    values.back().point[2] = std::numeric_limits<double>::quiet_NaN();
-    const auto ring = zoom.ring_curvature(values);
-    EXPECT_FALSE(std::isfinite(ring.oscillation()));
-    EXPECT_FALSE(std::isfinite(ring.mean_max));
-    PN::Extraordinary_curvature<double> curvature{};
-    curvature.rings = {ring, ring};
-    EXPECT_FALSE(std::isfinite(curvature.rate()));
-  });
-}
-
-// Without a tangent plane there is no curvature, not even zero. The normals are those of a saddle.
-TEST(Extraordinary_zoom, PredictsNoCurvatureWhereTheNetHasCollapsed)
-{
-  const data::Vector corner{.3, -.7, 1.1}, direction = data::unit({2, 1, -3});
-  for_plain_schemes({3, 5, 8, 12}, [&](const auto& scheme, Index n) {
-    const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
-    data::Values values = data::sampled(zoom.net(), data::saddle);
-    EXPECT_LT(zoom.limit(values).gaussian, -1); // as long as it has not
-    for (const double length : {1., 0.}) {      // of the line that is left
-      SCOPED_TRACE(length);
-      for (Index v = 0; v < values.size(); ++v)
-        for (std::size_t c = 0; c < 3; ++c)
-          values[v].point[c] = corner[c] + length * data::layout(zoom.net(), v)[0] * direction[c];
-      const auto limit = zoom.limit(values);
-      EXPECT_TRUE(std::isnan(limit.gaussian)) << limit.gaussian;
-      EXPECT_TRUE(std::isnan(limit.mean)) << limit.mean;
-      for (std::size_t c = 0; c < 2; ++c) {
-        EXPECT_TRUE(std::isnan(limit.slope[c]));
-        for (const double h : limit.derivative_of_slopes[c]) EXPECT_TRUE(std::isnan(h));
-      }
-      if (length == 0) {
-        EXPECT_EQ(limit.point, corner);
-      }
-    }
-  });
-}
-
-template <class Zoom>
-void expect_no_curvature_at(const Zoom& zoom, data::Values values, const data::Vector& place)
-{
-  for (data::Value& v : values) v.point = place;
-  const auto curvature = zoom.measure(values);
-  for (std::size_t m = 0; m < curvature.rings.size(); ++m) {
-    const auto& ring = curvature.rings[m];
-    for (const double c : {ring.gaussian_min, ring.gaussian_max, ring.mean_min, ring.mean_max})
-      EXPECT_TRUE(std::isnan(c)) << "ring " << m << ": " << c;
-  }
-  EXPECT_TRUE(std::isnan(curvature.limit.gaussian)) << curvature.limit.gaussian;
-  EXPECT_TRUE(std::isnan(curvature.rate())) << curvature.rate();
-  EXPECT_TRUE(std::isnan(curvature.prediction_error())) << curvature.prediction_error();
-}
-
-// On a line, normals may still spread the points of later rounds; at one point, nothing does.
-TEST(Extraordinary_zoom, FindsNoCurvatureWhereTheNetHasCollapsedToAPoint)
-{
-  for_plain_schemes({3, 5, 12}, [&](const auto& scheme, Index n) {
-    const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
-    for (const data::Vector& place : {data::Vector{0, 0, 0}, data::Vector{.3, -.7, 1.1}}) {
-      expect_no_curvature_at(zoom, data::sampled(zoom.net(), data::saddle), place);
-      expect_no_curvature_at(zoom, data::Values(zoom.net().number_of_vertices()), place);
-    }
-  });
-}
-
-// Measures as a zoom does, but for one data set, whose curvatures are not numbers.
-struct Zoom_with_a_hole
-{
-  Zoom_quads zoom{CatmullClark_scheme(), 5};
-  std::size_t hole;
-  mutable std::size_t count = 0;
-
-  const Extraordinary_net& net() const { return zoom.net(); }
-  data::Curvature measure(data::Values values) const
-  {
-    if (count++ == hole) values.front().point[2] = std::numeric_limits<double>::quiet_NaN();
-    return zoom.measure(std::move(values));
-  }
-};
-
-TEST(Extraordinary_figures, ShowWhatIsNotANumber)
-{
-  const std::vector<data::Data_set> sets = data::curved();
-  for (std::size_t hole = 0; hole < sets.size(); ++hole) {
-    SCOPED_TRACE(sets[hole].name);
-    const Zoom_with_a_hole zoom{Zoom_quads{CatmullClark_scheme(), 5}, hole};
-    const data::Figures f = data::figures(zoom);
-    EXPECT_TRUE(std::isnan(f.oscillation_12));
-    EXPECT_TRUE(std::isnan(f.oscillation_16));
-    EXPECT_TRUE(std::isnan(f.oscillation_20));
-    EXPECT_TRUE(std::isnan(f.rate));
-    EXPECT_TRUE(std::isnan(f.prediction_error));
-    EXPECT_EQ(std::isnan(f.least_gaussian), sets[hole].has_sampled_normals);
-    zoom.count = 0;
-    EXPECT_TRUE(std::isnan(data::remaining_mean_curvature(zoom, sets)));
-  }
-}
-
-TEST(Extraordinary_zoom, FindsOneHalfAtRegularVertices)
-{
-  const auto check = [](const auto& scheme, Index n) {
-    const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
-    for (const data::Graph& graph : {data::Graph(data::cubic), data::Graph(data::waves)}) {
-      const auto c = zoom.measure(data::turned(data::sampled(zoom.net(), graph)));
-      EXPECT_NEAR(c.rate(), .5, .01);
-      EXPECT_LT(c.rings[20].oscillation(), 1e-5);
-    }
-  };
-  check(CatmullClark_scheme(), 4);
-  check(Loop_scheme(), 6);
-  check(PN::linear(CatmullClark_scheme()), 4);
-  check(PN::linear(Loop_scheme()), 6);
-}
-
 // Published eigenvalues: Catmull-Clark at valence n has those of formulas with cos(2 pi / n).
 TEST(Extraordinary_eigenvalues, AreThoseOfThePlainSchemes)
 {
@@ -425,54 +232,6 @@ TEST(Extraordinary_eigenvalues, AreThoseOfThePlainSchemes)
     const double frequency_2 = n == 3 ? 0 : .375 + .25 * cosine(2);
     EXPECT_NEAR(triangles.largest_other, (std::max)(lambda * lambda, frequency_2), 1e-14) << n;
   }
-}
-
-TEST(Extraordinary_eigenvalues, NeedStencilsInThe1Ring)
-{
-  EXPECT_THROW(PN::extraordinary_eigenvalues(PN::Kobbelt_scheme(), 5), std::invalid_argument);
-}
-
-// Negative control: the plain schemes' curvature oscillates more from ring to ring.
-TEST(Extraordinary_zoom, SeesThatPlainCurvatureDiverges)
-{
-  const auto check = [](const auto& scheme, Index n) {
-    const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
-    SCOPED_TRACE((zoom.degree == 4 ? "Catmull-Clark, valence " : "Loop, valence ") +
-                 std::to_string(n));
-    const auto expected = PN::extraordinary_eigenvalues(scheme, n);
-    for (const auto& set : data::curved()) {
-      if (set.name != "saddle" && set.name != "cubic" && set.name != "rough") continue;
-      const double rate = zoom.measure(set.values(zoom.net())).rate();
-      EXPECT_GT(rate, 1.05) << set.name;
-      EXPECT_NEAR(rate, expected.rate(), .08) << set.name;
-    }
-  };
-  for (const Index n : {5, 6, 7, 8, 10, 12}) check(CatmullClark_scheme(), n);
-  for (const Index n : {7, 8, 9, 12}) check(Loop_scheme(), n); // lower ones converge, but for 3
-}
-
-TEST(Extraordinary_zoom, SeesThatCurvatureOfPlainLoopDoublesAtValence3)
-{
-  const Zoom_triangles zoom(Loop_scheme(), 3);
-  for (const auto& set : data::curved())
-    EXPECT_NEAR(zoom.measure(set.values(zoom.net())).rate(), 2, .01) << set.name;
-}
-
-TEST(Extraordinary_zoom, LeavesNormalsOutOfLinearSchemes)
-{
-  const auto scheme = PN::linear(CatmullClark_scheme());
-  const Extraordinary_vertex_zoom<decltype(PN::linear(CatmullClark_scheme()))> zoom(scheme, 5);
-  data::Values values = data::turned(data::sampled(zoom.net(), data::cubic));
-  const auto with = zoom.measure(values);
-  for (auto& v : values) v.normal = {0, 0, 0};
-  const auto without = zoom.measure(values);
-  const auto pn = Zoom_quads(CatmullClark_scheme(), 5).measure(values); // all normals zero
-  for (std::size_t m = 0; m < with.rings.size(); ++m) {
-    EXPECT_EQ(with.rings[m].gaussian_min, without.rings[m].gaussian_min);
-    EXPECT_EQ(with.rings[m].mean_max, without.rings[m].mean_max);
-    EXPECT_EQ(with.rings[m].mean_max, pn.rings[m].mean_max);
-  }
-  EXPECT_EQ(with.limit.gaussian, 0);
 }
 
 } // namespace

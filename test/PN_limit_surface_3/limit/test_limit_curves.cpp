@@ -19,9 +19,6 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/PN_curves/curve_limit_points.h>
 
-#include <limits>
-#include <stdexcept>
-
 namespace {
 
 using namespace curve_cases;

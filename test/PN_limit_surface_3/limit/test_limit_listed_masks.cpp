@@ -14,11 +14,6 @@
 
 #include <CGAL/PN_curves/curve_limit_points.h>
 
-#include <cmath>
-#include <limits>
-#include <map>
-#include <stdexcept>
-
 namespace {
 
 using namespace curve_cases;

@@ -16,15 +16,10 @@
 #include <CGAL/PN_limit_surface_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/schemes/Transfer_schemes.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Surface_mesh.h>
 #include <Eigen/Dense>
-#include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <utility>
 
 namespace PN = CGAL::PN_subdivision_3;
 

@@ -11,12 +11,7 @@
 #include "Tagged_meshes.h"
 
 #include <CGAL/PN_limit_surface_3/Limit_surface.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace {
 

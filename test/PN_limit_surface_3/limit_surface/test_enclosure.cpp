@@ -14,8 +14,6 @@
 #include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 
-#include <gtest/gtest.h>
-
 namespace {
 
 namespace PN = CGAL::PN_subdivision_3;

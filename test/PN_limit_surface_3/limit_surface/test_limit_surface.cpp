@@ -14,7 +14,6 @@
 #include "Surface_checks.h"
 #include "support/Options.h"
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/PN_limit_surface_3/Limit_surface.h>
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
@@ -26,10 +25,6 @@
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
 
 namespace {
 

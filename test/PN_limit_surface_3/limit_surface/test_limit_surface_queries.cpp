@@ -14,8 +14,6 @@
 
 #include <CGAL/PN_limit_surface_3/Limit_surface_queries.h>
 
-#include <gtest/gtest.h>
-
 namespace {
 
 namespace PN = CGAL::PN_subdivision_3;

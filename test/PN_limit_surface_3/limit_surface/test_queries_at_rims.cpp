@@ -18,16 +18,6 @@
 
 #include <CGAL/PN_limit_surface_3/Limit_surface_queries.h>
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
-#include <CGAL/boost/graph/helpers.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <stdexcept>
-#include <string>
 
 namespace {
 

@@ -21,16 +21,6 @@
 #include <CGAL/PN_subdivision_3/schemes/Transfer_schemes.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/subdivide.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <type_traits>
-#include <vector>
 
 using namespace pieces_cases;
 

@@ -15,12 +15,6 @@
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_limit_surface_3/tessellate.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/number_utils.h>
-
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace {
 

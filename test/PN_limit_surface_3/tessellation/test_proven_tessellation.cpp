@@ -18,10 +18,6 @@
 #include <CGAL/PN_limit_surface_3/tessellate.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 
-#include <gtest/gtest.h>
-
-#include <string>
-
 namespace {
 
 namespace PN = CGAL::PN_subdivision_3;

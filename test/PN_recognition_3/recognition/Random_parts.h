@@ -59,8 +59,7 @@ public:
 
   const Part& part() const { return part_; }
   Family family() const { return family_; }
-  int facets() const { return n_; } // a turn
-  bool is_uneven() const { return unevenness_ > 0; }
+  int facets() const { return n_; }                       // a turn
   bool is_small_prism() const { return is_small_prism_; } // prisms and pyramids of 3 to 7 sides
 
 private:

@@ -25,6 +25,18 @@ inline Part turned_part(const std::string& name, const Chain& profile, int n,
   return b.take();
 }
 
+// from the plane z = 0 up, with flat ends
+inline Part straight_part(const std::string& name, unsigned seed, const Chain& outline,
+                          double height)
+{
+  Random random(seed);
+  Part_builder b(name, random);
+  const auto side = b.sweep(outline, Chain(0, 0).line_to(0, height));
+  b.cap({side.start});
+  b.cap({side.end});
+  return b.take();
+}
+
 // the end of the sphere is a plane, all corners of which are on the sphere
 inline Part zone_of_a_sphere(int n, bool are_triangles)
 {
@@ -63,13 +75,8 @@ inline Part geodesic_ball(int splits)
 // `flat`: length of the face between two fillets of three facets each
 inline Part narrow_plate(double flat, int facets)
 {
-  Random random(6);
-  Part_builder b("narrow plate", random);
-  const auto side = b.sweep(rounded_rectangle(0, 0, 3, 0.8 + flat, 0.4, steps(facets)),
-                            Chain(0, 0).line_to(0, 0.7));
-  b.cap({side.start});
-  b.cap({side.end});
-  return b.take();
+  return straight_part("narrow plate", 6,
+                       rounded_rectangle(0, 0, 3, 0.8 + flat, 0.4, steps(facets)), 0.7);
 }
 
 // cut off by a plane
@@ -102,22 +109,15 @@ inline Part oblique_cylinder(int n, double slope)
 // In a plate: half a hexagon, its left side going on in a wall.
 inline Part open_nut_trap()
 {
-  Random random(7);
-  Part_builder b("open nut trap", random);
   const double s = std::sqrt(0.75);
   const Chain outline = polygon(
     {{-2, -2}, {2.5, -2}, {2.5, 0}, {1, 0}, {0.5, -s}, {-0.5, -s}, {-1, 0}, {-1, 1.5}, {-2, 1.5}});
-  const auto side = b.sweep(outline, Chain(0, 0).line_to(0, 1));
-  b.cap({side.start});
-  b.cap({side.end});
-  return b.take();
+  return straight_part("open nut trap", 7, outline, 1);
 }
 
 // half a turn of three facets, both walls tangent
 inline Part open_slot()
 {
-  Random random(8);
-  Part_builder b("open slot", random);
   const Chain outline = Chain(-2, -2)
                           .line_to(2.5, -2)
                           .line_to(2.5, 1.5)
@@ -128,23 +128,15 @@ inline Part open_slot()
                           .line_to(-2, 1.5)
                           .line_to(-2, -2)
                           .close();
-  const auto side = b.sweep(outline, Chain(0, 0).line_to(0, 1));
-  b.cap({side.start});
-  b.cap({side.end});
-  return b.take();
+  return straight_part("open slot", 8, outline, 1);
 }
 
 // The flat's corners are on the cylinder.
 inline Part shaft_with_flat(int n, double chord)
 {
-  Random random(11);
-  Part_builder b("shaft with a flat", random);
   const int facets = static_cast<int>(std::lround(n * (360 - chord) / 360));
   const Chain outline = Chain(1, 0).arc(0, 0, 360 - chord, steps(facets)).line_to(1, 0).close();
-  const auto side = b.sweep(outline, Chain(0, 0).line_to(0, 2));
-  b.cap({side.start});
-  b.cap({side.end});
-  return b.take();
+  return straight_part("shaft with a flat", 11, outline, 2);
 }
 
 // The disc at its end is tangent to the fillet.

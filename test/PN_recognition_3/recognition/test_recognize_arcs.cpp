@@ -12,10 +12,8 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/PN_recognition_3/recognize_arcs.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <stdexcept>
 
 using namespace curve_cases;
 

@@ -72,8 +72,6 @@ std::vector<Part> parts()
   return {bolt(8, 24), rounded_box({3, 2, 1.5}, 0.3, steps(4), steps(4), random), shaft(24, 6)};
 }
 
-} // namespace
-
 TEST(Recognize_meshes, exact_points)
 {
   for (const Part& part : parts()) {
@@ -219,8 +217,6 @@ TEST(Recognize_meshes, parameters_that_make_no_sense)
   for (const auto f : mesh.faces()) EXPECT_EQ(patches[f], -7);
 }
 
-namespace {
-
 // of a surface at a point of it, outward or inward; 0 at the apex
 Vec normal_of(const True_surface& s, const Vec& p)
 {
@@ -253,8 +249,6 @@ Vec side_of(const Part& part, std::size_t face)
     n = n + cross(part.points[f[i - 1]] - part.points[f[0]], part.points[f[i]] - part.points[f[0]]);
   return n;
 }
-
-} // namespace
 
 TEST(Recognize_meshes, apexes_of_cones_are_corners)
 {
@@ -299,3 +293,5 @@ TEST(Recognize_meshes, corner_normals)
       }
   }
 }
+
+} // namespace

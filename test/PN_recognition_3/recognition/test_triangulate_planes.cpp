@@ -20,7 +20,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
 #include <map>
 #include <set>
 #include <stdexcept>

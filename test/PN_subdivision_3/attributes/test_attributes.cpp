@@ -15,7 +15,6 @@
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
-#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
@@ -28,20 +27,13 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <Eigen/Core>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <map>
 #include <set>
-#include <string>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
@@ -87,8 +79,6 @@ double linear_function(const Kernel::Point_3& p)
 {
   return 0.3 * p.x() - 0.7 * p.y() + 1.1 * p.z() + 0.1;
 }
-
-} // namespace
 
 TEST(Attributes, ConstantsKeepTheirBits)
 {
@@ -218,8 +208,6 @@ TEST(Attributes, FacesAndEdgesInherit)
 
 // \name Charts
 
-namespace {
-
 using Uv = std::array<double, 2>;
 
 // a value for each corner of a soup: by face and position in the face
@@ -332,8 +320,6 @@ std::multiset<std::vector<std::pair<long, long>>> polygons(const Mesh& mesh, con
   return result;
 }
 
-} // namespace
-
 template <class Scheme>
 class Chart_attributes : public ::testing::Test
 {};
@@ -419,8 +405,6 @@ TYPED_TEST(Chart_attributes, AreLinearInsideFacesIfAskedFor)
 
 // \name Labels and directions
 
-namespace {
-
 enum class Label { none, red, blue };
 
 template <class Scheme>
@@ -453,8 +437,6 @@ struct Flat_torus
   }
   Soup soup;
 };
-
-} // namespace
 
 // Every vertex is as near to no other control vertex in its control face, where corners are carried linearly: in the plane of a
 // regular polygon. Doo-Sabin and sqrt(3) subdivision keep no edges; there values are those of the faces' corners.
@@ -586,8 +568,6 @@ TEST(Attributes, DirectionsAreUnitVectors)
 
 // \name Tables, threads
 
-namespace {
-
 struct Results
 {
   std::vector<double> scalar, color;
@@ -681,8 +661,6 @@ Results by_table(const Charts& c, const Mesh& control, unsigned extra = 0,
   for (std::uint32_t p : table.face_parents) r.parent.push_back(int(p));
   return r;
 }
-
-} // namespace
 
 TEST(Attributes, AreTheSameInTablesAndByThreads)
 {
@@ -795,8 +773,6 @@ TEST(Attributes, OfCornersWithoutSeamsAreThoseOfVertices)
 
 // \name Failures
 
-namespace {
-
 struct Failure
 {};
 
@@ -813,8 +789,6 @@ struct Fragile
   static long left;
 };
 long Fragile::left = 0;
-
-} // namespace
 
 TEST(Attributes, ThatThrowLeaveEverythingAsItWas)
 {
@@ -844,3 +818,5 @@ TEST(Attributes, ThatThrowLeaveEverythingAsItWas)
     for (auto h : mesh.halfedges()) EXPECT_EQ(uv[h], uv_before[h]);
   }
 }
+
+} // namespace

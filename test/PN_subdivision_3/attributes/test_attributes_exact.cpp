@@ -10,12 +10,12 @@
 // scheme, on creases too.
 
 #include "Mesh_cases.h"
+#include "Random_creases.h"
 #include "support/Exact_rational.h"
 
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
@@ -24,12 +24,6 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <map>
-#include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
@@ -59,8 +53,6 @@ Soup with_isolated_vertex(Soup soup)
   soup.points.push_back({7, 7, 7});
   return soup;
 }
-
-} // namespace
 
 template <class Scheme>
 class Exact_attributes : public ::testing::Test
@@ -115,34 +107,12 @@ TYPED_TEST(Exact_attributes, LinearFunctionsStay)
   }
 }
 
-namespace {
-
 // a cube of 2 x 2 quads a side
 Soup box()
 {
-  Soup soup;
-  std::map<std::array<int, 3>, std::size_t> index;
-  const auto vertex = [&](std::array<int, 3> p) {
-    const auto [it, is_new] = index.try_emplace(p, soup.points.size());
-    if (is_new) soup.points.push_back({double(p[0]), double(p[1]), double(p[2])});
-    return it->second;
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (int side : {0, 2})
-      for (int i : {0, 1})
-        for (int j : {0, 1}) {
-          Polygon f;
-          for (const auto& [a, b] :
-               std::array<std::array<int, 2>, 4>{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}) {
-            std::array<int, 3> p{};
-            p[axis] = side;
-            p[(axis + 1) % 3] = i + a;
-            p[(axis + 2) % 3] = j + b;
-            f.push_back(vertex(p));
-          }
-          if (side == 0) std::reverse(f.begin(), f.end());
-          soup.faces.push_back(f);
-        }
+  const auto control = random_creases::box();
+  Soup soup{control.points, {}};
+  for (const auto& f : control.faces) soup.faces.emplace_back(f.begin(), f.end());
   return soup;
 }
 
@@ -153,8 +123,6 @@ Soup triangulated(const Soup& soup)
     for (std::size_t i = 2; i < f.size(); ++i) result.faces.push_back({f[0], f[i - 1], f[i]});
   return result;
 }
-
-} // namespace
 
 template <class Scheme>
 class Creased_attributes : public ::testing::Test
@@ -282,3 +250,5 @@ TEST(Exact_attributes_of_a_polyhedron, InMapsOfTheirOwn)
     EXPECT_EQ(get(x, v), CGAL::to_double(v->point().x()));
   }
 }
+
+} // namespace

@@ -22,16 +22,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <string>
-#include <tuple>
-#include <vector>
-
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
 using namespace mesh_cases;
@@ -294,8 +284,6 @@ Elements composed(const Elements& second, const Parents& first)
   return result;
 }
 
-} // namespace
-
 TEST(Parents, ChildrenLieInThemInQuads)
 {
   for (unsigned rounds : {1u, 2u, 3u}) {
@@ -478,7 +466,6 @@ TYPED_TEST(Parents_of, AreTheSameForAllMeshes)
   }
 }
 
-namespace {
 struct Face_counter
 {
   std::vector<int>* children; // of the control faces
@@ -489,8 +476,6 @@ struct Face_counter
     ++children->at(parent.index);
   }
 };
-} // namespace
-
 // A visitor has the members that it needs, and is told after the mesh has been made.
 TEST(Parents, VisitorsHaveWhatTheyNeed)
 {
@@ -542,3 +527,5 @@ TEST(Parents, MapsSayWhatVisitorsAreTold)
   for (auto v : mesh.vertices()) EXPECT_EQ(vertex[v], expected.vertices[v.idx()]);
   for (auto e : mesh.edges()) EXPECT_EQ(edge[e], expected.edges[e.idx()]);
 }
+
+} // namespace

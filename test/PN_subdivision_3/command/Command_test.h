@@ -15,7 +15,9 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <string>
+#include <map>
+#include <sstream>
+#include <vector>
 #ifdef __unix__
 #  include <chrono>
 #  include <csignal>
@@ -38,6 +40,14 @@ inline pid_t start_command(const std::string& arguments, const std::string& befo
 }
 #endif
 
+inline void expect_part(const std::string& text, const std::string& part)
+{
+  EXPECT_NE(text.find(part), std::string::npos) << text << "\nlacks: " << part;
+}
+inline void expect_no_part(const std::string& text, const std::string& part)
+{
+  EXPECT_EQ(text.find(part), std::string::npos) << text << "\nhas: " << part;
+}
 // The command run as a program.
 class Command_test : public testing::Test
 {
@@ -47,6 +57,7 @@ protected:
     int code;
     std::string out, err;
   };
+  using Values_by_name = std::map<std::string, std::vector<double>>;
 
   Outcome run(const std::string& arguments, const std::string& before = "") const
   {
@@ -59,6 +70,59 @@ protected:
     const int code = status;
 #endif
     return {code, Temporary_folder::content(out), Temporary_folder::content(err)};
+  }
+
+  // names without a folder are those of files of the user's
+  std::string path(const std::string& name) const
+  {
+    return name.find('/') == std::string::npos ? folder.file(name) : name;
+  }
+  std::string content(const std::string& name) const
+  {
+    return Temporary_folder::content(path(name));
+  }
+  // the columns of the vertices of a text PLY, read without the command's own reader
+  Values_by_name columns_of(const std::string& file) const
+  {
+    std::istringstream in(content(file));
+    std::vector<std::string> names;
+    std::size_t vertices = 0;
+    for (std::string line; std::getline(in, line) && line != "end_header";) {
+      std::istringstream words(line);
+      std::string word, type, name;
+      words >> word >> type >> name;
+      if (word == "element" && type == "vertex") vertices = std::stoul(name);
+      if (word == "property" && type != "list") names.push_back(name);
+    }
+    Values_by_name columns;
+    for (std::size_t v = 0; v < vertices; ++v)
+      for (const std::string& name : names) {
+        double x = 0;
+        EXPECT_TRUE(in >> x);
+        columns[name].push_back(x);
+      }
+    return columns;
+  }
+  static std::string data(const std::string& name)
+  {
+    return PN_DATA_DIR "/" + name;
+  }
+
+  Outcome surface(const std::string& input, const std::string& output,
+                  const std::string& options = "") const
+  {
+    return run("surface '" + path(input) + "' '" + path(output) + "' " + options);
+  }
+  Outcome curve(const std::string& input, const std::string& output,
+                const std::string& options = "") const
+  {
+    return run("curve '" + path(input) + "' '" + path(output) + "' " + options);
+  }
+  // of a call that succeeds
+  static Outcome done(const Outcome& outcome)
+  {
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome;
   }
 
 #ifdef __unix__
@@ -84,7 +148,7 @@ protected:
     EXPECT_EQ(outcome.code, code) << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_EQ(outcome.err.rfind("pn_subdivide: ", 0), 0u) << outcome.err;
-    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err << "lacks: " << part;
+    expect_part(outcome.err, part);
     EXPECT_EQ(outcome.out, "");
   }
 

@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Parts of known planes and cylinders, and their files.
@@ -86,6 +87,18 @@ struct Part
     }
     return s.str();
   }
+  std::string obj() const
+  {
+    std::ostringstream s;
+    s.precision(17);
+    for (const Triple& p : points) s << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
+    for (const auto& f : faces) {
+      s << "f";
+      for (const std::size_t v : f) s << ' ' << v + 1;
+      s << "\n";
+    }
+    return s.str();
+  }
   // every triangle has corners of its own, which are off by a unit in the last place here and there
   std::string stl() const
   {
@@ -115,6 +128,50 @@ inline Triple on_circle(double radius, double degrees, double z)
 {
   const double angle = degrees * 3.14159265358979323846 / 180;
   return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+
+inline Part triangulated(Part part)
+{
+  part.triangulate();
+  return part;
+}
+
+// The boundary of a box, each side in m x m quads.
+inline Part box_of_squares(int m, const Triple& low, const Triple& size)
+{
+  Part part;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const int end : {0, 1})
+      for (int i = 0; i < m; ++i)
+        for (int j = 0; j < m; ++j) {
+          std::vector<Triple> face;
+          for (const auto& [a, b] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+            Triple p{};
+            p[axis] = end;
+            p[(axis + 1) % 3] = double(i + (end == 1 ? a : b)) / m;
+            p[(axis + 2) % 3] = double(j + (end == 1 ? b : a)) / m;
+            for (std::size_t k = 0; k < 3; ++k) p[k] = low[k] + size[k] * p[k];
+            face.push_back(p);
+          }
+          part.add(face);
+        }
+  return part;
+}
+
+// A ball of 12 meridians and 6 parallels, with poles: the point of two of them is a function.
+template <class Point>
+Part ball_of(const Point& point)
+{
+  Part ball;
+  for (int i = 0; i < 12; ++i)
+    for (int j = 0; j < 6; ++j)
+      if (j == 0)
+        ball.add({point(0, 0), point(i + 1, 1), point(i, 1)});
+      else if (j == 5)
+        ball.add({point(i, 5), point(i + 1, 5), point(0, 6)});
+      else
+        ball.add({point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
+  return ball;
 }
 
 // A square plate of width 4 and height 1 with a hole of radius 1, whose 24 sides are rows of quads.

@@ -11,14 +11,9 @@
 
 #include "Command_test.h"
 
-#include <gtest/gtest.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <string>
-#include <vector>
 
 // the numbers of an array of a VTP file with raw data
 template <class T>
@@ -74,14 +69,9 @@ protected:
            "' '" + folder.file(out) + "' --quiet --scheme " + scheme + " ";
   }
 
-  std::string content(const std::string& name) const
-  {
-    return Temporary_folder::content(folder.file(name));
-  }
-
   std::string whole(const std::string& scheme, const std::string& options)
   {
-    EXPECT_EQ(run(in_out(scheme, "whole.ply") + options).code, 0);
+    done(run(in_out(scheme, "whole.ply") + options));
     return content("whole.ply");
   }
 
@@ -90,8 +80,7 @@ protected:
   {
     const std::string expected = whole(scheme, options);
     std::filesystem::remove(folder.file("out.ply"));
-    const Outcome outcome = run(in_out(scheme, "out.ply") + options + " " + more, before);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome = done(run(in_out(scheme, "out.ply") + options + " " + more, before));
     EXPECT_EQ(outcome.err, "");
     EXPECT_TRUE(content("out.ply") == expected) << scheme << " " << options << " " << more;
     EXPECT_EQ(folder.number_of_files(), 4u); // the two controls and the two results
@@ -100,8 +89,7 @@ protected:
   void expect_whole_with_warning(const std::string& scheme, const std::string& options)
   {
     const std::string expected = whole(scheme, options);
-    const Outcome outcome = run(in_out(scheme, "out.ply") + options + " --pieces 7");
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    done(run(in_out(scheme, "out.ply") + options + " --pieces 7"));
     EXPECT_TRUE(content("out.ply") == expected) << scheme << " " << options;
   }
 };

@@ -13,17 +13,13 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <set>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace pn_subdivide {
 
@@ -139,6 +135,43 @@ inline void expect_same_but_for_numbers(const Mesh_data& expected, const Mesh_da
   Mesh_comparison(expected, mesh)();
 }
 
+// Has every edge two faces that run along it the other way round?
+inline bool is_watertight(const Mesh_data& mesh)
+{
+  std::set<std::pair<std::size_t, std::size_t>> sides;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto face = mesh.face(f);
+    for (auto v = face.begin(); v != face.end(); ++v)
+      if (!sides.insert({*v, v + 1 == face.end() ? *face.begin() : *(v + 1)}).second) return false;
+  }
+  return std::all_of(sides.begin(), sides.end(), [&](const auto& side) {
+    return sides.count({side.second, side.first}) == 1;
+  });
+}
+
+// of the faces from `begin` to `end`
+inline double volume(const Mesh_data& mesh, std::size_t begin, std::size_t end)
+{
+  double sum = 0;
+  const Triple& o = mesh.points[mesh.face(begin).front()];
+  for (std::size_t f = begin; f < end; ++f) {
+    const auto seen = [&](std::ptrdiff_t i) {
+      const Triple& p = mesh.points[mesh.face(f)[i]];
+      return Triple{p[0] - o[0], p[1] - o[1], p[2] - o[2]};
+    };
+    for (std::ptrdiff_t i = 2; i < std::ptrdiff_t(mesh.face(f).size()); ++i) {
+      const Triple a = seen(0), b = seen(i - 1), c = seen(i);
+      sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+             a[2] * (b[0] * c[1] - b[1] * c[0]);
+    }
+  }
+  return sum / 6;
+}
+inline double volume(const Mesh_data& mesh)
+{
+  return volume(mesh, 0, mesh.number_of_faces());
+}
+
 // Files of the test's folder, refined by the command.
 class Refined_files : public Command_test
 {
@@ -164,6 +197,9 @@ protected:
     written(input, output, options);
     return read_mesh(folder.file(output));
   }
+
+  nlohmann::json report() const { return nlohmann::json::parse(content("r.json")); }
+  std::string reported() const { return " --report '" + folder.file("r.json") + "' "; }
 };
 
 } // namespace pn_subdivide

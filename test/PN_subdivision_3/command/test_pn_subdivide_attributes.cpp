@@ -18,15 +18,9 @@
 #include "io/mesh_io.h"
 #include "io/soup_repair.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <limits>
-#include <random>
-#include <type_traits>
 
 using namespace pn_subdivide;
 
@@ -122,7 +116,7 @@ protected:
       const std::string message = e.what();
       EXPECT_EQ(message.rfind(file + ": ", 0), 0u) << message;
       EXPECT_NE(message.find(part), std::string::npos) << message << "\nlacks: " << part;
-      EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+      expect_no_part(message, "\n");
     }
   }
 
@@ -144,8 +138,6 @@ const std::string obj =
   "f 1/4 3/-1 4/5\n"
   "usemtl red\ns off\n"
   "f 1 4 5\n";
-
-} // namespace
 
 // --- OBJ ---
 
@@ -182,10 +174,9 @@ TEST_F(Pn_subdivide_attributes, ObjComesBackFromObjAndPlyAsItWas)
   }
   write_mesh(folder.file("b.obj"), mesh, Encoding::text);
   const std::string text = Temporary_folder::content(folder.file("b.obj"));
-  EXPECT_NE(
-    text.find("\no thing\nf 1/1 2/2 3/3\ng left upper\nusemtl wood #2\ns 1\nf 1/4 3/5 4/6\n"),
-    std::string::npos)
-    << text; // texture points are written once a vertex
+  expect_part(
+    text,
+    "\no thing\nf 1/1 2/2 3/3\ng left upper\nusemtl wood #2\ns 1\nf 1/4 3/5 4/6\n"); // texture points are written once a vertex
 }
 
 TEST_F(Pn_subdivide_attributes, ObjStatementsOfEveryKind)
@@ -262,8 +253,6 @@ TEST_F(Pn_subdivide_attributes, ObjDamage)
 
 // --- PLY ---
 
-namespace {
-
 // Every type at vertices and faces, and lists of texture coordinates, one of them empty.
 std::string ply_with_every_type(const std::string& format, bool with_texture = true)
 {
@@ -332,8 +321,6 @@ void expect_every_type(const Attributes& a)
   EXPECT_TRUE(std::all_of(a.texture.begin() + 3, a.texture.end(), is_none));
 }
 
-} // namespace
-
 TEST_F(Pn_subdivide_attributes, PlyOfEveryTypeAndByteOrder)
 {
   std::string text = ply_with_every_type("ascii");
@@ -364,13 +351,9 @@ TEST_F(Pn_subdivide_attributes, PlyOfEveryTypeAndByteOrder)
   }
 }
 
-namespace {
-
 const std::string ply_head = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
                              "property float y\nproperty float z\n";
 const std::string ply_faces = "element face 1\nproperty list uchar int vertex_indices\n";
-
-} // namespace
 
 TEST_F(Pn_subdivide_attributes, PlyKeepsWhatIsNotANumber)
 {
@@ -594,7 +577,7 @@ TEST_F(Pn_subdivide_attributes, VtpTextHoldsArraysAndWords)
         "<Array type=\"String\" Name=\"material\" NumberOfTuples=\"2\" format=\"ascii\">\n"
         "119 111 111 100 32 35 50 0\n114 101 100 0\n"})
     EXPECT_NE(s.find(part), std::string::npos) << part << "\n" << s;
-  EXPECT_EQ(s.find("TCoords"), std::string::npos);
+  expect_no_part(s, "TCoords");
   EXPECT_LT(s.find("</FieldData>"), s.find("<Piece"));
 }
 
@@ -623,15 +606,11 @@ TEST_F(Pn_subdivide_attributes, FileNamesFollowTheOutput)
 
 // --- vertices of their own on both sides of seams ---
 
-namespace {
-
 // Two squares that are apart, with the same texture coordinates and a seam across each; one face has none.
 const std::string two_squares =
   "v 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 6 1 0\nv 5 1 0\n"
   "vt 0 0\nvt 6 0\nvt 6 6\nvt 0.1 0\nvt 0.9 1\nvt 0 -1\n"
   "f 1/1 2/2 3/3\nf 1/4 3/5 4/6\nf 5/1 6/2 7/3\nf 5/4 7/5 8/6\n";
-
-} // namespace
 
 TEST_F(Pn_subdivide_attributes, SeamsAreSplit)
 {
@@ -676,8 +655,6 @@ TEST_F(Pn_subdivide_attributes, SeamsAreSplit)
 
 // --- repair, merged points, split faces ---
 
-namespace {
-
 // Face k has 'id' 10 k, and its i-th corner has the texture point (k, i); vertex v has 'w' v / 2.
 Mesh_data marked_soup(const std::vector<Triple>& points, const std::vector<std::vector<int>>& faces)
 {
@@ -714,8 +691,6 @@ void expect_marks_follow(const Mesh_data& mesh, const std::vector<std::vector<in
       EXPECT_EQ(old_faces[std::size_t(t[0])][std::size_t(t[1])], originals[v]);
     }
 }
-
-} // namespace
 
 TEST_F(Pn_subdivide_attributes, RepairCarriesThem)
 {
@@ -764,8 +739,6 @@ TEST_F(Pn_subdivide_attributes, MergedPoints)
 
 // --- damaged files ---
 
-namespace {
-
 bool are_consistent(const Mesh_data& mesh)
 {
   const Attributes& a = mesh.attributes;
@@ -777,8 +750,6 @@ bool are_consistent(const Mesh_data& mesh)
          all_have(a.of_faces, mesh.number_of_faces()) &&
          (a.texture.empty() || a.texture.size() == mesh.number_of_corners());
 }
-
-} // namespace
 
 // Whatever is in a file, it is read or refused by one line, and what is read can be written.
 TEST_F(Pn_subdivide_attributes, DamagedFilesAreReadOrRefused)
@@ -822,29 +793,16 @@ TEST_F(Pn_subdivide_attributes, DamagedFilesAreReadOrRefused)
 
 // --- the command ---
 
-namespace {
-
 class Pn_subdivide_carries : public Command_test
 {
 protected:
-  Outcome surface(const std::string& input, const std::string& output,
-                  const std::string& options = "") const
-  {
-    return run("surface '" + input + "' '" + output + "' " + options);
-  }
-
   // The mesh of the output, which is a PLY file.
   Mesh_data refined(const std::string& input, const std::string& options,
                     const std::string& name = "refined.ply") const
   {
-    const std::string output = folder.file(name);
-    const Outcome outcome = surface(input, output, "--quiet " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "");
-    return read_mesh(output);
+    EXPECT_EQ(done(surface(input, name, "--quiet " + options)).err, "");
+    return read_mesh(folder.file(name));
   }
-
-  static std::string data(const std::string& name) { return PN_DATA_DIR "/" + name; }
 };
 
 // A patch of 4 x 3 quads over the plane, each split in two if triangles are wanted, with a constant,
@@ -904,8 +862,6 @@ double texture_area(const Mesh_data& mesh)
   return area;
 }
 
-} // namespace
-
 TEST_F(Pn_subdivide_carries, NoRoundKeepsEveryBit)
 {
   const std::string input = folder.write("a.obj", obj);
@@ -915,8 +871,7 @@ TEST_F(Pn_subdivide_carries, NoRoundKeepsEveryBit)
   for (const auto& [from, output] : {std::pair(input, "b.obj"), std::pair(of_ply, "b.ply")})
     for (const char* options : {"", " --ascii", " --normals none"}) {
       const Outcome outcome =
-        surface(from, folder.file(output), std::string("--quiet --levels 0") + options);
-      EXPECT_EQ(outcome.code, 0);
+        done(surface(from, folder.file(output), std::string("--quiet --levels 0") + options));
       EXPECT_EQ(outcome.err, "");
       expect_same(read_mesh(folder.file(output)).attributes, attributes);
     }
@@ -1074,12 +1029,12 @@ TEST_F(Pn_subdivide_carries, WhatIsLostIsSaidOnce)
               ": not written, off files cannot hold it: texture coordinates, objects, groups, "
               "materials, smoothing groups and names of material files\n");
   EXPECT_EQ(surface(input, off, "--quiet --levels 0 --drop-attributes").err, "");
-  EXPECT_EQ(surface(input, folder.file("b.ply"), "--quiet --drop-attributes").err, "");
+  EXPECT_EQ(surface(input, "b.ply", "--quiet --drop-attributes").err, "");
   EXPECT_TRUE(read_mesh(folder.file("b.ply")).attributes.empty());
 
   // a seam would tear where edges are not kept
   for (const std::string scheme : {"doo-sabin", "sqrt3"}) {
-    const Outcome outcome = surface(input, folder.file("b.ply"), "--quiet --scheme " + scheme);
+    const Outcome outcome = surface(input, "b.ply", "--quiet --scheme " + scheme);
     EXPECT_EQ(outcome.err, "warning: " + input +
                              ": not carried over to the result: texture coordinates, because they "
                              "have seams and " +
@@ -1089,13 +1044,11 @@ TEST_F(Pn_subdivide_carries, WhatIsLostIsSaidOnce)
     EXPECT_EQ(find_column(a.of_faces, "material")->words.size(), 2u);
   }
   const Outcome labels =
-    surface(folder.write("a.ply", ply_head + "property short label\n" + ply_faces +
-                                    "end_header\n0 0 0 1\n1 0 0 2\n0 1 0 4\n3 0 1 2\n"),
-            folder.file("b.ply"));
-  EXPECT_EQ(labels.code, 0);
-  EXPECT_NE(
-    labels.err.find("whole numbers of vertices are those of the nearest control vertex: 'label'"),
-    std::string::npos);
+    done(surface(folder.write("a.ply", ply_head + "property short label\n" + ply_faces +
+                                         "end_header\n0 0 0 1\n1 0 0 2\n0 1 0 4\n3 0 1 2\n"),
+                 folder.file("b.ply")));
+  expect_part(labels.err,
+              "whole numbers of vertices are those of the nearest control vertex: 'label'");
 }
 
 TEST_F(Pn_subdivide_carries, LabelsAndDirections)
@@ -1148,8 +1101,8 @@ TEST_F(Pn_subdivide_carries, SeamsAreSplitInVtpAndWhereItIsAskedFor)
   const std::string vtp = folder.file("b.vtp"), ply = folder.file("b.ply");
   EXPECT_EQ(surface(input, vtp, "--quiet --levels 0 --ascii").err, "");
   const std::string text = Temporary_folder::content(vtp);
-  EXPECT_NE(text.find("NumberOfPoints=\"12\""), std::string::npos);
-  EXPECT_NE(text.find("Name=\"TCoords\""), std::string::npos);
+  expect_part(text, "NumberOfPoints=\"12\"");
+  expect_part(text, "Name=\"TCoords\"");
   EXPECT_EQ(surface(input, ply, "--quiet --levels 0").err, "");
   EXPECT_EQ(read_mesh(ply).points.size(), 8u);
   EXPECT_EQ(surface(input, ply, "--quiet --levels 0 --split-seams").err, "");
@@ -1158,8 +1111,7 @@ TEST_F(Pn_subdivide_carries, SeamsAreSplitInVtpAndWhereItIsAskedFor)
   EXPECT_TRUE(mesh.attributes.texture.empty());
   EXPECT_EQ(values(mesh.attributes.of_vertices, "texture_v"),
             (Numbers{0, 0, 6, -1, 0, 0, 6, -1, 0, 1, 0, 1}));
-  expect_one_line(surface(input, folder.file("b.off"), "--split-seams"), 2,
-                  "--split-seams is for .ply");
+  expect_one_line(surface(input, "b.off", "--split-seams"), 2, "--split-seams is for .ply");
   for (const char* const other :
        {"--pieces 2", "--output-normals both", "--write-tags x.selection.txt"})
     expect_one_line(surface(input, ply, std::string("--split-seams ") + other), 2, "--split-seams");
@@ -1193,7 +1145,7 @@ TEST_F(Pn_subdivide_carries, BadAttributesFailWithOneLineAndLeaveTheOutput)
     const std::string input = folder.write("a.obj", points + rest);
     expect_one_line(surface(input, output), 1, "line 5: ");
     EXPECT_EQ(Temporary_folder::content(output), "old");
-    EXPECT_EQ(surface(input, folder.file("p.ply"), "--drop-attributes").code, 0);
+    done(surface(input, "p.ply", "--drop-attributes"));
   }
 }
 
@@ -1201,7 +1153,7 @@ TEST_F(Pn_subdivide_carries, MaterialFilesAreFoundFromTheOutput)
 {
   std::filesystem::create_directories(folder.file("deep/er"));
   const std::string input = folder.write("a.obj", obj), output = folder.file("deep/er/b.obj");
-  ASSERT_EQ(surface(input, output, "--levels 0").code, 0);
+  done(surface(input, output, "--levels 0"));
   EXPECT_EQ(read_mesh(output).attributes.material_files[0], "../../house.mtl");
 }
 
@@ -1226,9 +1178,11 @@ TEST_F(Pn_subdivide_carries, SplitFacesAndMergedPoints)
   const std::string twice = folder.write(
     "a.off", "COFF\n4 2 0\n0 0 0 1 1 1\n1 0 0 2 2 2\n0 1 0 3 3 3\n0 0 0 9 1 1\n3 0 1 2\n3 3 2 1\n");
   const Outcome outcome =
-    surface(twice, folder.file("b.off"), "--quiet --levels 0 --merge-points --normals none");
+    surface(twice, "b.off", "--quiet --levels 0 --merge-points --normals none");
   EXPECT_EQ(outcome.err,
             "warning: " + twice +
               ": merged vertices had different values of 'red'; those of the first are "
               "kept\n");
 }
+
+} // namespace

@@ -11,20 +11,12 @@
 
 #include "Command_test.h"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <map>
-#include <random>
-#include <sstream>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace {
 
@@ -150,32 +142,20 @@ protected:
                     const std::string& name = "o.obj") const
   {
     const std::string output = folder.file(name), plain = folder.file("plain." + name);
-    const Outcome expected = run(words(input, plain) + options);
-    const Outcome outcome = run(words(input, output) + options + " --check");
-    EXPECT_EQ(expected.code, 0) << expected.err;
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(Temporary_folder::content(output), Temporary_folder::content(plain));
+    done(run(words(input, plain) + options));
+    const Outcome outcome = done(run(words(input, output) + options + " --check"));
+    EXPECT_EQ(content(output), content(plain));
     return outcome.out;
   }
 
   std::string closing_line(const std::string& input, const std::string& options) const
   {
-    const Outcome outcome = run(words(input, folder.file("closing.ply")) + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err.find("warning: "), std::string::npos) << outcome.err;
+    const Outcome outcome = done(run(words(input, folder.file("closing.ply")) + options));
+    expect_no_part(outcome.err, "warning: ");
     EXPECT_EQ(outcome.out, "");
     return outcome.err;
   }
 };
-
-void expect_part(const std::string& text, const std::string& part)
-{
-  EXPECT_NE(text.find(part), std::string::npos) << text << "lacks: " << part;
-}
-void expect_no_part(const std::string& text, const std::string& part)
-{
-  EXPECT_EQ(text.find(part), std::string::npos) << text << "has: " << part;
-}
 
 // "a of x (linear b)" as the command says it
 std::string ratio_text(double volume, double linear)
@@ -204,9 +184,8 @@ TEST_F(Pn_subdivide_check, VolumesAndFoldsAreThoseOfTheFiles)
     SCOPED_TRACE(options);
     const std::string text = check(input, options), linear_file = folder.file("l.obj");
     const std::size_t normals = options.find(" --normals");
-    ASSERT_EQ(run(words(input, linear_file) + options.substr(0, normals) + " --linear").code, 0);
-    const Faces_of_file result(Temporary_folder::content(folder.file("o.obj"))),
-      linear(Temporary_folder::content(linear_file));
+    done(run(words(input, linear_file) + options.substr(0, normals) + " --linear"));
+    const Faces_of_file result(content("o.obj")), linear(Temporary_folder::content(linear_file));
     ASSERT_EQ(result.points.size(), linear.points.size());
     if (input == beam)
       expect_part(text, ratio_text(result.volume() / 80, linear.volume() / 80));
@@ -283,7 +262,7 @@ TEST_F(Pn_subdivide_check, DistancesAreFromTheControlMesh)
   for (const std::string options : {"--levels 2 --normals none", "--chord 0.01 --normals none"}) {
     const std::string text = check(cube, options);
     double largest = 0;
-    for (const Triple& p : Faces_of_file(Temporary_folder::content(folder.file("o.obj"))).points) {
+    for (const Triple& p : Faces_of_file(content("o.obj")).points) {
       const double outmost = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
       largest = (std::max)(largest, 1 - outmost);
     }
@@ -339,14 +318,12 @@ TEST_F(Pn_subdivide_check, LinesAreOnStandardOutput)
   const std::string text = check(beam, "--levels 2 --normals angle");
   EXPECT_EQ(text.rfind("check: volume ", 0), 0u) << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
-  const Outcome quiet =
-    run(words(beam, folder.file("q.ply")) + "--levels 2 --normals angle --check --quiet --strict");
-  EXPECT_EQ(quiet.code, 0);
+  const Outcome quiet = done(
+    run(words(beam, folder.file("q.ply")) + "--levels 2 --normals angle --check --quiet --strict"));
   EXPECT_EQ(quiet.out, text);
   EXPECT_EQ(quiet.err, "");
   const Outcome streams =
-    run("'" + beam + "' - --format obj --levels 2 --normals angle --check --quiet");
-  EXPECT_EQ(streams.code, 0);
+    done(run("'" + beam + "' - --format obj --levels 2 --normals angle --check --quiet"));
   EXPECT_EQ(streams.err, text);
   expect_no_part(streams.out, "check");
   // triangles of .stl are made of the faces that were compared
@@ -359,12 +336,11 @@ TEST_F(Pn_subdivide_check, TheReportHasTheNumbers)
                     wild = folder.write("wild.obj", plane(12, Normals::of_any_direction)),
                     file = work.file("r.json");
   const auto report = [&](const std::string& input, const std::string& options) {
-    EXPECT_EQ(run(words(input, folder.file("o.obj")) + options + " --report '" + file + "'").code,
-              0);
+    done(run(words(input, folder.file("o.obj")) + options + " --report '" + file + "'"));
     return nlohmann::json::parse(Temporary_folder::content(file)).at("check");
   };
   nlohmann::json json = report(beam, "--levels 3 --normals angle --check");
-  const Faces_of_file result(Temporary_folder::content(folder.file("o.obj")));
+  const Faces_of_file result(content("o.obj"));
   EXPECT_NEAR(json.at("volume"), result.volume() / 80, 1e-9);
   EXPECT_LT(json.at("linear_volume"), 0.5);
   EXPECT_EQ(json.at("edges_that_turn_by_40_degrees"), 12);
@@ -416,8 +392,7 @@ TEST_F(Pn_subdivide_check, TheClosingLineNamesEdgesThatTurn)
   for (const char* options : {"--linear", "--normals none", "--levels 0", "--sharp none",
                               "--sharp angle:40", "--sharp angle:95 --quiet", "--scheme doo-sabin",
                               "--normals sphere:0,0,0", "--interpolate points", "--quiet"}) {
-    const Outcome outcome = run(words(cube, folder.file("closing.ply")) + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome = done(run(words(cube, folder.file("closing.ply")) + options));
     expect_no_part(outcome.err, "40 degrees");
   }
   expect_no_part(closing_line(flat, "--levels 2"), "turn");

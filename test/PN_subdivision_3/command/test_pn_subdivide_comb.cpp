@@ -14,15 +14,9 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <sstream>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace {
 
@@ -103,10 +97,8 @@ protected:
   {
     SCOPED_TRACE(options);
     const std::string comb = folder.file("comb.svg");
-    const Outcome outcome =
-      run("curve '" + folder.write("polygon.txt", polygon) + "' '" + folder.file("curve.txt") +
-          "' --quiet --comb '" + comb + "' " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome = done(curve(folder.write("polygon.txt", polygon), "curve.txt",
+                                       "--quiet --comb '" + comb + "' " + options));
     EXPECT_EQ(outcome.out + outcome.err, "");
     Drawing drawing(comb);
     for (const char* name : {"polygon", "curve", "area", "teeth", "envelope", "normal", "head"})
@@ -202,13 +194,13 @@ TEST_F(Pn_subdivide_comb, SaysWhatItShows)
   EXPECT_EQ(drawn(wave, "--scheme 6-point --linear").svg.get("text", ""),
             "Linear 6-point, 1 round");
   const std::string style = drawn(wave, "--scheme chaikin").svg.get("style", "");
-  EXPECT_NE(style.find("prefers-color-scheme:dark"), std::string::npos);
+  expect_part(style, "prefers-color-scheme:dark");
 }
 
 TEST_F(Pn_subdivide_comb, ALongCurveMakesASmallDrawing)
 {
   drawn(wave, "--scheme bspline:3 --levels 14");
-  EXPECT_LT(Temporary_folder::content(folder.file("comb.svg")).size(), 60000u);
+  EXPECT_LT(content("comb.svg").size(), 60000u);
 }
 
 // Control points too are drawn no closer than they can be told apart.
@@ -222,7 +214,7 @@ TEST_F(Pn_subdivide_comb, ManyControlPointsMakeASmallDrawing)
     circle << x << ' ' << y << ' ' << x << ' ' << y << '\n';
   }
   drawn(circle.str(), "--scheme bspline:3 --closed --levels 1");
-  EXPECT_LT(Temporary_folder::content(folder.file("comb.svg")).size(), 800000u);
+  EXPECT_LT(content("comb.svg").size(), 800000u);
 }
 
 TEST_F(Pn_subdivide_comb, ADrawingThatCannotBeWrittenLeavesAllFilesAsTheyWere)
@@ -230,7 +222,7 @@ TEST_F(Pn_subdivide_comb, ADrawingThatCannotBeWrittenLeavesAllFilesAsTheyWere)
   const std::string input = folder.write("wave.txt", wave), output = folder.write("old.txt", "old");
   const std::string drawing = folder.write("old.svg", "old drawing");
   const auto run_with = [&](const std::string& comb, const std::string& options) {
-    return run("curve '" + input + "' '" + output + "' --comb '" + comb + "' " + options);
+    return curve(input, output, "--comb '" + comb + "' " + options);
   };
   expect_one_line(run_with(folder.file("no/comb.svg"), "--scheme chaikin"), 1, "no folder");
   expect_one_line(run_with(folder.file(""), "--scheme chaikin"), 1, "directory");

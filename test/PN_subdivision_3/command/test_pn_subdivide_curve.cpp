@@ -11,14 +11,8 @@
 
 #include "Command_test.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace {
 
@@ -90,12 +84,10 @@ protected:
   std::string refined(const std::string& polygon, const std::string& options) const
   {
     SCOPED_TRACE(options);
-    const std::string output = folder.file("curve.txt");
-    const Outcome outcome = run("curve '" + folder.write("polygon.txt", polygon) + "' '" + output +
-                                "' --quiet " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome =
+      done(curve(folder.write("polygon.txt", polygon), "curve.txt", "--quiet " + options));
     EXPECT_EQ(outcome.out + outcome.err, "");
-    return Temporary_folder::content(output);
+    return content("curve.txt");
   }
 
   // An existing output must stay as it is, a missing one missing, and no other file may appear.
@@ -108,7 +100,7 @@ protected:
     const std::string new_file = folder.file("new.txt");
     const std::size_t files = folder.number_of_files();
     for (const std::string& output : {old_file, new_file})
-      expect_one_line(run("curve '" + input + "' '" + output + "' " + options), code, part);
+      expect_one_line(curve(input, output, options), code, part);
     EXPECT_EQ(Temporary_folder::content(old_file), "untouched");
     EXPECT_EQ(folder.number_of_files(), files);
   }
@@ -185,35 +177,6 @@ TEST_F(Pn_subdivide_curve, NormalsEstimatedFromACircleGiveTheCircle)
   }
 }
 
-TEST_F(Pn_subdivide_curve, SamplesOfACylinderAlongAHelixStayOnIt)
-{
-  std::ostringstream helix;
-  helix << std::setprecision(17);
-  for (int i = 0; i < 16; ++i)
-    helix << std::cos(0.7 * i) << ' ' << std::sin(0.7 * i) << ' ' << 0.3 * i << ' '
-          << std::cos(0.7 * i) << ' ' << std::sin(0.7 * i) << " 0\n";
-  for (const char* scheme : {"chaikin", "6-point"}) {
-    const Rows curve = numbers(refined(helix.str(), std::string("--levels 5 --scheme ") + scheme));
-    EXPECT_GT(curve.size(), 400u);
-    for (const auto& row : curve) {
-      ASSERT_EQ(row.size(), 6u);
-      EXPECT_NEAR(std::hypot(row[0], row[1]), 1, 1e-14);
-      EXPECT_EQ(row[5], 0);
-    }
-  }
-}
-
-TEST_F(Pn_subdivide_curve, InterpolatingSchemesKeepControlPointsToTheLastBit)
-{
-  const std::vector<std::string> old_lines = lines(with_normals);
-  for (const char* scheme : {"4-point", "8-point", "20-point"}) {
-    const std::vector<std::string> curve =
-      lines(refined(with_normals, std::string("--levels 3 --scheme ") + scheme));
-    ASSERT_EQ(curve.size(), 8 * 5 + 1u);
-    for (std::size_t i = 0; i < old_lines.size(); ++i) EXPECT_EQ(curve[8 * i], old_lines[i]);
-  }
-}
-
 TEST_F(Pn_subdivide_curve, NumbersOfPointsByEndRules)
 {
   const auto points = [this](const std::string& options) {
@@ -238,16 +201,14 @@ TEST_F(Pn_subdivide_curve, ReflectionThatChangesNothingIsSaid)
   const std::string input = folder.write("p.txt", "0 0\n4 0\n4 3\n0 3\n"),
                     output = folder.file("o.txt");
   const auto err = [&](const std::string& options) {
-    const Outcome outcome =
-      run("curve '" + input + "' '" + output + "' --quiet --levels 2 " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome = done(curve(input, output, "--quiet --levels 2 " + options));
     return outcome.err;
   };
   for (const char* const scheme : {"chaikin", "bspline:2"}) {
     const std::string options = std::string("--scheme ") + scheme;
     EXPECT_EQ(err(options + " --end none"), "");
     const std::string curve = Temporary_folder::content(output);
-    EXPECT_NE(err(options + " --end reflect").find("warning: --end reflect: "), std::string::npos);
+    expect_part(err(options + " --end reflect"), "warning: --end reflect: ");
     EXPECT_EQ(Temporary_folder::content(output), curve);
   }
   EXPECT_EQ(err("--scheme bspline:4 --end reflect"), "");
@@ -333,9 +294,7 @@ TEST_F(Pn_subdivide_curve, EstimatedNormalsOfLinesAndOfRepeatedPoints)
 TEST_F(Pn_subdivide_curve, InputAndOutputMayBeTheSameFile)
 {
   const std::string file = folder.write("same.txt", square);
-  const Outcome outcome =
-    run("curve '" + file + "' '" + file + "' --scheme chaikin --closed --linear");
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  done(curve(file, file, "--scheme chaikin --closed --linear"));
   EXPECT_EQ(lines(Temporary_folder::content(file)).size(), 8u);
 }
 
@@ -417,10 +376,8 @@ TEST_F(Pn_subdivide_curve, FilesThatCannotBeReadOrWritten)
   const std::string input = folder.write("square.txt", square), output = folder.file("out.txt");
   const std::string options = " --scheme chaikin";
   expect_one_line(run("curve missing.txt '" + output + "'" + options), 1, "missing.txt: cannot be");
-  expect_one_line(run("curve '" + folder.file("") + "' '" + output + "'" + options), 1,
-                  "directory");
-  expect_one_line(run("curve '" + input + "' '" + folder.file("no/out.txt") + "'" + options), 1,
-                  "there is no folder");
+  expect_one_line(curve("", output, options), 1, "directory");
+  expect_one_line(curve(input, folder.file("no/out.txt"), options), 1, "there is no folder");
   EXPECT_EQ(folder.number_of_files(), 1u);
 }
 
@@ -452,13 +409,13 @@ TEST_F(Pn_subdivide_curve, TheClosingLineSaysWhatWasDone)
 {
   const std::string input = folder.write("p.txt", "0 0\n1 0\n1 1\n"), output = folder.file("c.txt");
   const auto said = [&](const std::string& options) {
-    return run("curve '" + input + "' '" + output + "' --closed --scheme chaikin " + options).err;
+    return curve(input, output, "--closed --scheme chaikin " + options).err;
   };
   const std::string line = said("--levels 2");
   EXPECT_EQ(
     line.rfind(output + ": 12 points, PN quadratic B-spline, 2 rounds, estimated normals, ", 0), 0u)
     << line;
-  EXPECT_NE(said("--linear").find("no normals"), std::string::npos);
+  expect_part(said("--linear"), "no normals");
   EXPECT_EQ(said("--quiet"), "");
 }
 
@@ -471,10 +428,10 @@ TEST_F(Pn_subdivide_curve, TheClosingLineSaysWhetherThereAreArcs)
       ellipse += std::to_string(width * std::cos(i * step)) + ' ' +
                  std::to_string(std::sin(i * step)) + '\n';
     const std::string input = folder.write("e.txt", ellipse), output = folder.file("c.txt");
-    return run("curve '" + input + "' '" + output + "' --closed --sharp arcs").err;
+    return curve(input, output, "--closed --sharp arcs").err;
   };
-  EXPECT_NE(said(1).find("round, normals of lines and arcs"), std::string::npos) << said(1);
-  EXPECT_NE(said(3).find("round, estimated normals"), std::string::npos) << said(3);
+  expect_part(said(1), "round, normals of lines and arcs");
+  expect_part(said(3), "round, estimated normals");
 }
 
 // --- limits ---
@@ -531,14 +488,13 @@ TEST_F(Pn_subdivide_curve, SaysHowCloseTheLimitIs)
   const std::string input = folder.write("p.txt", "0 0\n1 0\n1 1\n3 2\n"),
                     output = folder.file("c.txt");
   const auto said = [&](const std::string& options) {
-    return run("curve '" + input + "' '" + output + "' --scheme bspline:3 " + options).err;
+    return curve(input, output, "--scheme bspline:3 " + options).err;
   };
   const std::string all = said("--limit --curve-normals");
-  EXPECT_NE(all.find("limit points: estimated error"), std::string::npos) << all;
-  EXPECT_NE(all.find("curve normals: estimated error"), std::string::npos) << all;
-  EXPECT_EQ(said("--curve-normals").find("limit points"), std::string::npos);
-  EXPECT_NE(said("--limit --limit-tolerance 1e-30").find("the tolerance of the limit is missed"),
-            std::string::npos);
+  expect_part(all, "limit points: estimated error");
+  expect_part(all, "curve normals: estimated error");
+  expect_no_part(said("--curve-normals"), "limit points");
+  expect_part(said("--limit --limit-tolerance 1e-30"), "the tolerance of the limit is missed");
 }
 
 TEST_F(Pn_subdivide_curve, LimitsThatCannotBe)

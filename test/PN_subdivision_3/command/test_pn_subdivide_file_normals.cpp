@@ -10,23 +10,13 @@
 
 #include "Command_test.h"
 #include "Extent.h"
+#include "Part_files.h"
 
 #include "io/mesh_io.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace pn_subdivide;
 
 namespace {
-
-using Faces = std::vector<std::vector<int>>;
 
 Triple unit(const Triple& v)
 {
@@ -34,103 +24,68 @@ Triple unit(const Triple& v)
   return {v[0] / length, v[1] / length, v[2] / length};
 }
 
-struct Shape
+// that of its first, second and third corner; faces here are planar but for rounding
+Triple normal(const Part& s, std::size_t f)
 {
-  std::vector<Triple> points;
-  Faces faces;
-
-  // that of its first, second and third corner; faces here are planar but for rounding
-  Triple normal(std::size_t f) const
-  {
-    const Triple &a = points[std::size_t(faces[f][0])], &b = points[std::size_t(faces[f][1])],
-                 &c = points[std::size_t(faces[f][2])];
-    const Triple u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
-                 v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-    return unit({u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]});
-  }
-};
-
-// A tube of n sides and `rings` rings of quads, closed by two polygons if it has caps; along z.
-Shape tube(int n, int rings, bool caps)
-{
-  Shape s;
-  for (int j = 0; j <= rings; ++j)
-    for (int i = 0; i < n; ++i)
-      s.points.push_back({std::cos(2 * std::acos(-1.) * i / n),
-                          std::sin(2 * std::acos(-1.) * i / n), 2. * j / rings});
-  for (int j = 0; j < rings; ++j)
-    for (int i = 0; i < n; ++i)
-      s.faces.push_back(
-        {n * j + i, n * j + (i + 1) % n, n * (j + 1) + (i + 1) % n, n * (j + 1) + i});
-  if (!caps) return s;
-  std::vector<int> low, high;
-  for (int i = 0; i < n; ++i) {
-    low.push_back(n - 1 - i);
-    high.push_back(n * rings + i);
-  }
-  s.faces.push_back(low);
-  s.faces.push_back(high);
-  return s;
+  const Triple &a = s.points[s.faces[f][0]], &b = s.points[s.faces[f][1]],
+               &c = s.points[s.faces[f][2]];
+  const Triple u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
+               v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+  return unit({u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]});
 }
 
-Shape triangulated(const Shape& shape)
+// A tube of n sides and `rings` rings of quads, closed by two polygons if it has caps; along z.
+Part tube(std::size_t n, std::size_t rings, bool caps)
 {
-  Shape s{shape.points, {}};
-  for (const std::vector<int>& f : shape.faces)
-    for (std::size_t i = 2; i < f.size(); ++i) s.faces.push_back({f[0], f[i - 1], f[i]});
+  Part s;
+  for (std::size_t j = 0; j <= rings; ++j)
+    for (std::size_t i = 0; i < n; ++i)
+      s.points.push_back({std::cos(2 * std::acos(-1.) * double(i) / double(n)),
+                          std::sin(2 * std::acos(-1.) * double(i) / double(n)),
+                          2. * double(j) / double(rings)});
+  for (std::size_t v = 0; v < n * rings; ++v) {
+    const std::size_t next = v % n == n - 1 ? v + 1 - n : v + 1;
+    s.faces.push_back({v, next, next + n, v + n});
+  }
+  if (!caps) return s;
+  s.faces.resize(n * rings + 2);
+  for (std::size_t i = 0; i < n; ++i) {
+    s.faces[n * rings].push_back(n - 1 - i);
+    s.faces.back().push_back(n * rings + i);
+  }
   return s;
 }
 
 // a box of which every side has m x m quads
-Shape box(int m)
+Part box(int m)
 {
-  Shape s;
-  const auto number = [&](const Triple& p) {
-    const auto found = std::find(s.points.begin(), s.points.end(), p);
-    if (found != s.points.end()) return int(found - s.points.begin());
-    s.points.push_back(p);
-    return int(s.points.size() - 1);
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const int end : {0, 1})
-      for (int i = 0; i < m; ++i)
-        for (int j = 0; j < m; ++j) {
-          std::vector<int> face;
-          for (const auto& [a, b] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
-            Triple p{};
-            p[axis] = double(end);
-            p[(axis + 1) % 3] = double(i + (end == 1 ? a : b)) / m;
-            p[(axis + 2) % 3] = double(j + (end == 1 ? b : a)) / m;
-            face.push_back(number({2 * p[0], p[1], 1.5 * p[2]}));
-          }
-          s.faces.push_back(face);
-        }
-  return s;
+  return box_of_squares(m, {0, 0, 0}, {2, 1, 1.5});
 }
 
 // A sphere of quads and triangles round its poles.
-Shape ball(int n)
+Part ball(std::size_t n)
 {
-  Shape s;
-  const double pi = std::acos(-1.);
+  Part s;
+  const double step = std::acos(-1.) / double(n);
   s.points.push_back({0, 0, -1});
-  for (int j = 1; j < n; ++j)
-    for (int i = 0; i < 2 * n; ++i)
-      s.points.push_back({std::sin(pi * j / n) * std::cos(pi * i / n),
-                          std::sin(pi * j / n) * std::sin(pi * i / n), -std::cos(pi * j / n)});
+  for (std::size_t j = 1; j < n; ++j)
+    for (std::size_t i = 0; i < 2 * n; ++i) {
+      const double a = step * double(i), b = step * double(j);
+      s.points.push_back({std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), -std::cos(b)});
+    }
   s.points.push_back({0, 0, 1});
-  const auto at = [n](int j, int i) { return 1 + 2 * n * (j - 1) + i % (2 * n); };
-  for (int i = 0; i < 2 * n; ++i) {
+  const auto at = [n](std::size_t j, std::size_t i) { return 1 + 2 * n * (j - 1) + i % (2 * n); };
+  for (std::size_t i = 0; i < 2 * n; ++i) {
     s.faces.push_back({0, at(1, i + 1), at(1, i)});
-    for (int j = 1; j + 1 < n; ++j)
+    for (std::size_t j = 1; j + 1 < n; ++j)
       s.faces.push_back({at(j, i), at(j, i + 1), at(j + 1, i + 1), at(j + 1, i)});
-    s.faces.push_back({at(n - 1, i), at(n - 1, i + 1), int(s.points.size()) - 1});
+    s.faces.push_back({at(n - 1, i), at(n - 1, i + 1), s.points.size() - 1});
   }
   return s;
 }
 
 // With a normal for each face, rounded as files are; turned by `degrees` at one corner of each.
-std::string flat_obj(const Shape& s, int digits, double degrees = 0)
+std::string flat_obj(const Part& s, int digits, double degrees = 0)
 {
   std::ostringstream obj;
   obj.precision(17);
@@ -138,7 +93,7 @@ std::string flat_obj(const Shape& s, int digits, double degrees = 0)
   obj.precision(digits);
   obj << std::fixed;
   for (std::size_t f = 0; f < s.faces.size(); ++f) {
-    const Triple n = s.normal(f), m = unit({n[1] - n[2], n[2] - n[0], n[0] - n[1]});
+    const Triple n = normal(s, f), m = unit({n[1] - n[2], n[2] - n[0], n[0] - n[1]});
     const double t = std::tan(degrees * std::acos(-1.) / 180);
     const bool has_turned = std::isfinite(m[0]);
     const Triple turned =
@@ -154,20 +109,7 @@ std::string flat_obj(const Shape& s, int digits, double degrees = 0)
   return obj.str();
 }
 
-std::string plain_obj(const Shape& s)
-{
-  std::ostringstream obj;
-  obj.precision(17);
-  for (const Triple& p : s.points) obj << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
-  for (const std::vector<int>& f : s.faces) {
-    obj << "f";
-    for (const int v : f) obj << ' ' << v + 1;
-    obj << "\n";
-  }
-  return obj.str();
-}
-
-std::string with_vertex_normals(const Shape& s, const std::vector<Triple>& normals)
+std::string with_vertex_normals(const Part& s, const std::vector<Triple>& normals)
 {
   std::ostringstream off;
   off.precision(17);
@@ -177,9 +119,9 @@ std::string with_vertex_normals(const Shape& s, const std::vector<Triple>& norma
     for (const double x : normals[v]) off << x << ' ';
     off << "\n";
   }
-  for (const std::vector<int>& f : s.faces) {
+  for (const std::vector<std::size_t>& f : s.faces) {
     off << f.size();
-    for (const int v : f) off << ' ' << v;
+    for (const std::size_t v : f) off << ' ' << v;
     off << "\n";
   }
   return off.str();
@@ -188,33 +130,23 @@ std::string with_vertex_normals(const Shape& s, const std::vector<Triple>& norma
 class Pn_subdivide_file_normals : public Command_test
 {
 protected:
-  Outcome surface(const std::string& input, const std::string& options,
-                  const std::string& output = "out.obj") const
+  Outcome refine(const std::string& input, const std::string& options,
+                 const std::string& output = "out.obj") const
   {
-    const Outcome outcome = run("surface '" + input + "' '" + folder.file(output) + "' " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return outcome;
+    return done(surface(input, output, options));
   }
   // The file that it makes.
   std::string refined(const std::string& input, const std::string& options) const
   {
-    surface(input, "--quiet " + options);
-    return Temporary_folder::content(folder.file("out.obj"));
-  }
-  static void expect_part(const std::string& text, const std::string& part)
-  {
-    EXPECT_NE(text.find(part), std::string::npos) << text << "lacks: " << part;
-  }
-  static void expect_no_part(const std::string& text, const std::string& part)
-  {
-    EXPECT_EQ(text.find(part), std::string::npos) << text << "has: " << part;
+    refine(input, "--quiet " + options);
+    return content("out.obj");
   }
 };
 
 struct Case
 {
   std::string name;
-  Shape shape;
+  Part shape;
   std::size_t normals; // different ones
   int creases;         // -1: none
 };
@@ -247,7 +179,7 @@ TEST_F(Pn_subdivide_file_normals, FlatShadingMakesCreasesOfFewOrLargeSides)
       c.normals <= 6 || double(c.shape.faces.size()) / double(c.normals) >= 20;
     for (const int digits : {4, 15}) {
       const std::string input = folder.write("flat.obj", flat_obj(c.shape, digits));
-      const Outcome outcome = surface(input, "--scheme catmull-clark");
+      const Outcome outcome = refine(input, "--scheme catmull-clark");
       expect_part(outcome.err, "for flat shading (" + std::to_string(c.normals) + " different on " +
                                  std::to_string(c.shape.faces.size()) + " faces)");
       if (has_creases) {
@@ -264,7 +196,7 @@ TEST_F(Pn_subdivide_file_normals, FlatShadingMakesCreasesOfFewOrLargeSides)
         if (!is_part) expect_no_part(outcome.err, "sharp edges");
         expect_no_part(outcome.err, "warning");
         // as if the file had none
-        const std::string plain = folder.write("plain.obj", plain_obj(c.shape));
+        const std::string plain = folder.write("plain.obj", c.shape.obj());
         for (const std::string options :
              {"--levels 0", "--levels 2", "--levels 1 --sharp none", "--levels 1 --sharp angle:50",
               "--levels 1 --scheme doo-sabin", "--levels 1 --linear", "--levels 1 --normals angle"})
@@ -272,7 +204,7 @@ TEST_F(Pn_subdivide_file_normals, FlatShadingMakesCreasesOfFewOrLargeSides)
             EXPECT_EQ(refined(input, options), refined(plain, options)) << options;
           }
       }
-      expect_part(surface(input, "--sharp file").err, " sharp edges");
+      expect_part(refine(input, "--sharp file").err, " sharp edges");
     }
   }
 }
@@ -280,9 +212,9 @@ TEST_F(Pn_subdivide_file_normals, FlatShadingMakesCreasesOfFewOrLargeSides)
 // A corner that is off by more than 0.1 degrees is somebody's work.
 TEST_F(Pn_subdivide_file_normals, ATenthOfADegreeIsFlat)
 {
-  const Shape pipe = triangulated(tube(60, 2, false));
-  expect_part(surface(folder.write("a.obj", flat_obj(pipe, 15, 0.09)), "").err, "flat shading");
-  const Outcome outcome = surface(folder.write("b.obj", flat_obj(pipe, 15, 0.12)), "");
+  const Part pipe = triangulated(tube(60, 2, false));
+  expect_part(refine(folder.write("a.obj", flat_obj(pipe, 15, 0.09)), "").err, "flat shading");
+  const Outcome outcome = refine(folder.write("b.obj", flat_obj(pipe, 15, 0.12)), "");
   expect_no_part(outcome.err, "flat shading");
   expect_part(outcome.err, "sharp edges");
 }
@@ -290,22 +222,22 @@ TEST_F(Pn_subdivide_file_normals, ATenthOfADegreeIsFlat)
 // Each edge of a capped cylinder of quads that is worth it: few of its edges are smooth, none is flat.
 TEST_F(Pn_subdivide_file_normals, CreasesOfOtherFilesMayBeMany)
 {
-  const int n = 12;
-  const Shape s = tube(n, 1, true);
+  const std::size_t n = 12;
+  const Part s = tube(n, 1, true);
   std::ostringstream obj;
   obj.precision(17);
   for (const Triple& p : s.points) obj << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
-  for (int i = 0; i < n; ++i)
-    obj << "vn " << s.points[std::size_t(i)][0] << ' ' << s.points[std::size_t(i)][1] << " 0\n";
+  for (std::size_t i = 0; i < n; ++i)
+    obj << "vn " << s.points[i][0] << ' ' << s.points[i][1] << " 0\n";
   obj << "vn 0 0 -1\nvn 0 0 1\n";
   for (std::size_t f = 0; f < s.faces.size(); ++f) {
     obj << "f";
-    for (const int v : s.faces[f])
-      obj << ' ' << v + 1 << "//" << (f < std::size_t(n) ? v % n + 1 : n + 1 + int(f) - n);
+    for (const std::size_t v : s.faces[f])
+      obj << ' ' << v + 1 << "//" << (f < n ? v % n + 1 : f + 1);
     obj << "\n";
   }
   const std::string input = folder.write("cylinder.obj", obj.str());
-  const Outcome outcome = surface(input, "--levels 3", "out.obj"); // 24 of 36 inner edges
+  const Outcome outcome = refine(input, "--levels 3", "out.obj"); // 24 of 36 inner edges
   expect_part(outcome.err,
               "the normals in the file differ at 24 edges, taken for creases (--sharp none");
   expect_part(outcome.err, "24 sharp edges");
@@ -320,9 +252,9 @@ TEST_F(Pn_subdivide_file_normals, CreasesOfOtherFilesMayBeMany)
 
 TEST_F(Pn_subdivide_file_normals, FileInsists)
 {
-  const Shape pipe = tube(8, 2, false);
+  const Part pipe = tube(8, 2, false);
   const std::string input = folder.write("flat.obj", flat_obj(pipe, 15));
-  const Outcome outcome = surface(input, "--normals file");
+  const Outcome outcome = refine(input, "--normals file");
   expect_part(outcome.err, "24 vertices have several normals; their normalized sum is taken");
   expect_part(outcome.err, "normals of the file");
   EXPECT_NE(refined(input, "--levels 1 --normals file"), refined(input, "--levels 1"));
@@ -331,22 +263,22 @@ TEST_F(Pn_subdivide_file_normals, FileInsists)
 // Normals of vertices are flat shading as well where every face has vertices of its own.
 TEST_F(Pn_subdivide_file_normals, FlatShadingOfVertices)
 {
-  const Shape joined = ball(6);
-  Shape split;
+  const Part joined = ball(6);
+  Part split;
   std::vector<Triple> normals;
   for (std::size_t f = 0; f < joined.faces.size(); ++f) {
     split.faces.emplace_back();
-    for (const int v : joined.faces[f]) {
-      split.faces.back().push_back(int(split.points.size()));
-      split.points.push_back(joined.points[std::size_t(v)]);
-      normals.push_back(joined.normal(f));
+    for (const std::size_t v : joined.faces[f]) {
+      split.faces.back().push_back(split.points.size());
+      split.points.push_back(joined.points[v]);
+      normals.push_back(normal(joined, f));
     }
   }
   const std::string input = folder.write("flat.off", with_vertex_normals(split, normals));
-  const Outcome outcome = surface(input, "--merge-points");
+  const Outcome outcome = refine(input, "--merge-points");
   expect_part(outcome.err, "for flat shading (72 different on 72 faces): ");
   expect_part(outcome.err, "estimated normals");
-  const std::string plain = folder.write("plain.obj", plain_obj(split));
+  const std::string plain = folder.write("plain.obj", split.obj());
   EXPECT_EQ(refined(input, "--levels 2 --merge-points"),
             refined(plain, "--levels 2 --merge-points"));
 }
@@ -354,34 +286,34 @@ TEST_F(Pn_subdivide_file_normals, FlatShadingOfVertices)
 // Splitting faces does not make other normals of them, nor does turning them.
 TEST_F(Pn_subdivide_file_normals, FlatShadingIsThatOfTheFacesInTheFile)
 {
-  Shape wavy; // none of its faces is planar
+  Part wavy; // none of its faces is planar
   for (int j = 0; j < 6; ++j)
     for (int i = 0; i < 6; ++i)
       wavy.points.push_back({double(i), double(j), std::sin(1.3 * i) * std::cos(1.7 * j)});
-  for (int j = 0; j < 5; ++j)
-    for (int i = 0; i < 5; ++i)
-      wavy.faces.push_back({6 * j + i, 6 * j + i + 1, 6 * j + i + 7, 6 * j + i + 6});
+  for (std::size_t v = 0; v < 29; ++v)
+    if (v % 6 < 5) wavy.faces.push_back({v, v + 1, v + 7, v + 6});
   std::ostringstream obj;
   obj.precision(17);
   for (const Triple& p : wavy.points) obj << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
-  for (const std::vector<int>& f : wavy.faces) { // of the area vector: the product of the diagonals
+  for (const std::vector<std::size_t>& f :
+       wavy.faces) { // of the area vector: the product of the diagonals
     const auto diagonal = [&](std::size_t i) {
-      const Triple &a = wavy.points[std::size_t(f[i])], &b = wavy.points[std::size_t(f[i + 2])];
+      const Triple &a = wavy.points[f[i]], &b = wavy.points[f[i + 2]];
       return Triple{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     };
     const Triple d = diagonal(0), e = diagonal(1);
     obj << "vn " << d[1] * e[2] - d[2] * e[1] << ' ' << d[2] * e[0] - d[0] * e[2] << ' '
         << d[0] * e[1] - d[1] * e[0] << "\n";
   }
-  std::string plain = plain_obj(wavy), flat = obj.str();
+  std::string plain = wavy.obj(), flat = obj.str();
   for (std::size_t f = 0; f < wavy.faces.size(); ++f) {
     flat += "f";
-    for (const int v : wavy.faces[f])
+    for (const std::size_t v : wavy.faces[f])
       flat += " " + std::to_string(v + 1) + "//" + std::to_string(f + 1);
     flat += "\n";
   }
   const std::string input = folder.write("flat.obj", flat), other = folder.write("p.obj", plain);
-  expect_part(surface(input, "--triangulate").err, "for flat shading (25 different on 25 faces)");
+  expect_part(refine(input, "--triangulate").err, "for flat shading (25 different on 25 faces)");
   EXPECT_EQ(refined(input, "--levels 2 --triangulate"), refined(other, "--levels 2 --triangulate"));
 }
 
@@ -389,11 +321,11 @@ TEST_F(Pn_subdivide_file_normals, FlatShadingIsThatOfTheFacesInTheFile)
 
 TEST_F(Pn_subdivide_file_normals, ZeroEverywhereIsNone)
 {
-  const Shape pipe = tube(8, 2, false);
-  const std::string plain = folder.write("plain.obj", plain_obj(pipe));
+  const Part pipe = tube(8, 2, false);
+  const std::string plain = folder.write("plain.obj", pipe.obj());
   const std::vector<Triple> zero(pipe.points.size(), Triple{0, 0, 0});
   std::string obj;
-  std::istringstream lines(plain_obj(pipe) + "vn 0 0 0\n");
+  std::istringstream lines(pipe.obj() + "vn 0 0 0\n");
   for (std::string line; std::getline(lines, line); obj += line + "\n") {
     if (line[0] != 'f') continue;
     for (std::size_t i = line.find(' ', 2); i != std::string::npos; i = line.find(' ', i + 4))
@@ -403,12 +335,12 @@ TEST_F(Pn_subdivide_file_normals, ZeroEverywhereIsNone)
   for (const std::string& input :
        {folder.write("zero.off", with_vertex_normals(pipe, zero)), folder.write("zero.obj", obj)})
     for (const std::string sharp : {"", " --sharp angle:30", " --border curve"}) {
-      const Outcome outcome = surface(input, sharp);
+      const Outcome outcome = refine(input, sharp);
       expect_part(outcome.err, "the normals of the file are all zero");
       expect_part(outcome.err, "estimated normals");
       expect_no_part(outcome.err, ", normals of the file");
       EXPECT_EQ(refined(input, "--levels 2" + sharp), refined(plain, "--levels 2" + sharp));
-      expect_part(surface(input, "--normals file" + sharp).err,
+      expect_part(refine(input, "--normals file" + sharp).err,
                   "no normals, those of the file are zero");
     }
 }
@@ -417,7 +349,7 @@ TEST_F(Pn_subdivide_file_normals, ZeroEverywhereIsNone)
 
 TEST_F(Pn_subdivide_file_normals, ThoseThatOpposeTheirFacesAreCounted)
 {
-  const Shape s = ball(8);
+  const Part s = ball(8);
   for (const std::size_t step : {1u, 7u, 20u}) {
     std::vector<Triple> normals = s.points;
     std::size_t turned = 0;
@@ -425,27 +357,27 @@ TEST_F(Pn_subdivide_file_normals, ThoseThatOpposeTheirFacesAreCounted)
       for (double& x : normals[v]) x = -x;
     const std::string input = folder.write("turned.off", with_vertex_normals(s, normals));
     for (const std::string options : {"--quiet", "--quiet --sharp angle:80", "--quiet --levels 0"})
-      expect_part(surface(input, options).err,
+      expect_part(refine(input, options).err,
                   "warning: " + input + ": " + std::to_string(turned) + " of " +
                     std::to_string(normals.size()) +
                     " normals point against the faces (first: at vertex " +
                     std::to_string(3 % step) + ")");
     for (const std::string options : {"--normals estimate", "--normals sphere:0,0,0", "--linear"})
-      expect_no_part(surface(input, options).err, "point against");
+      expect_no_part(refine(input, options).err, "point against");
   }
-  EXPECT_EQ(surface(folder.write("good.off", with_vertex_normals(s, s.points)), "--quiet").err, "");
+  EXPECT_EQ(refine(folder.write("good.off", with_vertex_normals(s, s.points)), "--quiet").err, "");
 }
 
 TEST_F(Pn_subdivide_file_normals, ThoseOfCornersAreCountedToo)
 {
-  Shape s = box(1);
+  Part s = box(1);
   std::string obj = flat_obj(s, 15);
   std::swap(s.faces[3][1], s.faces[3][3]); // its normal is now that of the other side
   std::string turned = flat_obj(s, 15);
   obj.replace(obj.find("vn"), obj.find("f ") - obj.find("vn"),
               turned.substr(turned.find("vn"), turned.find("f ") - turned.find("vn")));
   const std::string input = folder.write("box.obj", obj);
-  expect_part(surface(input, "--quiet --sharp angle:50").err, "4 of 24 normals point against");
+  expect_part(refine(input, "--quiet --sharp angle:50").err, "4 of 24 normals point against");
 }
 
 // --- with creases ---
@@ -453,12 +385,12 @@ TEST_F(Pn_subdivide_file_normals, ThoseOfCornersAreCountedToo)
 // Without normals in the file every other source is what is asked for.
 TEST_F(Pn_subdivide_file_normals, EverySourceIsHonoredWithCreases)
 {
-  Shape s = tube(9, 3, true);
+  Part s = tube(9, 3, true);
   for (Triple& p : s.points) // uneven, so that estimates differ
     p = {p[0] * (1 + 0.2 * p[2]), p[1], p[2] + 0.1 * p[0]};
-  const std::string plain = folder.write("plain.obj", plain_obj(s));
+  const std::string plain = folder.write("plain.obj", s.obj());
   const auto inner_normals = [&](const std::string& options, const std::string& input) {
-    surface(input, "--quiet --levels 0 --sharp angle:60 " + options);
+    refine(input, "--quiet --levels 0 --sharp angle:60 " + options);
     const std::vector<Triple> all = read_mesh(folder.file("out.obj")).normals;
     return std::vector<Triple>(all.begin() + 9, all.begin() + 27); // on no crease
   };
@@ -470,7 +402,7 @@ TEST_F(Pn_subdivide_file_normals, EverySourceIsHonoredWithCreases)
     return greatest;
   };
   const auto smooth = [&](const std::string& options) { // far from creases nothing is different
-    surface(plain, "--quiet --levels 0 --sharp none " + options);
+    refine(plain, "--quiet --levels 0 --sharp none " + options);
     const std::vector<Triple> all = read_mesh(folder.file("out.obj")).normals;
     return std::vector<Triple>(all.begin() + 9, all.begin() + 27);
   };

@@ -11,14 +11,9 @@
 #include "Command_test.h"
 #include "Extent.h"
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <sstream>
-#include <vector>
 
 namespace {
 
@@ -27,8 +22,6 @@ using Triple = std::array<double, 3>;
 class Pn_subdivide_interpolate : public Command_test
 {
 protected:
-  static std::string data(const char* file) { return std::string(PN_DATA_DIR) + "/" + file; }
-
   // the vertices of a text PLY or OFF, or of a curve
   std::vector<Triple> points(const std::string& file) const
   {
@@ -70,8 +63,7 @@ protected:
 TEST_F(Pn_subdivide_interpolate, LimitsArePoints)
 {
   const std::string out = folder.file("out.ply"), in = folder.file("in.ply");
-  ASSERT_EQ(run("surface '" + data("paper/torus_8.ply") + "' '" + in + "' --levels 0 --ascii").code,
-            0);
+  done(surface(data("paper/torus_8.ply"), in, "--levels 0 --ascii"));
   const auto before = points(in);
   ASSERT_FALSE(before.empty());
   const std::string levels = tests_are_full ? "3" : "1"; // 3 are work for two threads
@@ -79,13 +71,11 @@ TEST_F(Pn_subdivide_interpolate, LimitsArePoints)
        {"--scheme modified-catmull-clark", "--scheme catmull-clark --linear",
         "--scheme modified-catmull-clark --first-round 2", "--scheme catmull-clark --threads 2"}) {
     const Outcome outcome =
-      run("surface '" + in + "' '" + out + "' --ascii --limit --interpolate points --levels " +
-          levels + " " + options);
+      surface(in, out, "--ascii --limit --interpolate points --levels " + levels + " " + options);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("through the points: largest distance "), std::string::npos)
-      << outcome.err;
-    EXPECT_NE(outcome.err.find("estimated error "), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.err.find("step"), std::string::npos) << outcome.err;
+    expect_part(outcome.err, "through the points: largest distance ");
+    expect_part(outcome.err, "estimated error ");
+    expect_part(outcome.err, "step");
     const auto after = points(out);
     for (std::size_t v = 0; v < before.size(); ++v)
       EXPECT_LE(distance(before[v], after[v]), 1e-7) << options << " " << v;
@@ -95,22 +85,19 @@ TEST_F(Pn_subdivide_interpolate, LimitsArePoints)
 TEST_F(Pn_subdivide_interpolate, SpheresFromPointsAloneNeedNoStep)
 {
   const std::string out = folder.file("out.ply");
-  const Outcome outcome = run("surface '" + data("sphere_quads.ply") + "' '" + out +
-                              "' --scheme modified-catmull-clark --levels 0 --ascii --interpolate "
-                              "slide --normals sphere:0,0,0");
+  const Outcome outcome = surface(data("sphere_quads.ply"), out,
+                                  "--scheme modified-catmull-clark --levels 0 --ascii "
+                                  "--interpolate slide --normals sphere:0,0,0");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find(" 0 steps"), std::string::npos) << outcome.err;
+  expect_part(outcome.err, " 0 steps");
 }
 
 TEST_F(Pn_subdivide_interpolate, WhatSlidesTellsHowFarItIs)
 {
-  const Outcome outcome =
-    run("surface '" + data("torus_quads.ply") + "' '" + folder.file("out.ply") +
-        "' --scheme catmull-clark --levels 0 --interpolate slide");
+  const Outcome outcome = surface(data("torus_quads.ply"), "out.ply",
+                                  "--scheme catmull-clark --levels 0 --interpolate slide");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("interpolation: nearly through the points: largest distance 0.000"),
-            std::string::npos)
-    << outcome.err;
+  expect_part(outcome.err, "interpolation: nearly through the points: largest distance 0.000");
 }
 
 TEST_F(Pn_subdivide_interpolate, Curves)
@@ -119,11 +106,10 @@ TEST_F(Pn_subdivide_interpolate, Curves)
   const std::string in = folder.file("ellipse.txt"), out = folder.file("out.txt");
   const auto before = points(in);
   for (const char* options : {"--closed", "--end reflect", "--closed --linear"}) {
-    const Outcome outcome = run("curve '" + in + "' '" + out +
-                                "' --scheme bspline:3 --levels 12 --interpolate points " + options);
+    const Outcome outcome =
+      curve(in, out, std::string("--scheme bspline:3 --levels 12 --interpolate points ") + options);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("through the points: largest distance "), std::string::npos)
-      << outcome.err;
+    expect_part(outcome.err, "through the points: largest distance ");
     const auto after = points(out);
     for (std::size_t i = 0; i < before.size(); ++i)
       EXPECT_LE(distance(before[i], after[i << 12]), 1e-6) << options << " " << i;
@@ -144,11 +130,12 @@ TEST_F(Pn_subdivide_interpolate, PointsWithSharpEdges)
   ASSERT_EQ(before.size(), 9u);
   for (const char* const scheme : {"catmull-clark", "modified-catmull-clark"})
     for (const char* const options : {"--levels 0", "--levels 2", "--levels 2 --linear"}) {
-      const Outcome outcome = run("surface '" + in + "' '" + out +
-                                  "' --interpolate points --limit --ascii --sharp angle:60 " +
-                                  "--scheme " + scheme + " " + options);
+      const Outcome outcome =
+        surface(in, out,
+                std::string("--interpolate points --limit --ascii --sharp angle:60 ") +
+                  "--scheme " + scheme + " " + options);
       ASSERT_EQ(outcome.code, 0) << outcome.err;
-      EXPECT_NE(outcome.err.find("sharp edges"), std::string::npos) << outcome.err;
+      expect_part(outcome.err, "sharp edges");
       const auto after = points(out);
       for (std::size_t i = 0; i < before.size(); ++i)
         EXPECT_LE(distance(before[i], after[i]), 1e-8) << scheme << options << " " << i;
@@ -171,8 +158,8 @@ TEST_F(Pn_subdivide_interpolate, WhatCannotBeIsRefusedInOneLine)
   expect_one_line(run(torus + "--interpolate points --scheme catmull-clark --sharp angle:1 "
                               "--sharpness 2"),
                   1, "--sharpness");
-  expect_one_line(run("surface '" + data("sphere_cap.ply") + "' '" + folder.file("out.ply") +
-                      "' --interpolate slide --scheme catmull-clark --border curve"),
+  expect_one_line(surface(data("sphere_cap.ply"), "out.ply",
+                          "--interpolate slide --scheme catmull-clark --border curve"),
                   2, "--border");
   write("line.txt", "0 0\n1 0\n2 1\n3 1\n");
   const std::string curve =

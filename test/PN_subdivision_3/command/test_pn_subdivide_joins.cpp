@@ -13,18 +13,10 @@
 #include "io/mesh_io.h"
 #include "io/soup_repair.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
-#include <random>
 #include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace pn_subdivide;
 
@@ -101,23 +93,14 @@ std::string split_off(const std::vector<Triangle>& triangles)
 class Pn_subdivide_joins : public Command_test
 {
 protected:
-  Outcome surface(const std::string& input, const std::string& options = "") const
+  Outcome copied(const std::string& input, const std::string& options = "") const
   {
-    return run("surface '" + input + "' '" + folder.file("out.ply") + "' --levels 0 " + options);
+    return surface(input, "out.ply", "--levels 0 " + options);
   }
   Mesh_data joined(const std::string& input, const std::string& options = "") const
   {
-    const Outcome outcome = surface(input, "--quiet " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    done(copied(input, "--quiet " + options));
     return read_mesh(folder.file("out.ply"));
-  }
-  static void expect_part(const std::string& text, const std::string& part)
-  {
-    EXPECT_NE(text.find(part), std::string::npos) << text << "lacks: " << part;
-  }
-  static void expect_no_part(const std::string& text, const std::string& part)
-  {
-    EXPECT_EQ(text.find(part), std::string::npos) << text << "has: " << part;
   }
 };
 
@@ -146,12 +129,12 @@ TEST_F(Pn_subdivide_joins, StlWithinFourUnitsOfTheLastPlace)
       };
       const std::string input = folder.write("a.stl", stl(box(3, {far, 0, 0}, size, crack), false));
       EXPECT_EQ(joined(input).points.size(), vertices_of_box(3));
-      expect_part(surface(input).err, " joined with one within ");
-      expect_no_part(surface(input).err, "warning");
+      expect_part(copied(input).err, " joined with one within ");
+      expect_no_part(copied(input).err, "warning");
       // as asked for
       const std::string apart = "--repair --merge-distance 0";
       EXPECT_GT(joined(input, apart).points.size(), vertices_of_box(3));
-      expect_part(surface(input, apart).err, "border edges lie on others up to");
+      expect_part(copied(input, apart).err, "border edges lie on others up to");
     }
 }
 
@@ -161,12 +144,12 @@ TEST_F(Pn_subdivide_joins, StlBeyondThatIsLeftOpenAndSaid)
     return {0, 0, t == 5 ? 8e-7 : 0}; // more than 4 * 2^-23
   };
   const std::string input = folder.write("a.stl", stl(box(2, {0, 0, 0}, 1, crack), false));
-  const Outcome outcome = surface(input, "--quiet");
+  const Outcome outcome = copied(input, "--quiet");
   EXPECT_EQ(joined(input).points.size(), vertices_of_box(2) + 3);
   expect_part(outcome.err, " border edges lie on others up to rounding: --merge-distance 0.0001%");
   EXPECT_EQ(joined(input, "--merge-distance 1e-6").points.size(), vertices_of_box(2));
   EXPECT_EQ(joined(input, "--merge-distance 0.0001%").points.size(), vertices_of_box(2));
-  EXPECT_EQ(surface(input, "--quiet --merge-distance 1e-6").err, "");
+  EXPECT_EQ(copied(input, "--quiet --merge-distance 1e-6").err, "");
 }
 
 // A closed file has nothing to join, however small its triangles are.
@@ -174,7 +157,7 @@ TEST_F(Pn_subdivide_joins, ClosedStlIsReadAsItIs)
 {
   const std::vector<Triangle> tiny = box(4, {1000, 1000, 1000}, 4 * std::ldexp(1., -14), none);
   const std::string input = folder.write("tiny.stl", stl(tiny, true));
-  const Outcome outcome = surface(input);
+  const Outcome outcome = copied(input);
   EXPECT_EQ(joined(input).points.size(), vertices_of_box(4)); // a unit of the last place each
   expect_no_part(outcome.err, "joined");
   expect_no_part(outcome.err, "border");
@@ -188,8 +171,7 @@ TEST_F(Pn_subdivide_joins, NeverTwoCornersOfAFacet)
   for (const std::string& input :
        {folder.write("a.stl", stl(strip, false)), folder.write("a.off", split_off(strip))})
     for (const std::string options : {"", "--merge-distance 4e-7", "--merge-distance 1e-5"}) {
-      const Outcome outcome = surface(input, options);
-      EXPECT_EQ(outcome.code, 0) << outcome.err;
+      done(copied(input, options));
       EXPECT_EQ(read_mesh(folder.file("out.ply")).number_of_faces(), 5u) << options;
     }
 }
@@ -254,16 +236,14 @@ TEST_F(Pn_subdivide_joins, EveryFormatWithADistance)
   };
   const std::vector<Triangle> triangles = box(3, {0, 0, 0}, 3, shift);
   const std::string off = folder.write("a.off", split_off(triangles));
-  ASSERT_EQ(
-    run("surface '" + off + "' '" + folder.file("a.ply") + "' --levels 0 --normals none").code, 0);
-  ASSERT_EQ(
-    run("surface '" + off + "' '" + folder.file("a.obj") + "' --levels 0 --normals none").code, 0);
+  done(surface(off, "a.ply", "--levels 0 --normals none"));
+  done(surface(off, "a.obj", "--levels 0 --normals none"));
   for (const std::string& input : {off, folder.file("a.ply"), folder.file("a.obj"),
                                    folder.write("a.stl", stl(triangles, false))})
     for (const std::string distance : {"4e-4", "0.01%"}) {
       EXPECT_EQ(joined(input, "--merge-distance " + distance).points.size(), vertices_of_box(3));
       EXPECT_GT(joined(input, "--merge-distance 1e-7").points.size(), vertices_of_box(3));
-      expect_no_part(surface(input, "--merge-distance " + distance).err, "border edge");
+      expect_no_part(copied(input, "--merge-distance " + distance).err, "border edge");
     }
 }
 
@@ -271,14 +251,14 @@ TEST_F(Pn_subdivide_joins, DistancesThatAreNone)
 {
   const std::string input = folder.write("a.off", split_off(box(1, {0, 0, 0}, 1, none)));
   for (const std::string distance : {"-1", "-1%", "x", "nan", "inf", "''", "%", "1%%", "1,2"})
-    expect_one_line(surface(input, "--merge-distance=" + distance), 2, "--merge-distance");
+    expect_one_line(copied(input, "--merge-distance=" + distance), 2, "--merge-distance");
   std::mt19937 random(3);
   const auto noise = [&](std::size_t, std::size_t) -> Triple {
     return {1e-6 * double(random() % 1000), 0, 0};
   };
-  expect_one_line(surface(folder.write("b.off", split_off(box(20, {0, 0, 0}, 1, noise))),
-                          "--merge-distance 200%"),
-                  1, "too large for this mesh");
+  expect_one_line(
+    copied(folder.write("b.off", split_off(box(20, {0, 0, 0}, 1, noise))), "--merge-distance 200%"),
+    1, "too large for this mesh");
 }
 
 // --- what is open ---
@@ -288,36 +268,32 @@ TEST_F(Pn_subdivide_joins, SplitVerticesAreSaid)
   const std::vector<Triangle> triangles = box(2, {0, 0, 0}, 1, none);
   const std::string off = folder.write("a.off", split_off(triangles));
   for (const char* name : {"a.ply", "a.obj"})
-    ASSERT_EQ(
-      run("surface '" + off + "' '" + folder.file(name) + "' --levels 0 --normals none --no-mend")
-        .code,
-      0);
+    done(surface(off, name, "--levels 0 --normals none --no-mend"));
   for (const std::string& input : {off, folder.file("a.ply"), folder.file("a.obj")}) {
     const std::string said =
       "warning: " + input + ": 144 of 144 border edges lie on others: --merge-points joins them\n";
-    expect_part(surface(input, "--quiet --no-mend").err, said);
-    const Outcome strict = surface(input, "--quiet --strict");
+    expect_part(copied(input, "--quiet --no-mend").err, said);
+    const Outcome strict = copied(input, "--quiet --strict");
     expect_part(strict.err, said);
     EXPECT_EQ(strict.code, 4);
-    EXPECT_EQ(surface(input, "--quiet --merge-points").err, "");
+    EXPECT_EQ(copied(input, "--quiet --merge-points").err, "");
     EXPECT_EQ(joined(input, "--merge-points").points.size(), vertices_of_box(2));
   }
   // only where they do: two squares with a common side, one apart
   const std::string some =
     folder.write("some.off", "OFF\n12 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0 0\n2 0 0\n2 1 0\n1 1 0\n"
                              "5 0 0\n6 0 0\n6 1 0\n5 1 0\n4 0 1 2 3\n4 4 5 6 7\n4 8 9 10 11\n");
-  expect_part(surface(some, "--quiet").err, ": 2 of 12 border edges lie on others: --merge-points");
+  expect_part(copied(some, "--quiet").err, ": 2 of 12 border edges lie on others: --merge-points");
   // borders that lie on nothing are what they are, and closed meshes have none
-  EXPECT_EQ(surface(PN_DATA_DIR "/sphere_cap.ply", "--quiet").err, "");
-  EXPECT_EQ(surface(PN_DATA_DIR "/cube.off", "--quiet").err, "");
+  EXPECT_EQ(copied(PN_DATA_DIR "/sphere_cap.ply", "--quiet").err, "");
+  EXPECT_EQ(copied(PN_DATA_DIR "/cube.off", "--quiet").err, "");
 }
 
 // Loose faces are joined without being asked for, unless that breaks what can be read.
 TEST_F(Pn_subdivide_joins, UnweldedFilesAreWelded)
 {
   const std::string loose = folder.write("a.off", split_off(box(2, {0, 0, 0}, 1, none)));
-  const Outcome outcome = surface(loose);
-  EXPECT_EQ(outcome.code, 0);
+  const Outcome outcome = done(copied(loose));
   expect_part(outcome.err, loose + ": 118 vertices merged with an equal one; --no-mend reads the "
                                    "file as it stands\n");
   expect_no_part(outcome.err, "warning");
@@ -328,8 +304,8 @@ TEST_F(Pn_subdivide_joins, UnweldedFilesAreWelded)
   std::vector<Triangle> two = box(1, {0, 0, 0}, 1, none);
   for (const Triangle& t : box(1, {1, 1, 1}, 1, none)) two.push_back(t);
   const std::string touching = folder.write("two.off", split_off(two));
-  expect_part(surface(touching).err, "57 vertices merged with an equal one, 1 vertex added where "
-                                     "fans of faces meet; --no-mend");
+  expect_part(copied(touching).err, "57 vertices merged with an equal one, 1 vertex added where "
+                                    "fans of faces meet; --no-mend");
   EXPECT_EQ(joined(touching).points.size(), 16u);
 
   // along an edge, which would have four faces
@@ -337,9 +313,9 @@ TEST_F(Pn_subdivide_joins, UnweldedFilesAreWelded)
   for (const Triangle& t : box(1, {1, 1, 0}, 1, none)) two.push_back(t);
   const std::string along = folder.write("along.off", split_off(two));
   EXPECT_EQ(joined(along).points.size(), 72u);
-  expect_part(surface(along, "--quiet").err, "border edges lie on others: --repair joins them");
+  expect_part(copied(along, "--quiet").err, "border edges lie on others: --repair joins them");
   EXPECT_EQ(joined(along, "--repair").points.size(), 16u);
-  expect_part(surface(along, "--merge-points").err, "more than two faces");
+  expect_part(copied(along, "--merge-points").err, "more than two faces");
 
   // a face with two equal points
   two = box(1, {0, 0, 0}, 1, none);
@@ -358,8 +334,7 @@ TEST_F(Pn_subdivide_joins, VerticesWhereFansMeetAreDoubled)
     "property double heat\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
     "1 0 0 0 0 1 3\n0 0 0 0 0 1 4\n0 1 0 0 0 1 5\n-1 0 0 0 0 1 6\n0 -1 0 0 0 1 7\n"
     "3 1 0 2\n3 1 3 4\n");
-  const Outcome outcome = surface(input);
-  EXPECT_EQ(outcome.code, 0);
+  const Outcome outcome = done(copied(input));
   expect_part(outcome.err, "1 vertex added where fans of faces meet; --no-mend");
   expect_no_part(outcome.err, "warning");
   const Mesh_data mesh = joined(input, "--normals file");
@@ -369,10 +344,7 @@ TEST_F(Pn_subdivide_joins, VerticesWhereFansMeetAreDoubled)
   EXPECT_EQ(mesh.attributes.of_vertices[0].values[5], 4);
   // a selection means both
   const std::string selection = folder.write("s.selection.txt", "1\n\n\n");
-  EXPECT_EQ(run("surface '" + input + "' '" + folder.file("sharp.off") +
-                "' --quiet --levels 1 --sharp '" + selection + "'")
-              .code,
-            0);
+  done(surface(input, "sharp.off", "--quiet --levels 1 --sharp '" + selection + "'"));
   const std::vector<Triple> points = read_mesh(folder.file("sharp.off")).points;
   EXPECT_EQ(std::count(points.begin(), points.end(), Triple{0, 0, 0}), 2);
 }
@@ -389,7 +361,7 @@ TEST_F(Pn_subdivide_joins, MessagesNameVerticesAsTheFileDoes)
     s += std::string(v) + "\n";
   const std::string input = folder.write("a.ply", s + "3 0 1 2\n3 3 4 5\n3 6 7 8\n");
   for (const char* options : {"--no-mend", "--merge-points"})
-    expect_part(surface(input, std::string("--normals file ") + options).err,
+    expect_part(copied(input, std::string("--normals file ") + options).err,
                 "(first: at vertex 7)");
 }
 
@@ -402,15 +374,14 @@ TEST_F(Pn_subdivide_joins, TJunctionsAreSaid)
   for (const std::string& input : {folder.write("a.off", s)})
     for (const std::string options :
          {"", "--repair --merge-points", "--repair --merge-distance 1e-3"}) {
-      const Outcome outcome = surface(input, "--quiet " + options);
-      EXPECT_EQ(outcome.code, 0);
+      const Outcome outcome = done(copied(input, "--quiet " + options));
       expect_part(outcome.err,
                   ": 3 of 10 border edges lie along others with other ends (T-junctions)");
     }
   // straight borders do not lie along each other, nor do those that meet at an angle
   const std::string straight =
     "OFF\n6 2 0\n0 0 0\n1 0 0\n2 0 0\n2 1 0\n1 1 0\n0 1 0\n4 0 1 4 5\n4 1 2 3 4\n";
-  EXPECT_EQ(surface(folder.write("b.off", straight), "--quiet").err, "");
+  EXPECT_EQ(copied(folder.write("b.off", straight), "--quiet").err, "");
 }
 
 // Copies that --repair makes of edges with three faces have to be apart.
@@ -418,8 +389,7 @@ TEST_F(Pn_subdivide_joins, CopiesOfRepairAreNotSaid)
 {
   const std::string input = folder.write(
     "a.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n");
-  const Outcome outcome = surface(input, "--quiet --repair");
-  EXPECT_EQ(outcome.code, 0);
+  const Outcome outcome = done(copied(input, "--quiet --repair"));
   expect_no_part(outcome.err, "border edge");
 }
 
@@ -441,9 +411,7 @@ TEST_F(Pn_subdivide_joins, CopiesOfRepairKeepOneCurve)
        {"", "--linear", "--sharp angle:20", "--normals reciprocal", "--border curve",
         "--border corners", "--roundness 1", "--triangulate --scheme loop", "--limit"}) {
     SCOPED_TRACE(options);
-    const Outcome outcome = run("surface '" + input + "' '" + folder.file("o.off") +
-                                "' --repair --quiet --levels 3 " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    done(surface(input, "o.off", "--repair --quiet --levels 3 " + options));
     const std::vector<Triple> points = read_mesh(folder.file("o.off")).points;
     std::size_t common = 0;
     for (const Triple& p : points) {
@@ -458,10 +426,7 @@ TEST_F(Pn_subdivide_joins, CopiesOfRepairKeepOneCurve)
     EXPECT_EQ(common, 3u * (2 * 8 + 1));
   }
   // what has no rules for creases is refined as it was
-  EXPECT_EQ(run("surface '" + input + "' '" + folder.file("o.off") +
-                "' --repair --quiet --scheme doo-sabin")
-              .code,
-            0);
+  done(surface(input, "o.off", "--repair --quiet --scheme doo-sabin"));
 }
 
 // --- normals of what is merged ---
@@ -496,9 +461,7 @@ TEST_F(Pn_subdivide_joins, DifferentNormalsBecomeThoseOfCorners)
     }
     const std::string split = folder.write("split.ply", ply.str());
     const auto refined = [&](const std::string& input, const std::string& options) {
-      const Outcome outcome = run("surface '" + input + "' '" + folder.file("out.obj") +
-                                  "' --levels 2 --quiet " + options);
-      EXPECT_EQ(outcome.code, 0) << outcome.err;
+      done(surface(input, "out.obj", "--levels 2 --quiet " + options));
       std::multiset<Triple> points;
       for (const Triple& p : read_mesh(folder.file("out.obj")).points) points.insert(p);
       return points;
@@ -514,9 +477,9 @@ TEST_F(Pn_subdivide_joins, DifferentNormalsBecomeThoseOfCorners)
         nearest = (std::min)(nearest, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
       ASSERT_LE(nearest, 1e-13);
     }
-    expect_part(surface(split, "--merge-points").err, " sharp edges");
+    expect_part(copied(split, "--merge-points").err, " sharp edges");
     // summed only if that is asked for
-    expect_part(surface(split, "--merge-points --sharp none").err,
+    expect_part(copied(split, "--merge-points --sharp none").err,
                 "several normals; their normalized sum is taken");
   }
 }

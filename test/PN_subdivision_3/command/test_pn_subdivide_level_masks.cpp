@@ -10,13 +10,6 @@
 
 #include "Command_test.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <sstream>
-#include <string>
-#include <vector>
-
 namespace {
 
 const char* const cubic = "-2 0.125 0.5 0.75 0.5 0.125\n";
@@ -38,11 +31,8 @@ protected:
   std::string refined(const std::string& control, const std::string& options) const
   {
     SCOPED_TRACE(options);
-    const std::string output = folder.file("curve.txt");
-    const Outcome outcome = run("curve '" + folder.write("polygon.txt", control) + "' '" + output +
-                                "' --quiet " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return Temporary_folder::content(output);
+    done(curve(folder.write("polygon.txt", control), "curve.txt", "--quiet " + options));
+    return content("curve.txt");
   }
 
   std::string by_masks(const std::string& control, const std::string& masks,
@@ -64,9 +54,8 @@ protected:
                       const std::string& part) const
   {
     SCOPED_TRACE(options + "\n" + masks);
-    expect_one_line(run("curve '" + folder.write("polygon.txt", polygon) + "' '" +
-                        folder.file("none.txt") +
-                        "' --scheme 'levels:" + folder.write("masks.txt", masks) + "' " + options),
+    expect_one_line(curve(folder.write("polygon.txt", polygon), "none.txt",
+                          "--scheme 'levels:" + folder.write("masks.txt", masks) + "' " + options),
                     code, part);
   }
 };
@@ -133,9 +122,9 @@ TEST_F(Level_masks, AreRefusedBesideWhatTheyDoNotKnow)
   const std::string two = std::string(cubic) + cubic + four_point;
   expect_refusal(two, "--closed --normal-scheme 4-point", 2, "--normal-scheme");
   expect_refusal(two, "--closed --interpolate points", 2, "--interpolate");
-  expect_one_line(run("curve '" + folder.write("polygon.txt", polygon) + "' '" +
-                      folder.file("none.txt") + "' --scheme levels:/no/such/file"),
-                  1, "/no/such/file");
+  expect_one_line(
+    curve(folder.write("polygon.txt", polygon), "none.txt", "--scheme levels:/no/such/file"), 1,
+    "/no/such/file");
 }
 
 } // namespace

@@ -10,14 +10,8 @@
 
 #include "Command_test.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <sstream>
-#include <vector>
 
 namespace {
 
@@ -26,31 +20,16 @@ using Row = std::array<double, 6>; // a point and a normal
 class Pn_subdivide_limit : public Command_test
 {
 protected:
-  static std::string data(const char* file) { return std::string(PN_DATA_DIR) + "/" + file; }
-
-  Outcome surface(const std::string& input, const std::string& output,
-                  const std::string& options) const
-  {
-    return run("surface '" + input + "' '" + folder.file(output) + "' " + options);
-  }
-
   // the vertices of a text PLY with normals
   std::vector<Row> vertices(const std::string& file) const
   {
-    std::istringstream in(Temporary_folder::content(folder.file(file)));
-    std::size_t count = 0;
-    int columns = 0;
-    for (std::string line; std::getline(in, line) && line != "end_header";) {
-      std::istringstream words(line);
-      std::string word, type, name;
-      words >> word >> type >> name;
-      if (word == "element" && type == "vertex") count = std::stoul(name);
-      if (word == "property" && type != "list") ++columns;
-    }
-    EXPECT_EQ(columns, 6) << file;
-    std::vector<Row> rows(count);
-    for (Row& row : rows)
-      for (double& x : row) EXPECT_TRUE(in >> x);
+    const Values_by_name columns = columns_of(file);
+    EXPECT_EQ(columns.size(), 6u) << file;
+    std::vector<Row> rows(columns.at("x").size());
+    for (std::size_t v = 0; v < rows.size(); ++v)
+      for (std::size_t c = 0; c < 6; ++c)
+        rows[v][c] =
+          columns.at(c < 3 ? std::string(1, "xyz"[c]) : std::string("n") + "xyz"[c - 3])[v];
     return rows;
   }
 
@@ -66,11 +45,11 @@ TEST_F(Pn_subdivide_limit, IsTheSameAtEveryLevel)
   for (const char* scheme : {"catmull-clark", "modified-catmull-clark", "kobbelt"}) {
     const std::string options =
       std::string(" --ascii --limit --surface-normals --scheme ") + scheme;
-    ASSERT_EQ(surface(data("paper/torus_8.ply"), "0.ply", "--levels 0" + options).code, 0);
+    done(surface(data("paper/torus_8.ply"), "0.ply", "--levels 0" + options));
     const Outcome outcome = surface(data("paper/torus_8.ply"), "2.ply", "--levels 2" + options);
     ASSERT_EQ(outcome.code, 0);
-    EXPECT_NE(outcome.err.find("limit points: estimated error"), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.err.find("surface normals: estimated error"), std::string::npos);
+    expect_part(outcome.err, "limit points: estimated error");
+    expect_part(outcome.err, "surface normals: estimated error");
     const auto coarse = vertices("0.ply"), fine = vertices("2.ply");
     for (std::size_t v = 0; v < coarse.size(); ++v) {
       EXPECT_LE(distance(coarse[v], fine[v], 0), 1e-7) << scheme; // the torus has a size of 6
@@ -84,10 +63,10 @@ TEST_F(Pn_subdivide_limit, EachOptionDoesItsOwn)
 {
   const std::string control = data("saddle_5.ply");
   const std::string options = " --ascii --scheme loop --triangulate --levels 2 ";
-  ASSERT_EQ(surface(control, "plain.ply", options).code, 0);
-  ASSERT_EQ(surface(control, "limit.ply", options + "--limit --output-normals control").code, 0);
-  ASSERT_EQ(surface(control, "normals.ply", options + "--surface-normals").code, 0);
-  ASSERT_EQ(surface(control, "both.ply", options + "--limit --surface-normals").code, 0);
+  done(surface(control, "plain.ply", options));
+  done(surface(control, "limit.ply", options + "--limit --output-normals control"));
+  done(surface(control, "normals.ply", options + "--surface-normals"));
+  done(surface(control, "both.ply", options + "--limit --surface-normals"));
   const auto plain = vertices("plain.ply"), limit = vertices("limit.ply"),
              normals = vertices("normals.ply"), both = vertices("both.ply");
   double moved = 0, turned = 0;
@@ -104,10 +83,8 @@ TEST_F(Pn_subdivide_limit, EachOptionDoesItsOwn)
 
 TEST_F(Pn_subdivide_limit, LinearSurfacesHaveNormals)
 {
-  ASSERT_EQ(surface(data("cube.off"), "cube.ply",
-                    "--ascii --linear --limit --surface-normals --scheme catmull-clark --levels 1")
-              .code,
-            0);
+  done(surface(data("cube.off"), "cube.ply",
+               "--ascii --linear --limit --surface-normals --scheme catmull-clark --levels 1"));
   // outward, by symmetry along the point at the corners
   for (const Row& r : vertices("cube.ply")) {
     const double p = std::hypot(r[0], r[1], r[2]);
@@ -117,31 +94,19 @@ TEST_F(Pn_subdivide_limit, LinearSurfacesHaveNormals)
 
 TEST_F(Pn_subdivide_limit, StaysOnTheSphere)
 {
-  const Outcome outcome =
+  done(
     surface(data("sphere_mixed.ply"), "sphere.ply",
-            "--levels 2 --limit --scheme catmull-clark --verify sphere:0,0,0,1 --tolerance 1e-14");
-  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-}
-
-// Threads take 2048 elements at a time; two rounds make 2880.
-TEST_F(Pn_subdivide_limit, ThreadsChangeNothing)
-{
-  const std::string options = "--ascii --limit --surface-normals --levels 1 --scheme "
-                              "modified-catmull-clark --normal-scheme kobbelt";
-  ASSERT_EQ(surface(data("torus_quads.ply"), "one.ply", options).code, 0);
-  ASSERT_EQ(surface(data("torus_quads.ply"), "two.ply", options + " --threads 2").code, 0);
-  EXPECT_EQ(Temporary_folder::content(folder.file("one.ply")),
-            Temporary_folder::content(folder.file("two.ply")));
+            "--levels 2 --limit --scheme catmull-clark --verify sphere:0,0,0,1 --tolerance 1e-14"));
 }
 
 TEST_F(Pn_subdivide_limit, SaysWhereTheToleranceIsMissed)
 {
-  const Outcome outcome = surface(data("saddle_5.ply"), "out.ply",
-                                  "--levels 1 --scheme catmull-clark --limit --limit-tolerance "
-                                  "1e-300 --quiet");
-  EXPECT_EQ(outcome.code, 0);
+  const Outcome outcome =
+    done(surface(data("saddle_5.ply"), "out.ply",
+                 "--levels 1 --scheme catmull-clark --limit --limit-tolerance "
+                 "1e-300 --quiet"));
   EXPECT_EQ(outcome.err.rfind("warning: ", 0), 0u) << outcome.err;
-  EXPECT_NE(outcome.err.find("tolerance"), std::string::npos) << outcome.err;
+  expect_part(outcome.err, "tolerance");
 }
 
 TEST_F(Pn_subdivide_limit, RefusesWhatDoesNotGoTogether)

@@ -12,13 +12,7 @@
 
 #include "Command_test.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace {
 
@@ -76,11 +70,9 @@ protected:
 
   std::string control_net(const std::string& input, const std::string& options) const
   {
-    const std::string output = folder.file("out.off");
-    const Outcome outcome = run("surface '" + folder.write("in.off", input) + "' '" + output +
-                                "' --levels 0 --output-normals control --quiet " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return Temporary_folder::content(output);
+    done(surface(folder.write("in.off", input), "out.off",
+                 "--levels 0 --output-normals control --quiet " + options));
+    return content("out.off");
   }
 };
 
@@ -90,41 +82,35 @@ TEST_F(Normal_options, SmoothTakesNoiseOff)
   const double before = error(control_net(given, "--normals file"));
   EXPECT_GT(before, .03);
   EXPECT_LT(error(control_net(given, "--normals smooth")), .5 * before);
-  const Outcome outcome = run("surface '" + folder.write("in.off", given) + "' '" +
-                              folder.file("out.ply") + "' --normals smooth");
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_NE(outcome.err.find("have a noise of about 2."), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("288 smoothed, by up to"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("smoothed normals of the file"), std::string::npos) << outcome.err;
+  const Outcome outcome =
+    done(surface(folder.write("in.off", given), "out.ply", "--normals smooth"));
+  expect_part(outcome.err, "have a noise of about 2.");
+  expect_part(outcome.err, "288 smoothed, by up to");
+  expect_part(outcome.err, "smoothed normals of the file");
 }
 
 TEST_F(Normal_options, SmoothLeavesExactNormals)
 {
   EXPECT_EQ(control_net(torus(0), "--normals smooth"), control_net(torus(0), "--normals file"));
-  const Outcome outcome = run("surface '" + folder.write("in.off", torus(0)) + "' '" +
-                              folder.file("out.ply") + "' --normals smooth");
-  EXPECT_NE(outcome.err.find("left as they are"), std::string::npos) << outcome.err;
-  EXPECT_EQ(outcome.err.find("smoothed normals"), std::string::npos) << outcome.err;
+  const Outcome outcome = surface(folder.write("in.off", torus(0)), "out.ply", "--normals smooth");
+  expect_part(outcome.err, "left as they are");
+  expect_no_part(outcome.err, "smoothed normals");
 }
 
 // A coarse head: its shape misses arcs by more than any noise.
 TEST_F(Normal_options, SmoothSaysWhatIsRougherThanLinear)
 {
   const std::string head = folder.file("head.obj");
-  ASSERT_EQ(run("surface '" PN_DATA_DIR "/head.obj' '" + head +
-                "' --levels 0 --normals estimate --output-normals control")
-              .code,
-            0);
-  const Outcome outcome =
-    run("surface '" + head + "' '" + folder.file("out.ply") + "' --normals smooth");
-  EXPECT_EQ(outcome.code, 0);
+  done(run("surface '" PN_DATA_DIR "/head.obj' '" + head +
+           "' --levels 0 --normals estimate --output-normals control"));
+  const Outcome outcome = done(surface(head, "out.ply", "--normals smooth"));
   const auto after = [&](const std::string& words) {
     const std::size_t place = outcome.err.find(words);
     EXPECT_NE(place, std::string::npos) << outcome.err;
     return place == std::string::npos ? 0. : std::stod(outcome.err.substr(place + words.size()));
   };
   EXPECT_GT(after("the faces turn by "), after("those of the linear result by "));
-  EXPECT_NE(outcome.err.find(": if that is rough take"), std::string::npos) << outcome.err;
+  expect_part(outcome.err, ": if that is rough take");
 }
 
 // wedge by wedge: those of the flat side stay
@@ -132,10 +118,9 @@ TEST_F(Normal_options, SmoothKnowsCreases)
 {
   const std::string output = folder.file("out.ply");
   const Outcome outcome =
-    run("surface '" PN_DATA_DIR "/parts/half_ball.obj' '" + output + "' --normals smooth");
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("normals in the file differ"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("miss arcs by"), std::string::npos) << outcome.err;
+    done(run("surface '" PN_DATA_DIR "/parts/half_ball.obj' '" + output + "' --normals smooth"));
+  expect_part(outcome.err, "normals in the file differ");
+  expect_part(outcome.err, "miss arcs by");
 }
 
 TEST_F(Normal_options, SmoothIsRefusedWithoutNormals)
@@ -159,9 +144,9 @@ TEST_F(Normal_options, SphericalKeepsTheSphere)
   }
   const std::string files = "' '" + folder.file("out.txt") + "' --closed --levels 5 --normals ";
   const std::string curve = "curve '" + folder.write("in.txt", points.str()) + files;
-  const Outcome outcome = run(curve + "spherical:1,0,0 --verify sphere:1,0,0,2 --tolerance 1e-14");
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("normals of the sphere"), std::string::npos) << outcome.err;
+  const Outcome outcome =
+    done(run(curve + "spherical:1,0,0 --verify sphere:1,0,0,2 --tolerance 1e-14"));
+  expect_part(outcome.err, "normals of the sphere");
   EXPECT_EQ(run(curve + "spherical:1,0,0.1 --verify sphere:1,0,0,2 --tolerance 1e-14").code, 3);
   expect_one_line(run(curve + "estimate"), 2, "spherical:X,Y,Z");
   expect_one_line(run(curve + "spherical:1,0"), 2, "spherical:X,Y,Z");

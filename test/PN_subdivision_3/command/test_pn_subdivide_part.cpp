@@ -13,20 +13,6 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
 using namespace pn_subdivide;
 
 namespace {
@@ -40,21 +26,6 @@ Part triangles(Part part, bool with_others = false)
     if (f % 5 < 2)
       std::rotate(part.faces[f].begin(), part.faces[f].begin() + 1, part.faces[f].end());
   part.triangulate();
-  return part;
-}
-
-// An unwelded body: a box.
-Part box()
-{
-  Part part;
-  const auto p = [](int i) { return Triple{double(i & 1), 2. * (i >> 1 & 1), 3. * (i >> 2)}; };
-  for (const auto& f : {std::array<int, 4>{0, 2, 3, 1},
-                        {4, 5, 7, 6},
-                        {0, 1, 5, 4},
-                        {2, 6, 7, 3},
-                        {0, 4, 6, 2},
-                        {1, 3, 7, 5}})
-    part.add({p(f[0]), p(f[1]), p(f[2]), p(f[3])});
   return part;
 }
 
@@ -223,21 +194,17 @@ protected:
     folder.write("shaft.stl", triangles(shaft()).stl());
     folder.write("shaft.ply", shaft().ply());
     folder.write("plate.ply", triangles(drilled_plate()).ply());
-    folder.write("box.ply", box().ply());
+    folder.write("box.ply", box_of_squares(1, {0, 0, 0}, {1, 2, 3}).ply());
   }
-  Json report() const { return Json::parse(Temporary_folder::content(folder.file("r.json"))); }
-  std::string reported() const { return " --report '" + folder.file("r.json") + "' "; }
   std::string said(const std::string& input, const std::string& options) const
   {
     const Outcome outcome =
-      run("'" + folder.file(input) + "' '" + folder.file("said.ply") + "' " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+      done(run("'" + folder.file(input) + "' '" + folder.file("said.ply") + "' " + options));
     return outcome.err;
   }
   std::string checked(const std::string& input, const std::string& options) const
   {
-    const Outcome outcome = surface(input, "checked.stl", options + " --check");
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome = done(surface(input, "checked.stl", options + " --check"));
     return outcome.out;
   }
 };
@@ -263,11 +230,11 @@ TEST_F(Pn_subdivide_part, APartIsTakenForOne)
     EXPECT_EQ(find_column(mesh.attributes.of_faces, "surface"), nullptr);
     EXPECT_EQ(mesh.attributes.of_faces.size(), smooth.attributes.of_faces.size());
     const std::string text = said(input, "--levels 2 --strict");
-    EXPECT_TRUE(contains(text, taken)) << text;
-    EXPECT_TRUE(contains(text, "--part")) << text;
-    EXPECT_TRUE(contains(text, "--sharp none")) << text;
-    EXPECT_FALSE(contains(text, "residual")) << text;
-    EXPECT_TRUE(contains(text, "normals of the surfaces")) << text;
+    expect_part(text, taken);
+    expect_part(text, "--part");
+    expect_part(text, "--sharp none");
+    expect_no_part(text, "residual");
+    expect_part(text, "normals of the surfaces");
   }
 }
 
@@ -303,7 +270,7 @@ TEST_F(Pn_subdivide_part, NumbersOfVerticesHaveNoSay)
     for (const std::string& p : points) off += p;
     folder.write("rod.off", off + faces + "64" + first + "\n64" + last + '\n');
     const std::string text = said("rod.off", "--levels 1");
-    EXPECT_TRUE(contains(text, taken)) << factor << ": " << text;
+    expect_part(text, taken);
   }
 }
 
@@ -332,11 +299,11 @@ TEST_F(Pn_subdivide_part, RoundSurfacesAreNearerThanTheFile)
 TEST_F(Pn_subdivide_part, DistancesFromTheSurfacesAreTold)
 {
   const std::string text = said("shaft.stl", "--part");
-  EXPECT_TRUE(contains(text, " against the limit surface")) << text;
-  EXPECT_TRUE(contains(text, "largest distance from the recognized surfaces 0.00")) << text;
-  EXPECT_FALSE(contains(text, "more than --chord")) << text;
+  expect_part(text, " against the limit surface");
+  expect_part(text, "largest distance from the recognized surfaces 0.00");
+  expect_no_part(text, "more than --chord");
   const std::string flat = said("shaft.stl", "--part --roundness 0");
-  EXPECT_TRUE(contains(flat, "from a recognized cylinder, more than --chord")) << flat;
+  expect_part(flat, "from a recognized cylinder, more than --chord");
 }
 
 // What was cut were facets: the corners of the cut were on their chords.
@@ -357,7 +324,7 @@ TEST_F(Pn_subdivide_part, CutsEndOnTheSurface)
     EXPECT_NEAR(widest, is_copy ? 1.5 : std::sqrt(4 - 1.3 * 1.3), is_copy ? 0.01 : 1e-5) << options;
     EXPECT_LT(off, 1e-5) << options;
   }
-  EXPECT_TRUE(contains(said("cut.ply", "--part"), "4 vertices that a cut left on chords"));
+  expect_part(said("cut.ply", "--part"), "4 vertices that a cut left on chords");
   folder.write("frustum.ply", cut_frustum().ply());
   double off = 0;
   for (const Triple& p : refined("frustum.ply", "o.ply", "--part").points)
@@ -370,7 +337,7 @@ TEST_F(Pn_subdivide_part, NarrowFacetsDoNotFold)
   folder.write("notch.ply", triangles(notched_cylinder()).ply());
   folder.write("top.ply", triangles(top_of_sphere(true)).ply());
   folder.write("open.ply", triangles(top_of_sphere(false)).ply());
-  EXPECT_FALSE(contains(said("open.ply", "--part"), "more than --chord"));
+  expect_no_part(said("open.ply", "--part"), "more than --chord");
   for (const std::string input : {"notch.ply", "top.ply"})
     for (const std::string options : {"--levels 2", "--part"}) {
       const std::string text = checked(input, options + reported());
@@ -393,15 +360,13 @@ TEST_F(Pn_subdivide_part, WhatElseIsAskedForIsDone)
                                         "--levels 0",
                                         "--output-normals none --levels 0",
                                         "--pieces 2"};
-  for (const std::string& option : others)
-    EXPECT_FALSE(contains(said("plate.ply", option), taken)) << option;
+  for (const std::string& option : others) expect_no_part(said("plate.ply", option), taken);
   for (const std::string option :
        {"--sharp auto", "--normals auto", "--limit", "--chord 1%", "--border curve --levels 2",
         "--roundness 1", "--levels 0 --output-normals both", "--threads 2", "--scheme ct-loop"})
-    EXPECT_TRUE(contains(
+    expect_part(
       run("'" + folder.file("plate.ply") + "' '" + folder.file("o.ply") + "' " + option).err,
-      taken))
-      << option;
+      taken);
 }
 
 // What the file says of edges and normals counts, if it says anything.
@@ -409,7 +374,7 @@ TEST_F(Pn_subdivide_part, FilesThatSayMoreAreNotTaken)
 {
   const std::string tags = "--sharp surfaces --levels 0 --output-normals both";
   refined("plate.ply", "tagged.ply", tags);
-  EXPECT_FALSE(contains(said("tagged.ply", "--levels 1"), taken));
+  expect_no_part(said("tagged.ply", "--levels 1"), taken);
   const Part part = triangles(drilled_plate());
   std::vector<Triple> up(part.points.size(), Triple{0, 0, 1}), outwards, none(part.points.size());
   for (const Triple& p : part.points) {
@@ -418,8 +383,8 @@ TEST_F(Pn_subdivide_part, FilesThatSayMoreAreNotTaken)
   }
   folder.write("outwards.ply", part.ply(outwards));
   folder.write("none.ply", part.ply(none));
-  EXPECT_FALSE(contains(said("outwards.ply", "--levels 1 --normals file"), taken));
-  EXPECT_TRUE(contains(said("none.ply", "--levels 1"), taken));
+  expect_no_part(said("outwards.ply", "--levels 1 --normals file"), taken);
+  expect_part(said("none.ply", "--levels 1"), taken);
 }
 
 // A vase of twelve sides is rows of cones above a plane, and meant to be smooth.
@@ -441,7 +406,7 @@ TEST_F(Pn_subdivide_part, RowsOfConesAreNoPart)
     vase.add(bottom);
     folder.write("vase.ply", vase.ply());
     const std::string text = said("vase.ply", "--levels 1");
-    EXPECT_FALSE(contains(text, taken)) << text;
+    expect_no_part(text, taken);
   }
 }
 
@@ -486,21 +451,20 @@ TEST_F(Pn_subdivide_part, TheClosingLineProposesWhatHelps)
 {
   folder.write("few.obj", hills(12, 1));
   const std::string few = said("few.obj", "--levels 1");
-  EXPECT_TRUE(contains(few, " turn by more than 40 degrees: --sharp angle:40, ")) << few;
+  expect_part(few, " turn by more than 40 degrees: --sharp angle:40, ");
   const std::string in_pieces = said("few.obj", "--levels 1 --pieces 2");
-  EXPECT_TRUE(contains(in_pieces, " turn by more than 40 degrees: --sharp angle:40, "))
-    << in_pieces;
+  expect_part(in_pieces, " turn by more than 40 degrees: --sharp angle:40, ");
   // planes only
   const std::string planes = said("box.ply", "--levels 1");
-  EXPECT_TRUE(contains(planes, ", 12 edges turn by more than 40 degrees: --part, ")) << planes;
-  EXPECT_FALSE(contains(planes, taken));
+  expect_part(planes, ", 12 edges turn by more than 40 degrees: --part, ");
+  expect_no_part(planes, taken);
   // every face of it is a plane of its own, which says nothing, and half of its edges turn
   folder.write("gem.off",
                "OFF\n6 8 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1.1 0\n0 0 -1.2\n3 0 1 2\n3 1 3 2\n"
                "3 3 4 2\n3 4 0 2\n3 1 0 5\n3 3 1 5\n3 4 3 5\n3 0 4 5\n");
   const std::string gem = said("gem.off", "--levels 1");
-  EXPECT_FALSE(contains(gem, "40 degrees")) << gem;
-  EXPECT_FALSE(contains(said("shaft.stl", "--levels 1"), "40 degrees"));
+  expect_no_part(gem, "40 degrees");
+  expect_no_part(said("shaft.stl", "--levels 1"), "40 degrees");
 }
 
 // --- --part ---
@@ -536,7 +500,7 @@ TEST_F(Pn_subdivide_part, WhatDoesNotGoWithPartIsNamed)
     if (option == "--write-tags") given += " '" + folder.file("t.selection.txt") + "'";
     const Outcome outcome = surface("shaft.stl", "o.ply", "--part " + given);
     expect_one_line(outcome, 2, "--part and ");
-    EXPECT_TRUE(contains(outcome.err, option)) << outcome.err;
+    expect_part(outcome.err, option);
   }
   expect_one_line(surface("shaft.stl", "o.ply", "--part --chord 1 --levels 2"), 2, "--levels 2");
 }
@@ -608,7 +572,7 @@ TEST_F(Pn_subdivide_part, CheckKnowsRoundSurfaces)
     SCOPED_TRACE(options);
     const std::string text = checked("shaft.stl", options + reported());
     const Json json = report()["check"];
-    EXPECT_TRUE(contains(text, " of the recognized surfaces (linear 0.")) << text;
+    expect_part(text, " of the recognized surfaces (linear 0.");
     const bool is_smooth = contains(options, "none");
     // 2 pi 5/3 more: of the shaft, not of the prisms of 24 sides, which have 0.9886 of it
     EXPECT_NEAR(json.at("volume").get<double>(), 1, is_smooth ? 1 : 1e-2) << text;
@@ -625,29 +589,20 @@ TEST_F(Pn_subdivide_part, CheckKnowsRoundSurfaces)
 TEST_F(Pn_subdivide_part, CheckProposesPartBesideTags)
 {
   const std::string tagged = checked("shaft.stl", "--sharp angle:100");
-  EXPECT_TRUE(contains(tagged, ". It looks like a part: try --part\n")) << tagged;
-  EXPECT_FALSE(contains(checked("shaft.stl", "--sharp none"), "--part"));
+  expect_part(tagged, ". It looks like a part: try --part\n");
+  expect_no_part(checked("shaft.stl", "--sharp none"), "--part");
 }
 
 // A ball of 12 meridians and 5 parallels has 0.82 of the volume of its sphere, and is that again.
 TEST_F(Pn_subdivide_part, CheckKnowsASphere)
 {
-  Part ball;
   const auto point = [](int i, int j) {
     const Triple z = on_circle(1, 30. * j - 90, 0);
     return j == 0 || j == 6 ? Triple{0, 0, z[1]} : on_circle(z[0], 30. * (i % 12), z[1]);
   };
-  for (int i = 0; i < 12; ++i)
-    for (int j = 0; j < 6; ++j)
-      if (j == 0)
-        ball.add({point(0, 0), point(i + 1, 1), point(i, 1)});
-      else if (j == 5)
-        ball.add({point(i, 5), point(i + 1, 5), point(0, 6)});
-      else
-        ball.add({point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
-  folder.write("ball.ply", ball.ply());
+  folder.write("ball.ply", ball_of(point).ply());
   const std::string text = checked("ball.ply", "--levels 3 --normals sphere:0,0,0" + reported());
-  EXPECT_TRUE(contains(text, "check: kept (linear LOST)\n")) << text;
+  expect_part(text, "check: kept (linear LOST)\n");
   const Json json = report()["check"];
   EXPECT_NEAR(json.at("volume").get<double>(), 1, 1e-2);
   EXPECT_LT(json.at("largest_distance").get<double>(), 1e-9);

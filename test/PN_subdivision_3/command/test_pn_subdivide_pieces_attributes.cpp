@@ -10,14 +10,6 @@
 #include "Extent.h"
 #include "Pieces_test.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <sstream>
-#include <string>
-#include <vector>
-
 namespace {
 
 class Attributes_in_pieces : public Pieces
@@ -87,12 +79,10 @@ protected:
         << scheme << " " << in << " " << options << " " << pieces;
       EXPECT_EQ(number_of_lines(outcome.err), number_of_lines(whole.err))
         << whole.err << outcome.err;
-      EXPECT_NE(content("out.ply").find("property float heat"), std::string::npos);
+      expect_part(content("out.ply"), "property float heat");
     }
   }
 };
-
-} // namespace
 
 TEST_F(Attributes_in_pieces, AreThoseOfTheWholeFile)
 {
@@ -139,15 +129,13 @@ TEST_F(Attributes_in_pieces, OfOtherFormats)
   for (const char* const levels : {"--levels 0", "--levels 2", "--levels 3"})
     for (const std::string name : {"in.obj", "in.off"}) {
       const std::string scheme = name == "in.obj" ? "catmull-clark" : "loop";
-      ASSERT_EQ(run(job(scheme, name, "whole.ply") + levels).code, 0);
+      done(run(job(scheme, name, "whole.ply") + levels));
       const Outcome outcome = run(job(scheme, name, "out.ply") + levels + " --pieces 4");
       ASSERT_EQ(outcome.code, 0) << outcome.err;
       EXPECT_TRUE(content("out.ply") == content("whole.ply")) << name << levels;
     }
-  EXPECT_NE(content("out.ply").find("property uchar red"), std::string::npos);
+  expect_part(content("out.ply"), "property uchar red");
 }
-
-namespace {
 
 template <class T>
 void expect_rows(const std::string& piece, const std::string& whole, const std::string& name,
@@ -160,13 +148,11 @@ void expect_rows(const std::string& piece, const std::string& whole, const std::
       << name;
 }
 
-} // namespace
-
 TEST_F(Attributes_in_pieces, PvtpHasThoseOfTheVtpFile)
 {
   for (const bool has_seams : {false, true}) {
     write_ply("quads.off", has_seams);
-    ASSERT_EQ(run(job("catmull-clark", "in.ply", "whole.vtp") + "--levels 2").code, 0);
+    done(run(job("catmull-clark", "in.ply", "whole.vtp") + "--levels 2"));
     const Outcome outcome =
       run(job("catmull-clark", "in.ply", "out.pvtp") + "--levels 2 --pieces 3");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -196,5 +182,7 @@ TEST_F(Attributes_in_pieces, WhatSomeCornersLackIsRefused)
   folder.write("in.ply", ply.substr(0, last) + " 0\n");
   expect_one_line(run(job("catmull-clark", "in.ply", "out.ply") + "--levels 1 --pieces 2"), 1,
                   "--drop-attributes");
-  EXPECT_EQ(run(job("catmull-clark", "in.ply", "out.pvtp") + "--levels 1 --pieces 2").code, 0);
+  done(run(job("catmull-clark", "in.ply", "out.pvtp") + "--levels 1 --pieces 2"));
 }
+
+} // namespace

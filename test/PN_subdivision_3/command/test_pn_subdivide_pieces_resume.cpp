@@ -135,7 +135,7 @@ TEST_F(Pieces, ResumeAfterAFullDisk)
                                       " --sharp angle:25 --sharpness 3 --border fixed"})
         expect_one_line(run(job + other), 1, "out.ply.part.done");
     expect_one_line(run(in_out(scheme, "out.ply") + "--levels 6 --pieces 40"), 1, "--resume");
-    EXPECT_EQ(run(arguments).code, 0);
+    done(run(arguments));
     EXPECT_TRUE(content("out.ply") == expected);
     EXPECT_EQ(folder.number_of_files(), 4u);
     fs::remove(folder.file("out.ply"));
@@ -147,8 +147,7 @@ TEST_F(Resume, OfADamagedPly)
   const std::string expected = whole("loop", job);
   interrupt("out.ply");
   const auto expect_whole_file = [&](const std::string& what) {
-    const Outcome outcome = run(arguments("out.ply"));
-    EXPECT_EQ(outcome.code, 0) << what << outcome.err;
+    done(run(arguments("out.ply")));
     EXPECT_TRUE(content("out.ply") == expected) << what;
     EXPECT_EQ(folder.number_of_files(), 4u) << what;
   };
@@ -164,14 +163,13 @@ TEST_F(Resume, OfADamagedPly)
 
 TEST_F(Resume, OfADamagedPvtp)
 {
-  ASSERT_EQ(run(in_out("loop", "out.pvtp") + job).code, 0);
+  done(run(in_out("loop", "out.pvtp") + job));
   const std::string expected = pieces_of("out");
   fs::remove(folder.file("out.pvtp"));
   fs::remove_all(folder.file("out_pieces"));
   interrupt("out.pvtp");
   const auto expect_all_pieces = [&](const std::string& what) {
-    const Outcome outcome = run(arguments("out.pvtp"));
-    EXPECT_EQ(outcome.code, 0) << what << outcome.err;
+    done(run(arguments("out.pvtp")));
     EXPECT_TRUE(pieces_of("out") == expected) << what;
     EXPECT_EQ(folder.number_of_files(), 4u) << what;
   };
@@ -197,7 +195,7 @@ TEST_F(Resume, OfDamagedReceipts)
 {
   for (const std::string out : {"out.ply", "out.pvtp"}) {
     const std::string complete = in_out("loop", out) + job;
-    ASSERT_EQ(run(complete).code, 0);
+    done(run(complete));
     const std::string expected = out == "out.ply" ? content(out) : pieces_of("out");
     clear();
     SetUp();
@@ -205,8 +203,7 @@ TEST_F(Resume, OfDamagedReceipts)
     const auto expect_whole = [&](const std::string& what) {
       // a piece whose receipt is damaged, and one whose receipt is not
       if (out == "out.pvtp") fs::remove(folder.file("out.pvtp.part/piece_2.vtp"));
-      const Outcome outcome = run(arguments(out));
-      EXPECT_EQ(outcome.code, 0) << what << outcome.err;
+      done(run(arguments(out)));
       EXPECT_TRUE((out == "out.ply" ? content(out) : pieces_of("out")) == expected) << what;
       EXPECT_EQ(folder.number_of_files(), out == "out.ply" ? 3u : 4u) << what;
     };
@@ -241,7 +238,7 @@ TEST_F(Resume, TakesFinishedPiecesAsTheyAre)
   const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(24);
   for (std::size_t i = 0; i < finished; ++i)
     fs::last_write_time(folder.file("out.pvtp.part/piece_" + std::to_string(i) + ".vtp"), long_ago);
-  ASSERT_EQ(run(arguments("out.pvtp")).code, 0);
+  done(run(arguments("out.pvtp")));
   std::size_t kept = 0;
   for (int i = 0; i < 40; ++i)
     kept += fs::last_write_time(folder.file("out_pieces/piece_" + std::to_string(i) + ".vtp")) <

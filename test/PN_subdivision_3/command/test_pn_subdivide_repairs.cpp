@@ -8,18 +8,10 @@
 
 // --repair turns closed components outwards, and cavities the other way.
 
-#include "Command_test.h"
+#include "Refined_files.h"
 
 #include "io/mesh_io.h"
 #include "io/soup_repair.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace pn_subdivide;
 
@@ -67,24 +59,6 @@ struct Bodies
     add(points, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, sign, is_turned);
   }
 };
-
-double volume(const Mesh_data& mesh, std::size_t begin, std::size_t end)
-{
-  double sum = 0;
-  const Triple& o = mesh.points[mesh.face(begin).front()];
-  for (std::size_t f = begin; f < end; ++f) {
-    const auto seen = [&](std::ptrdiff_t i) {
-      const Triple& p = mesh.points[mesh.face(f)[i]];
-      return Triple{p[0] - o[0], p[1] - o[1], p[2] - o[2]};
-    };
-    for (std::ptrdiff_t i = 2; i < std::ptrdiff_t(mesh.face(f).size()); ++i) {
-      const Triple a = seen(0), b = seen(i - 1), c = seen(i);
-      sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-             a[2] * (b[0] * c[1] - b[1] * c[0]);
-    }
-  }
-  return sum / 6;
-}
 
 void expect_signs(const Bodies& bodies, const Mesh_data& mesh)
 {
@@ -236,10 +210,10 @@ TEST(Soup_repair_outwards, ComponentsThatCrossThemselves)
         top.assign(bodies.mesh.face(f).begin(), bodies.mesh.face(f).end());
     for (std::size_t i = 0; i < 5; ++i)
       mesh.add_face(std::vector<Mesh_data::Index>{top[i], top[(i + 1) % 5], 10});
-    const double before = volume(mesh, 0, mesh.number_of_faces());
+    const double before = volume(mesh);
     EXPECT_EQ(before > 0, !is_turned);
     repair_soup(mesh);
-    EXPECT_GT(volume(mesh, 0, mesh.number_of_faces()), 0);
+    EXPECT_GT(volume(mesh), 0);
   }
 }
 
@@ -288,15 +262,9 @@ TEST_F(Pn_subdivide_repairs, ComponentsFromFilesOfEveryFormat)
   for (const std::string format : {"off", "ply", "obj"}) {
     const std::string input = folder.file("a." + format), output = folder.file("b.off");
     write_mesh(input, bodies.mesh, Encoding::binary);
-    const Outcome outcome =
-      run("surface '" + input + "' '" + output + "' --levels 0 --repair --quiet");
-    EXPECT_EQ(outcome.code, 0);
-    EXPECT_NE(outcome.err.find(" 6 closed components turned right side out"), std::string::npos)
-      << outcome.err;
+    const Outcome outcome = done(surface(input, output, "--levels 0 --repair --quiet"));
+    expect_part(outcome.err, " 6 closed components turned right side out");
     expect_signs(bodies, read_mesh(output));
-    EXPECT_EQ(
-      run("surface '" + output + "' '" + folder.file("c.off") + "' --levels 0 --repair --quiet")
-        .err,
-      "");
+    EXPECT_EQ(surface(output, "c.off", "--levels 0 --repair --quiet").err, "");
   }
 }

@@ -9,6 +9,7 @@
 // `--roundness`: where it comes from, what is written of it, and what it does to the result.
 
 #include "Extent.h"
+#include "Part_files.h"
 #include "Refined_files.h"
 
 #include "io/mesh_io.h"
@@ -19,17 +20,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <limits>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace pn_subdivide;
 
@@ -38,36 +29,8 @@ namespace {
 // A box of quads or triangles with m x m squares a side, stretched; the origin is its center.
 std::string box(int m, bool is_triangles)
 {
-  std::vector<Triple> points;
-  std::string faces;
-  const auto number = [&](const Triple& p) {
-    const auto found = std::find(points.begin(), points.end(), p);
-    if (found != points.end()) return std::to_string(found - points.begin() + 1);
-    points.push_back(p);
-    return std::to_string(points.size());
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const int end : {0, 1})
-      for (int i = 0; i < m; ++i)
-        for (int j = 0; j < m; ++j) {
-          std::vector<std::string> face;
-          for (const auto& [a, b] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
-            Triple p{};
-            p[axis] = 2. * end - 1;
-            p[(axis + 1) % 3] = 2. * (i + (end == 1 ? a : b)) / m - 1;
-            p[(axis + 2) % 3] = 2. * (j + (end == 1 ? b : a)) / m - 1;
-            face.push_back(number({4 * p[0], p[1], 1.5 * p[2]}));
-          }
-          if (is_triangles)
-            faces += "f " + face[0] + " " + face[1] + " " + face[2] + "\nf " + face[0] + " " +
-                     face[2] + " " + face[3] + "\n";
-          else
-            faces += "f " + face[0] + " " + face[1] + " " + face[2] + " " + face[3] + "\n";
-        }
-  std::ostringstream text;
-  text.precision(17);
-  for (const Triple& p : points) text << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
-  return text.str() + faces;
+  const Part part = box_of_squares(m, {-4, -1, -1.5}, {8, 2, 3});
+  return (is_triangles ? triangulated(part) : part).obj();
 }
 
 // A ball with a ridge, of which some vertices are round and some are not.
@@ -165,11 +128,9 @@ protected:
   // the points of a curve of six control points
   std::vector<Triple> curve(const std::string& options) const
   {
-    const Outcome outcome =
-      run("curve '" + folder.file("p.txt") + "' '" + folder.file("o.txt") + "' --quiet " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    done(Command_test::curve("p.txt", "o.txt", "--quiet " + options));
     std::vector<Triple> points;
-    std::istringstream lines(Temporary_folder::content(folder.file("o.txt")));
+    std::istringstream lines(content("o.txt"));
     for (std::string line; std::getline(lines, line);) {
       std::istringstream numbers(line);
       Triple p{};
@@ -231,11 +192,9 @@ TEST_F(Pn_subdivide_roundness, AutoTakesThatOfTheFileBesideControlNormals)
             written("round.ply", "b.ply", "--levels 2 --output-normals control --roundness 1"));
   EXPECT_EQ(written("round.ply", "b.ply", "--levels 2 --roundness 1"),
             written("ridge.ply", "b.ply", "--levels 2 --normals file"));
-  EXPECT_TRUE(
-    contains(err("round.ply", ""), "normals of the file, roundness 0 at 2 of 6 vertices"));
+  expect_part(err("round.ply", ""), "normals of the file, roundness 0 at 2 of 6 vertices");
   folder.write("rounder.ply", ply({1, 0.5, 1, 1, 0.25, 1}, true));
-  EXPECT_TRUE(
-    contains(err("rounder.ply", ""), "normals of the file, roundness below 1 at 2 of 6 vertices"));
+  expect_part(err("rounder.ply", ""), "normals of the file, roundness below 1 at 2 of 6 vertices");
   // it is none of the attributes
   EXPECT_EQ(read_mesh(folder.file("a.ply")).attributes.of_vertices.size(), 1u);
   for (const std::string options : {"--linear", "--normals none", "--normals estimate"})
@@ -247,10 +206,10 @@ TEST_F(Pn_subdivide_roundness, FileNeedsTheProperty)
   folder.write("o.ply", "old");
   expect_one_line(surface("ridge.ply", "o.ply", "--roundness file"), 1, "--roundness file");
   expect_one_line(surface("box.obj", "o.ply", "--roundness file"), 1, "--roundness estimate");
-  EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
+  EXPECT_EQ(content("o.ply"), "old");
   // also where the normals are estimated
-  EXPECT_TRUE(contains(err("points.ply", "--roundness file"),
-                       "estimated normals, roundness 0 at 2 of 6 vertices"));
+  expect_part(err("points.ply", "--roundness file"),
+              "estimated normals, roundness 0 at 2 of 6 vertices");
   EXPECT_NE(written("points.ply", "a.ply", "--roundness file"),
             written("points.ply", "b.ply", "--roundness auto"));
   for (const char* const wrong : {"-0.6", "1.6", "nan", "inf"}) {
@@ -271,12 +230,12 @@ TEST_F(Pn_subdivide_roundness, EstimateReadsItOffThePoints)
     const auto zeros = std::count(mesh.roundness.begin(), mesh.roundness.end(), 0.);
     EXPECT_GT(zeros, 0);
     const std::string part = "roundness 0 at " + std::to_string(zeros) + " of 26 vertices";
-    EXPECT_TRUE(contains(err(input, ""), "estimated normals, " + part)) << err(input, "");
-    EXPECT_TRUE(contains(err(input, "--normals sphere:0,0,0 --roundness estimate"), part));
-    EXPECT_TRUE(contains(err(input, "--roundness 0"), ", roundness 0 at all 26 vertices, "));
+    expect_part(err(input, ""), "estimated normals, " + part);
+    expect_part(err(input, "--normals sphere:0,0,0 --roundness estimate"), part);
+    expect_part(err(input, "--roundness 0"), ", roundness 0 at all 26 vertices, ");
     for (const std::string options : {"--normals sphere:0,0,0", "--normals reciprocal",
                                       "--normals angle", "--roundness 0.5", "--roundness 1"}) {
-      EXPECT_FALSE(contains(err(input, options), "roundness 0")) << options;
+      expect_no_part(err(input, options), "roundness 0");
       EXPECT_EQ(
         refined(input, "b.ply", "--levels 0 --output-normals control " + options).roundness.size(),
         options == "--roundness 0.5" ? mesh.points.size() : 0u);
@@ -301,7 +260,7 @@ TEST_F(Pn_subdivide_roundness, WedgesBesideChamfersAreNotRound)
     const std::string all = with_normals ? "roundness 0 at 24 of 36" : "roundness 0 at";
     const std::string said =
       err("pin.off", with_normals ? "--sharp angle:40 --normals file" : "--sharp angle:40");
-    EXPECT_TRUE(contains(said, all)) << said;
+    expect_part(said, all);
   }
 }
 
@@ -333,7 +292,7 @@ TEST_F(Pn_subdivide_roundness, WedgesHaveThatOfTheLibrary)
 // Planes are.
 TEST_F(Pn_subdivide_roundness, CreasesAreRound)
 {
-  EXPECT_FALSE(contains(err("box.obj", "--sharp angle:50"), "roundness"));
+  expect_no_part(err("box.obj", "--sharp angle:50"), "roundness");
   folder.write("one.selection.txt", "\n\n0 1\n");
   const Mesh_data mesh = refined("box.obj", "a.ply",
                                  "--levels 0 --output-normals control --sharp '" +
@@ -471,7 +430,7 @@ TEST_F(Pn_subdivide_roundness, WhatMeansNothingIsAUsageError)
     for (const std::string other : {"--linear", "--normals none"})
       for (const std::string& part : {std::string("--roundness"), other})
         expect_one_line(surface("round.ply", "o.ply", "--roundness " + x + " " + other), 2, part);
-  EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
+  EXPECT_EQ(content("o.ply"), "old");
   expect_one_line(surface("box.obj", "o.ply", "--normals coherently"), 2, "coherent");
 }
 

@@ -13,8 +13,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <sstream>
-#include <vector>
 
 using namespace pn_subdivide;
 
@@ -111,9 +109,9 @@ protected:
     // the limits of one round are those of two
     const bool has_limits = mode.options.find("--limit") != std::string::npos;
     const std::string levels = has_limits && !tests_are_full ? "1" : "2";
-    const Outcome outcome = run("surface '" + input + "' '" + output + "' --quiet --levels " +
-                                levels + " --scheme " + mode.scheme + " " + mode.options);
-    EXPECT_EQ(outcome.code, 0) << mode.scheme << ' ' << mode.options << ' ' << outcome.err;
+    const Outcome outcome =
+      done(surface(input, output,
+                   "--quiet --levels " + levels + " --scheme " + mode.scheme + " " + mode.options));
     return outcome.code == 0 ? read_mesh(output) : Mesh_data();
   }
 };
@@ -163,9 +161,8 @@ TEST_F(Pn_subdivide_scale, CurvaturesAreScaledOrRefused)
     for (const int e : {-1000, -600, -500, 500, 600, 1000}) {
       const std::string input = folder.write("i.off", box(false, false, e));
       const std::string output = folder.file("none.ply");
-      expect_one_line(
-        run("surface '" + input + "' '" + output + "' --levels 1 --quiet --curvature " + kind), 1,
-        "--curvature: the mesh has a size of");
+      expect_one_line(surface(input, output, "--levels 1 --quiet --curvature " + kind), 1,
+                      "--curvature: the mesh has a size of");
       EXPECT_EQ(Temporary_folder::content(output), "");
     }
   }
@@ -181,9 +178,7 @@ TEST_F(Pn_subdivide_scale, CurvesAreScaledBitForBit)
         "--scheme bspline:3 --linear --interpolate points"}) {
     const auto numbers = [&](int e) {
       const std::string input = folder.write("i.txt", circle(e)), output = folder.file("o.txt");
-      const Outcome outcome =
-        run("curve '" + input + "' '" + output + "' --quiet --levels 2 " + options);
-      EXPECT_EQ(outcome.code, 0) << options << ' ' << e << outcome.err;
+      done(curve(input, output, "--quiet --levels 2 " + options));
       std::vector<std::vector<double>> rows;
       std::istringstream in(Temporary_folder::content(output));
       for (std::string line; std::getline(in, line);) {

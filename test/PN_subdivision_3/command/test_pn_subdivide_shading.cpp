@@ -14,17 +14,12 @@
 #include "io/Mesh_data.h"
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
-#include <sstream>
-#include <string>
 #include <utility>
-#include <vector>
 
 using namespace pn_subdivide;
 
@@ -221,21 +216,14 @@ std::string file(const Shape& s, const std::vector<Vector>& normals, Format form
 class Pn_subdivide_shading : public Command_test
 {
 protected:
-  Outcome surface(const std::string& input, const std::string& options) const
+  Outcome refine(const std::string& input, const std::string& options) const
   {
-    const Outcome outcome =
-      run("surface '" + input + "' '" + folder.file("out.ply") + "' " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return outcome;
+    return done(surface(input, "out.ply", options));
   }
   std::string refined(const std::string& input, const std::string& options) const
   {
-    surface(input, "--quiet --output-normals control " + options);
-    return Temporary_folder::content(folder.file("out.ply"));
-  }
-  static bool has(const std::string& text, const std::string& part)
-  {
-    return text.find(part) != std::string::npos;
+    refine(input, "--quiet --output-normals control " + options);
+    return content("out.ply");
   }
   std::string written(const Shape& s, const std::vector<Vector>& normals, std::size_t format,
                       int digits, bool is_fixed = true)
@@ -245,11 +233,12 @@ protected:
   }
   void expect_data(const Shape& s, const std::vector<Vector>& normals, const std::string& name)
   {
+    SCOPED_TRACE(name);
     for (const std::size_t format : {0u, 1u, 2u, 3u, 4u})
       for (const int digits : {4, 6, 9}) {
-        const Outcome outcome = surface(written(s, normals, format, digits), "--levels 1");
-        EXPECT_FALSE(has(outcome.err, "shading")) << name << format << digits << outcome.err;
-        EXPECT_TRUE(has(outcome.err, "normals of the file")) << name << outcome.err;
+        const Outcome outcome = refine(written(s, normals, format, digits), "--levels 1");
+        expect_no_part(outcome.err, "shading");
+        expect_part(outcome.err, "normals of the file");
       }
   }
 };
@@ -273,13 +262,13 @@ TEST_F(Pn_subdivide_shading, EachKindIsFoundWithItsDigits)
               continue;
             SCOPED_TRACE(std::to_string(kind) + formats[format].second + std::to_string(digits));
             const std::string input = written(*s, shading(*s, kind), format, digits, is_fixed);
-            const Outcome outcome = surface(input, "--levels 1 --output-normals control");
+            const Outcome outcome = refine(input, "--levels 1 --output-normals control");
             // a triangle's corners span its area
             const char* const name = s == &triangles && kind == 4 ? weights[1] : weights[kind];
-            EXPECT_TRUE(has(outcome.err, std::string(name) + " (")) << outcome.err;
-            EXPECT_TRUE(has(outcome.err, "estimated normals")) << outcome.err;
-            EXPECT_FALSE(has(outcome.err, "warning")) << outcome.err;
-            EXPECT_EQ(Temporary_folder::content(folder.file("out.ply")), expected);
+            expect_part(outcome.err, std::string(name) + " (");
+            expect_part(outcome.err, "estimated normals");
+            expect_no_part(outcome.err, "warning");
+            EXPECT_EQ(content("out.ply"), expected);
           }
   }
 }
@@ -288,17 +277,17 @@ TEST_F(Pn_subdivide_shading, OthersAreTakenAndFileInsists)
 {
   const Shape s = potato();
   const std::string input = written(s, shading(s, 2), 1, 4);
-  const Outcome outcome = surface(input, "--normals file");
-  EXPECT_TRUE(has(outcome.err, "normals of the file")) << outcome.err;
-  EXPECT_FALSE(has(outcome.err, "shading")) << outcome.err;
+  const Outcome outcome = refine(input, "--normals file");
+  expect_part(outcome.err, "normals of the file");
+  expect_no_part(outcome.err, "shading");
   EXPECT_NE(refined(input, "--normals file"), refined(input, ""));
   for (const std::string options : {"--linear", "--normals estimate", "--normals sphere:0,0,0"})
-    EXPECT_FALSE(has(surface(input, options).err, "shading")) << options;
+    expect_no_part(refine(input, options).err, "shading");
   const std::string report = folder.file("r.json");
-  surface(input, "--levels 1 --report '" + report + "'");
+  refine(input, "--levels 1 --report '" + report + "'");
   const auto json = nlohmann::json::parse(Temporary_folder::content(report));
   ASSERT_EQ(json.at("notes").size(), 1u);
-  EXPECT_TRUE(has(json.at("notes")[0].get<std::string>(), "shading normals"));
+  expect_part(json.at("notes")[0].get<std::string>(), "shading normals");
 }
 
 // Four of five have to agree, within two units of the last digit and 2e-6.
@@ -316,7 +305,7 @@ TEST_F(Pn_subdivide_shading, HowManyAndHowClose)
         std::max({std::abs(side[0]), std::abs(side[1]), std::abs(side[2])});
       for (std::size_t k = 0; k < 3; ++k) normals[v][k] += off * side[k] / largest;
     }
-    return has(surface(written(s, normals, 1, digits), "").err, "shading");
+    return contains(refine(written(s, normals, 1, digits), "").err, "shading");
   };
   EXPECT_TRUE(is_found(all / 5, 0.1L, 12));
   EXPECT_FALSE(is_found(all / 5 + 1, 0.1L, 12));
@@ -332,11 +321,11 @@ TEST_F(Pn_subdivide_shading, MissingNormalsDoNotCount)
   const Shape s = potato();
   std::vector<Vector> normals = shading(s, 3);
   for (std::size_t v = 0; v < normals.size(); v += 2) normals[v] = {0, 0, 0};
-  EXPECT_TRUE(has(surface(written(s, normals, 1, 6), "").err, "area times angle"));
+  expect_part(refine(written(s, normals, 1, 6), "").err, "area times angle");
   // of any length
   for (std::size_t v = 0; v < normals.size(); ++v) normals[v] = scaled(0.01L * (1 + v), normals[v]);
   for (const bool is_fixed : {true, false})
-    EXPECT_TRUE(has(surface(written(s, normals, 1, 7, is_fixed), "").err, "area times angle"));
+    expect_part(refine(written(s, normals, 1, 7, is_fixed), "").err, "area times angle");
 }
 
 TEST_F(Pn_subdivide_shading, TrueNormalsAreData)
@@ -417,15 +406,15 @@ TEST_F(Pn_subdivide_shading, WedgesAndWashers)
     return text + faces;
   };
   for (const int digits : {4, 9}) {
-    Outcome outcome = surface(folder.write("washer.obj", obj(true, digits)), "");
-    EXPECT_FALSE(has(outcome.err, "shading")) << outcome.err;
-    EXPECT_TRUE(has(outcome.err, "48 edges, taken for creases")) << outcome.err;
+    Outcome outcome = refine(folder.write("washer.obj", obj(true, digits)), "");
+    expect_no_part(outcome.err, "shading");
+    expect_part(outcome.err, "48 edges, taken for creases");
     // planes agree with all sums, half of it; of uneven sides nothing agrees with the reciprocal one
     const std::string input = folder.write("washer.obj", obj(false, digits));
-    outcome = surface(input, "");
-    EXPECT_TRUE(has(outcome.err, "shading normals")) << outcome.err;
-    EXPECT_TRUE(has(outcome.err, "48 edges, taken for creases")) << outcome.err;
-    EXPECT_TRUE(has(outcome.err, "estimated normals, 48 sharp edges")) << outcome.err;
+    outcome = refine(input, "");
+    expect_part(outcome.err, "shading normals");
+    expect_part(outcome.err, "48 edges, taken for creases");
+    expect_part(outcome.err, "estimated normals, 48 sharp edges");
   }
 }
 
@@ -445,9 +434,8 @@ TEST_F(Pn_subdivide_shading, PointsMayBeRounded)
     for (const long double scale : {1.L, 1e-3L}) {
       const Shape coarse = rounded(s, unit, scale);
       for (std::size_t kind = 0; kind < 5; ++kind)
-        EXPECT_TRUE(has(surface(written(coarse, shading(s, kind), 0, 6), "").err, weights[kind]))
-          << kind;
-      EXPECT_FALSE(has(surface(written(coarse, other, 0, 6), "").err, "shading"));
+        expect_part(refine(written(coarse, shading(s, kind), 0, 6), "").err, weights[kind]);
+      expect_no_part(refine(written(coarse, other, 0, 6), "").err, "shading");
     }
 }
 
@@ -476,16 +464,16 @@ TEST_F(Pn_subdivide_shading, NormalsFarFromTheFacesAreSetAside)
     both.faces.push_back(f);
   }
   const std::string options = "--levels 1 --normals ";
-  Outcome outcome = surface(written(s, normals, 2, 9), "");
-  EXPECT_TRUE(has(outcome.err, "on 1 of 1 components")) << outcome.err;
-  EXPECT_TRUE(has(outcome.err, "estimated normals")) << outcome.err;
+  Outcome outcome = refine(written(s, normals, 2, 9), "");
+  expect_part(outcome.err, "on 1 of 1 components");
+  expect_part(outcome.err, "estimated normals");
   const std::string input = written(both, normals_of_both, 2, 9);
-  outcome = surface(input, "");
-  EXPECT_TRUE(has(outcome.err, "on 1 of 2 components")) << outcome.err;
+  outcome = refine(input, "");
+  expect_part(outcome.err, "on 1 of 2 components");
   for (const std::string more : {"file", "estimate", "auto --roundness 1"})
-    EXPECT_EQ(has(surface(input, options + more).err, "set aside"), more[0] == 'a') << more;
+    EXPECT_EQ(contains(refine(input, options + more).err, "set aside"), more[0] == 'a') << more;
   const auto points = [&](const std::string& source) {
-    surface(input, options + source);
+    refine(input, options + source);
     return read_mesh(folder.file("out.ply")).points;
   };
   const std::vector<Triple> now = points("auto"), file = points("file"),
@@ -502,10 +490,9 @@ TEST_F(Pn_subdivide_shading, WhatAFileCallsControlNormalsAreData)
   const std::string plain = folder.write("plain.off", file(s, {}, Format::off, 17));
   const std::string options = "--normals angle --levels 0 --output-normals ";
   for (const std::string choice : {"control", "both"}) {
-    surface(plain, options + choice);
-    const std::string input =
-      folder.write("said.ply", Temporary_folder::content(folder.file("out.ply")));
-    EXPECT_FALSE(has(surface(input, "").err, "shading"));
+    refine(plain, options + choice);
+    const std::string input = folder.write("said.ply", content("out.ply"));
+    expect_no_part(refine(input, "").err, "shading");
     EXPECT_EQ(refined(input, "--levels 2"), refined(plain, "--levels 2 --normals angle"));
   }
 }
@@ -516,8 +503,8 @@ TEST_F(Pn_subdivide_shading, ExamplesOfThePackageAreData)
        {"sphere_quads", "sphere_mixed", "sphere_triangles", "sphere_cap", "torus_quads",
         "cylinder_quads", "cylinder_triangles", "cylinder_cap_8", "cube_on_sphere", "bezier_6",
         "saddle_5", "valences_3_to_12", "missing_normals"}) {
-    const Outcome outcome = surface(std::string(PN_DATA_DIR "/") + name + ".ply", "");
-    EXPECT_TRUE(has(outcome.err, "normals of the file")) << outcome.err;
+    const Outcome outcome = refine(std::string(PN_DATA_DIR "/") + name + ".ply", "");
+    expect_part(outcome.err, "normals of the file");
   }
 }
 
@@ -563,17 +550,15 @@ TEST_F(Pn_subdivide_shading, RepairTurnsNormalsOver)
         normals[v] = scaled(-1, normals[v]);
       const std::string input = written(s, normals, format, 15);
       const std::string number = std::to_string(turned);
-      const Outcome without = surface(input, "--quiet");
-      EXPECT_TRUE(has(without.err, number + " of " + std::to_string(normals.size())))
-        << without.err;
-      EXPECT_TRUE(has(without.err, "--repair turns")) << without.err;
+      const Outcome without = refine(input, "--quiet");
+      expect_part(without.err, number + " of " + std::to_string(normals.size()));
+      expect_part(without.err, "--repair turns");
       const std::string report = folder.file("r.json");
-      const Outcome with = surface(input, "--quiet --repair --report '" + report + "'");
-      EXPECT_TRUE(has(with.err, number + (turned == 1 ? " normal " : " normals ") +
-                                  "that opposed all faces turned over (first: at vertex " +
-                                  std::to_string(3 % step) + ")"))
-        << with.err;
-      EXPECT_FALSE(has(with.err, "point against")) << with.err;
+      const Outcome with = refine(input, "--quiet --repair --report '" + report + "'");
+      expect_part(with.err, number + (turned == 1 ? " normal " : " normals ") +
+                              "that opposed all faces turned over (first: at vertex " +
+                              std::to_string(3 % step) + ")");
+      expect_no_part(with.err, "point against");
       EXPECT_EQ(nlohmann::json::parse(Temporary_folder::content(report)).at("repaired"),
                 nlohmann::json({{"turned_normals", turned}}));
       if (format != 4) {
@@ -581,9 +566,9 @@ TEST_F(Pn_subdivide_shading, RepairTurnsNormalsOver)
       }
       // which are not taken
       for (const std::string options : {"--linear", "--normals estimate", "--normals sphere:0,0,0"})
-        EXPECT_EQ(surface(input, "--quiet --repair " + options).err, "");
+        EXPECT_EQ(refine(input, "--quiet --repair " + options).err, "");
     }
-  EXPECT_EQ(surface(good, "--quiet --repair").err, "");
+  EXPECT_EQ(refine(good, "--quiet --repair").err, "");
 }
 
 // Of a box inside out with normals that point outwards the faces are turned, and the normals are right then.
@@ -593,9 +578,9 @@ TEST_F(Pn_subdivide_shading, FacesAreTurnedFirst)
     return Vector{std::sin(t) * std::cos(u), std::sin(t) * std::sin(u), std::cos(t)};
   });
   for (std::vector<int>& f : s.faces) std::reverse(f.begin(), f.end());
-  const Outcome outcome = surface(written(s, s.points, 1, 15), "--quiet --repair");
-  EXPECT_TRUE(has(outcome.err, "1 closed component turned right side out")) << outcome.err;
-  EXPECT_FALSE(has(outcome.err, "turned over")) << outcome.err;
+  const Outcome outcome = refine(written(s, s.points, 1, 15), "--quiet --repair");
+  expect_part(outcome.err, "1 closed component turned right side out");
+  expect_no_part(outcome.err, "turned over");
 }
 
 // One that opposes some of its faces only stays as it is; of a wedge the faces of this wedge count.
@@ -604,20 +589,20 @@ TEST_F(Pn_subdivide_shading, OnlyThoseThatOpposeAllTheirFaces)
   const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 -1\nv 1 0 -1\n";
   const std::string faces = "f 1//2 2//2 3//2 4//2\nf 5//1 6//1 2//1 1//1\n"; // up, and -y
   const auto err = [&](const std::string& up, const std::string& side) {
-    return surface(folder.write("a.obj", points + "vn " + side + "\nvn " + up + "\n" + faces),
-                   "--quiet --repair --sharp angle:30")
+    return refine(folder.write("a.obj", points + "vn " + side + "\nvn " + up + "\n" + faces),
+                  "--quiet --repair --sharp angle:30")
       .err;
   };
-  EXPECT_FALSE(has(err("0 0 1", "0 -1 0"), "repaired"));
-  EXPECT_TRUE(has(err("0 0 -1", "0 -1 0"),
-                  "4 normals that opposed all faces turned over (first: at vertex 0)"));
-  EXPECT_TRUE(has(err("0 0 -1", "0 1 0"), "8 normals"));
+  expect_no_part(err("0 0 1", "0 -1 0"), "repaired");
+  expect_part(err("0 0 -1", "0 -1 0"),
+              "4 normals that opposed all faces turned over (first: at vertex 0)");
+  expect_part(err("0 0 -1", "0 1 0"), "8 normals");
   const auto of_vertices = [&](const std::string& n) {
     std::string text =
       points + "vn " + n + "\nvn 0 0 1\nvn 0 -1 0\nf 1//1 2//1 3//2 4//2\nf 5//3 6//3 2//1 1//1\n";
-    return surface(folder.write("a.obj", text), "--quiet --repair").err;
+    return refine(folder.write("a.obj", text), "--quiet --repair").err;
   };
-  EXPECT_FALSE(has(of_vertices("0 0.8 0.6"), "turned over"));
-  EXPECT_FALSE(has(of_vertices("0 0.8 -0.0001"), "1 normal")); // both faces
-  EXPECT_TRUE(has(of_vertices("0 0.8 -0.6"), "2 normals that opposed"));
+  expect_no_part(of_vertices("0 0.8 0.6"), "turned over");
+  expect_no_part(of_vertices("0 0.8 -0.0001"), "1 normal"); // both faces
+  expect_part(of_vertices("0 0.8 -0.6"), "2 normals that opposed");
 }

@@ -13,9 +13,6 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
-
-#include <string>
 #include <utility>
 
 #ifdef __unix__
@@ -48,26 +45,23 @@ TEST_F(Streams, TheSameBytesAsInFiles)
   folder.write("cube.off", cube_off);
   for (const std::string format : {"ply", "off", "obj", "stl", "vtp"}) {
     const std::string file = "file." + format;
-    ASSERT_EQ(run("surface " + quoted("cube.off") + " " + quoted(file) + " --levels 2").code, 0);
-    const std::string expected = Temporary_folder::content(folder.file(file));
+    done(run("surface " + quoted("cube.off") + " " + quoted(file) + " --levels 2"));
+    const std::string expected = content(file);
     EXPECT_GT(expected.size(), 100u);
 
     const Outcome out =
-      run("surface " + quoted("cube.off") + " - --levels 2 --quiet --format " + format);
-    EXPECT_EQ(out.code, 0) << out.err;
+      done(run("surface " + quoted("cube.off") + " - --levels 2 --quiet --format " + format));
     EXPECT_EQ(out.err, "");
     EXPECT_TRUE(out.out == expected) << format;
   }
   // the format of standard input says nothing about a file
-  const Outcome in = run("surface - " + quoted("in.ply") + " --levels 2 --format off",
-                         "cat " + quoted("cube.off") + " | ");
-  EXPECT_EQ(in.code, 0) << in.err;
-  EXPECT_EQ(Temporary_folder::content(folder.file("in.ply")),
-            Temporary_folder::content(folder.file("file.ply")));
+  const Outcome in = done(run("surface - " + quoted("in.ply") + " --levels 2 --format off",
+                              "cat " + quoted("cube.off") + " | "));
+  EXPECT_EQ(content("in.ply"), content("file.ply"));
 
   const Outcome both =
     run("surface - - --levels 2 --quiet --format OFF", "cat " + quoted("cube.off") + " | ");
-  EXPECT_EQ(both.out, Temporary_folder::content(folder.file("file.off")));
+  EXPECT_EQ(both.out, content("file.off"));
   EXPECT_FALSE(std::filesystem::exists("-"));
 }
 
@@ -75,10 +69,9 @@ TEST_F(Streams, Curves)
 {
   folder.write("p.txt", "0 0\n1 0\n1 1\n");
   const std::string options = "--closed --scheme chaikin --quiet";
-  ASSERT_EQ(run("curve " + quoted("p.txt") + " " + quoted("c.txt") + " " + options).code, 0);
-  const Outcome both = run("curve - - " + options, "cat " + quoted("p.txt") + " | ");
-  EXPECT_EQ(both.code, 0) << both.err;
-  EXPECT_EQ(both.out, Temporary_folder::content(folder.file("c.txt")));
+  done(run("curve " + quoted("p.txt") + " " + quoted("c.txt") + " " + options));
+  const Outcome both = done(run("curve - - " + options, "cat " + quoted("p.txt") + " | "));
+  EXPECT_EQ(both.out, content("c.txt"));
   expect_one_line(run("curve - - --comb - " + options, "cat " + quoted("p.txt") + " | "), 2,
                   "--comb");
 }
@@ -154,8 +147,7 @@ TEST_F(Streams, LinksAreWrittenThrough)
   namespace fs = std::filesystem;
   folder.write("cube.off", cube_off);
   const auto write_to = [&](const std::string& name) {
-    const Outcome outcome = run("surface " + quoted("cube.off") + " " + quoted(name) + " --quiet");
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    done(run("surface " + quoted("cube.off") + " " + quoted(name) + " --quiet"));
     EXPECT_TRUE(fs::is_symlink(folder.file(name))) << name;
   };
   fs::create_directory(folder.file("deep"));
@@ -200,11 +192,11 @@ TEST_F(Streams, AnIgnoredSignalStaysIgnored)
   for (int i = 0; i < 1000 && folder.number_of_files() != 3; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_EQ(kill(child, SIGHUP), 0);
-  EXPECT_NE(Temporary_folder::content(folder.file("comb.svg")), ""); // lets the command go on
+  EXPECT_NE(content("comb.svg"), ""); // lets the command go on
   int status = 0;
   EXPECT_EQ(waitpid(child, &status, 0), child);
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
-  EXPECT_NE(Temporary_folder::content(folder.file("c.txt")), "");
+  EXPECT_NE(content("c.txt"), "");
 }
 
 #endif

@@ -13,22 +13,6 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <map>
-#include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
 using namespace pn_subdivide;
 
 namespace {
@@ -87,22 +71,13 @@ Part thin_walled_plate()
 // A sphere of radius 2, of 12 meridians and 6 parallels, all of whose points are moved about.
 Part stone()
 {
-  Part part;
   const auto point = [](int i, int j) {
     const double a = 30. * (i % 12), b = 30. * j - 90;
     const Triple p = on_circle(std::cos(b * pi / 180), a, std::sin(b * pi / 180));
     const double r = 2 + .1 * std::sin(3 * p[0] + 5 * p[1]) + .1 * std::cos(4 * p[2] + 2 * p[0]);
     return Triple{r * p[0], r * p[1], r * p[2]};
   };
-  for (int i = 0; i < 12; ++i)
-    for (int j = 0; j < 6; ++j)
-      if (j == 0)
-        part.add({point(0, 0), point(i + 1, 1), point(i, 1)});
-      else if (j == 5)
-        part.add({point(i, 5), point(i + 1, 5), point(0, 6)});
-      else
-        part.add({point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
-  return part;
+  return ball_of(point);
 }
 
 class Pn_subdivide_surfaces : public Refined_files
@@ -123,15 +98,13 @@ protected:
     }
   }
 
-  Json report() const { return Json::parse(Temporary_folder::content(folder.file("r.json"))); }
-  std::string reported() const { return " --report '" + folder.file("r.json") + "' "; }
   std::string tags(const std::string& name) const
   {
     return " --write-tags '" + folder.file(name + ".selection.txt") + "' ";
   }
   std::vector<std::size_t> labels() const
   {
-    std::istringstream in(Temporary_folder::content(folder.file("labels.txt")));
+    std::istringstream in(content("labels.txt"));
     std::vector<std::size_t> result;
     for (std::size_t label = 0; in >> label;) result.push_back(label);
     return result;
@@ -234,7 +207,7 @@ TEST_F(Pn_subdivide_surfaces, BodiesInsideOutAreTold)
     for (const Json& row : json["surfaces"]) cylinders += row["kind"] == "cylinder";
     EXPECT_EQ(cylinders, 3u * 2u + 4u);
     const auto repaired = surface("bodies.ply", "o.ply", "--sharp surfaces --repair");
-    EXPECT_FALSE(contains(repaired.err, "inside out")) << repaired.err;
+    expect_no_part(repaired.err, "inside out");
     EXPECT_EQ(contains(repaired.err, "1 closed component turned right side out"), is_turned);
   }
 }
@@ -315,12 +288,11 @@ TEST_F(Pn_subdivide_surfaces, ChildrenHaveTheSurfaceOfTheirParents)
 
 TEST_F(Pn_subdivide_surfaces, FilesWithoutPropertiesOfFacesAreAsBefore)
 {
-  EXPECT_TRUE(contains(written("shaft.ply", "o.vtp", "--sharp surfaces --levels 1 --ascii"),
-                       "type=\"Int32\" Name=\"surface\""));
+  expect_part(written("shaft.ply", "o.vtp", "--sharp surfaces --levels 1 --ascii"),
+              "type=\"Int32\" Name=\"surface\"");
   for (const char* const output : {"o.obj", "o.off", "o.stl"}) {
-    const Outcome outcome = surface("shaft.ply", output, "--sharp surfaces --levels 1");
-    EXPECT_EQ(outcome.code, 0);
-    EXPECT_FALSE(contains(outcome.err, "not written")) << outcome.err;
+    const Outcome outcome = done(surface("shaft.ply", output, "--sharp surfaces --levels 1"));
+    expect_no_part(outcome.err, "not written");
   }
   // one of the user's with this name gives way
   std::string ply = drilled_plate().ply();
@@ -331,7 +303,7 @@ TEST_F(Pn_subdivide_surfaces, FilesWithoutPropertiesOfFacesAreAsBefore)
     ply.insert(ply.find('\n', line + 1), " 77");
   folder.write("own.ply", ply);
   const Outcome outcome = surface("own.ply", "o.ply", "--sharp surfaces --levels 1");
-  EXPECT_TRUE(contains(outcome.err, "gives way")) << outcome.err;
+  expect_part(outcome.err, "gives way");
   for (const double s : surface_of(read_mesh(folder.file("o.ply")))) EXPECT_LT(s, 7);
 }
 
@@ -363,12 +335,10 @@ TEST_F(Pn_subdivide_surfaces, TheLabelsAreThoseOfTheReport)
 // The middle of a chord of a circle of radius R is R (1 - cos) off, with half of its angle; two rounds divide this by 4.
 TEST_F(Pn_subdivide_surfaces, TheReportHasParametersAndDeviations)
 {
-  const Outcome outcome = run("'" + folder.file("shaft.ply") + "' '" + folder.file("o.ply") +
-                              "' --sharp surfaces --levels 2" + reported());
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_TRUE(contains(outcome.err, "3 planes of 26 faces, 2 cylinders of 48 faces"))
-    << outcome.err;
-  EXPECT_TRUE(contains(outcome.err, "; 96 crease edges")) << outcome.err;
+  const Outcome outcome = done(run("'" + folder.file("shaft.ply") + "' '" + folder.file("o.ply") +
+                                   "' --sharp surfaces --levels 2" + reported()));
+  expect_part(outcome.err, "3 planes of 26 faces, 2 cylinders of 48 faces");
+  expect_part(outcome.err, "; 96 crease edges");
   const Json json = report();
   std::set<double> radii;
   for (const Json& s : json["surfaces"]) {
@@ -393,9 +363,8 @@ TEST_F(Pn_subdivide_surfaces, TheReportHasParametersAndDeviations)
 
 TEST_F(Pn_subdivide_surfaces, WhatIsNoPartIsSaid)
 {
-  const Outcome outcome = surface("stone.ply", "o.ply", "--sharp surfaces --levels 1");
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_TRUE(contains(outcome.err, "no surface is recognized")) << outcome.err;
+  const Outcome outcome = done(surface("stone.ply", "o.ply", "--sharp surfaces --levels 1"));
+  expect_part(outcome.err, "no surface is recognized");
   EXPECT_EQ(surface("stone.ply", "o.ply", "--sharp surfaces --strict").code, 4);
   // a stone above a small plate
   Part part = stone();
@@ -407,9 +376,8 @@ TEST_F(Pn_subdivide_surfaces, WhatIsNoPartIsSaid)
     part.add(corners);
   }
   folder.write("both.ply", part.ply());
-  const Outcome both = surface("both.ply", "o.ply", "--sharp surfaces --levels 1");
-  EXPECT_EQ(both.code, 0);
-  EXPECT_TRUE(contains(both.err, "% of the area is on no recognized surface")) << both.err;
+  const Outcome both = done(surface("both.ply", "o.ply", "--sharp surfaces --levels 1"));
+  expect_part(both.err, "% of the area is on no recognized surface");
   EXPECT_EQ(surface("plate.ply", "o.obj", "--sharp surfaces").err, "");
 }
 
@@ -421,9 +389,9 @@ TEST_F(Pn_subdivide_surfaces, TagsAreTheSameEveryTime)
   written("bar.ply", "a.ply", control + tags("a"));
   written("bar.ply", "b.obj", control + tags("b"));
   written("a.ply", "c.ply", control + tags("c"));
-  const std::string selection = Temporary_folder::content(folder.file("a.selection.txt"));
-  EXPECT_EQ(Temporary_folder::content(folder.file("b.selection.txt")), selection);
-  EXPECT_EQ(Temporary_folder::content(folder.file("c.selection.txt")), selection);
+  const std::string selection = content("a.selection.txt");
+  EXPECT_EQ(content("b.selection.txt"), selection);
+  EXPECT_EQ(content("c.selection.txt"), selection);
   std::istringstream edges(selection.substr(selection.rfind('\n', selection.size() - 2)));
   std::size_t numbers = 0;
   for (int v = 0; edges >> v;) ++numbers;
@@ -491,7 +459,7 @@ TEST_F(Pn_subdivide_surfaces, TheLinearTwinHasTheTags)
   for (const Triple& p : mesh.points)
     EXPECT_TRUE(std::abs(p[2]) < 1e-12 || std::abs(p[2] - 1) < 1e-12 ||
                 std::abs(p[2] - 3) < 1e-12 || off_axis(p) < 2);
-  EXPECT_FALSE(Temporary_folder::content(folder.file("a.selection.txt")).empty());
+  EXPECT_FALSE(content("a.selection.txt").empty());
 }
 
 // How much larger the faces of planes are than the planes.
@@ -531,10 +499,9 @@ TEST_F(Pn_subdivide_surfaces, PlanesDoNotFold)
     for (const std::string& more : {std::string(), tags("t"), std::string(" --linear")}) {
       SCOPED_TRACE(input + more);
       const Outcome outcome =
-        surface(input, "o.ply", "--sharp surfaces --levels 2" + more + reported());
-      EXPECT_EQ(outcome.code, 0) << outcome.err;
-      EXPECT_FALSE(contains(outcome.err, "folded")) << outcome.err;
-      EXPECT_FALSE(contains(outcome.err, "itself")) << outcome.err;
+        done(surface(input, "o.ply", "--sharp surfaces --levels 2" + more + reported()));
+      expect_no_part(outcome.err, "folded");
+      expect_no_part(outcome.err, "itself");
       EXPECT_EQ(report()["high_faces"], Json::array());
       const Mesh_data mesh = read_mesh(folder.file("o.ply"));
       EXPECT_LT(folded_area(mesh, report()), 1e-9);
@@ -549,10 +516,9 @@ TEST_F(Pn_subdivide_surfaces, FoldsAreTold)
   folder.write("dart.off", "OFF\n8 6 0\n0 0 0\n4 -2 0\n1 0 0\n4 2 0\n0 0 1\n4 -2 1\n1 0 1\n4 2 1\n"
                            "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
   for (const bool has_control_data : {false, true}) {
-    const Outcome outcome =
+    const Outcome outcome = done(
       surface("dart.off", "o.ply",
-              "--sharp surfaces --levels 1" + (has_control_data ? tags("t") : "") + reported());
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+              "--sharp surfaces --levels 1" + (has_control_data ? tags("t") : "") + reported()));
     EXPECT_EQ(contains(outcome.err, "folded over on 2 faces of recognized surfaces: 0, 1"),
               has_control_data)
       << outcome.err;
@@ -561,35 +527,6 @@ TEST_F(Pn_subdivide_surfaces, FoldsAreTold)
 }
 
 // --- planes from their rims ---
-
-// Has every edge two faces that run along it the other way round?
-bool is_watertight(const Mesh_data& mesh)
-{
-  std::set<std::pair<std::size_t, std::size_t>> sides;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const auto face = mesh.face(f);
-    for (auto v = face.begin(); v != face.end(); ++v)
-      if (!sides.insert({*v, v + 1 == face.end() ? *face.begin() : *(v + 1)}).second) return false;
-  }
-  return std::all_of(sides.begin(), sides.end(), [&](const auto& side) {
-    return sides.count({side.second, side.first}) == 1;
-  });
-}
-
-double volume(const Mesh_data& mesh)
-{
-  double six = 0;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const auto face = mesh.face(f);
-    const Triple& a = mesh.points[*face.begin()];
-    for (auto v = face.begin() + 1; v + 1 != face.end(); ++v) {
-      const Triple &b = mesh.points[*v], &c = mesh.points[*(v + 1)];
-      six += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-             a[2] * (b[0] * c[1] - b[1] * c[0]);
-    }
-  }
-  return six / 6;
-}
 
 std::size_t vertices_with_faces(const Mesh_data& mesh)
 {
@@ -655,7 +592,7 @@ TEST_F(Pn_subdivide_surfaces, PlanesFromRimsKeepWhatIsSaidOfThem)
   EXPECT_TRUE(is_watertight(stl));
   EXPECT_EQ(stl.number_of_faces(), 2u * 192 + 4u * 54 + 2u * 24 * 16);
   const std::string vtp = written("plate.ply", "o.vtp", options + "--curvature mean --ascii");
-  EXPECT_TRUE(contains(vtp, "NumberOfPoints=\"" + std::to_string(obj.points.size()) + "\""));
+  expect_part(vtp, "NumberOfPoints=\"" + std::to_string(obj.points.size()) + "\"");
   EXPECT_TRUE(
     is_watertight(refined("shaft.ply", "o.ply", "--sharp surfaces --planes rims --levels 0")));
 }
@@ -663,9 +600,8 @@ TEST_F(Pn_subdivide_surfaces, PlanesFromRimsKeepWhatIsSaidOfThem)
 TEST_F(Pn_subdivide_surfaces, PlanesWhoseRimsCrossKeepTheirFaces)
 {
   const std::string options = "--sharp surfaces --levels 2 ";
-  const Outcome outcome = surface("thin.ply", "o.ply", options);
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_TRUE(contains(outcome.err, "2 planes keep their faces: their rims cross")) << outcome.err;
+  const Outcome outcome = done(surface("thin.ply", "o.ply", options));
+  expect_part(outcome.err, "2 planes keep their faces: their rims cross");
   const Mesh_data mesh = read_mesh(folder.file("o.ply"));
   EXPECT_TRUE(is_watertight(mesh));
   std::size_t quads_in_planes = 0;
@@ -676,11 +612,11 @@ TEST_F(Pn_subdivide_surfaces, PlanesWhoseRimsCrossKeepTheirFaces)
     quads_in_planes += is_flat && mesh.face(f).size() == 4;
   }
   EXPECT_EQ(quads_in_planes, 2u * 24 * 16);
-  EXPECT_FALSE(contains(
-    surface("thin.ply", "o.ply", "--sharp surfaces --planes rims --levels 0").err, "keep"));
+  expect_no_part(surface("thin.ply", "o.ply", "--sharp surfaces --planes rims --levels 0").err,
+                 "keep");
   for (const std::string& more : {std::string(), tags("t")})
-    EXPECT_TRUE(contains(surface("thin.ply", "o.ply", options + more).err,
-                         "2 planes intersect themselves: their rims cross"));
+    expect_part(surface("thin.ply", "o.ply", options + more).err,
+                "2 planes intersect themselves: their rims cross");
 }
 
 // --- options ---
@@ -722,7 +658,7 @@ TEST_F(Pn_subdivide_surfaces, TheOptionsOfRecognition)
   // where nothing is recognized the angle counts
   const auto tagged = [&](const std::string& options) {
     written("stone.ply", "o.obj", "--sharp surfaces " + options + tags("s"));
-    return Temporary_folder::content(folder.file("s.selection.txt")).size();
+    return content("s.selection.txt").size();
   };
   EXPECT_LT(tagged("--sharp-angle 170"), 5u);
   EXPECT_GT(tagged("--sharp-angle 5"), tagged("--sharp-angle 30"));
@@ -732,10 +668,9 @@ TEST_F(Pn_subdivide_surfaces, AFileOfThisName)
 {
   folder.write("surfaces", "\n\n0 1\n");
   const std::string before = "cd '" + folder.file(".") + "' && ";
-  const Outcome file = run("plate.ply o.ply --sharp ./surfaces", before);
-  EXPECT_EQ(file.code, 0) << file.err;
-  EXPECT_TRUE(contains(file.err, ", 1 sharp edge,")) << file.err;
-  EXPECT_TRUE(contains(run("plate.ply o.ply --sharp surfaces", before).err, "1 cylinder of"));
+  const Outcome file = done(run("plate.ply o.ply --sharp ./surfaces", before));
+  expect_part(file.err, ", 1 sharp edge,");
+  expect_part(run("plate.ply o.ply --sharp surfaces", before).err, "1 cylinder of");
 }
 
 TEST_F(Pn_subdivide_surfaces, WhatExcludesEachOther)
@@ -744,7 +679,7 @@ TEST_F(Pn_subdivide_surfaces, WhatExcludesEachOther)
   const auto refused = [&](const std::string& options, const std::vector<std::string>& parts) {
     for (const std::string& part : parts)
       expect_one_line(surface("plate_3.ply", "o.ply", options), 2, part);
-    EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
+    EXPECT_EQ(content("o.ply"), "old");
   };
   const std::string sharp = "--sharp surfaces ";
   refused(sharp + "--sharpness 2", {"--sharpness", "--sharp surfaces"});

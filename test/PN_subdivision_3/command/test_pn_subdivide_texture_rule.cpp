@@ -12,15 +12,8 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
-#include <map>
 #include <set>
-#include <sstream>
-#include <string>
-#include <vector>
 
 using namespace pn_subdivide;
 
@@ -57,9 +50,8 @@ protected:
   std::string refined(const std::string& options) const
   {
     const std::string output = folder.file("refined.obj");
-    const Outcome outcome =
-      run("'" + patch() + "' '" + output + "' --quiet --linear --scheme catmull-clark " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome = done(
+      run("'" + patch() + "' '" + output + "' --quiet --linear --scheme catmull-clark " + options));
     EXPECT_EQ(outcome.err, "");
     return folder.content(folder.file("refined.obj"));
   }
@@ -151,8 +143,6 @@ TEST_F(Pn_subdivide_texture_rule, GoesWithOtherOptions)
   EXPECT_FALSE(expected.empty());
   for (const char* options : {" --limit", " --threads 2", " --border curve"})
     EXPECT_EQ(texture_of(refined(plain + options)), expected) << options;
-  const Outcome in_pieces =
-    run("'" + folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n") + "' '" +
-        folder.file("a.ply") + "' --quiet --pieces 2 --texture-rule boundaries");
-  EXPECT_EQ(in_pieces.code, 0) << in_pieces.err;
+  done(run("'" + folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n") + "' '" +
+           folder.file("a.ply") + "' --quiet --pieces 2 --texture-rule boundaries"));
 }

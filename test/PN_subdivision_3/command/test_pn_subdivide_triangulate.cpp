@@ -15,11 +15,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <cmath>
-#include <functional>
-#include <map>
-#include <random>
 #include <set>
-#include <sstream>
 #include <utility>
 
 using namespace pn_subdivide;
@@ -247,9 +243,7 @@ class Pn_subdivide_triangulate : public Command_test
 protected:
   Mesh_data split(const std::string& input, const std::string& output, const std::string& options)
   {
-    const Outcome outcome =
-      run("surface '" + input + "' '" + folder.file(output) + "' --levels 0 " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome = done(surface(input, output, "--levels 0 " + options));
     return outcome.code == 0 ? read_mesh(folder.file(output)) : Mesh_data();
   }
 };
@@ -288,9 +282,7 @@ TEST_F(Pn_subdivide_triangulate, TheMeshRoundAFaceStaysManifold)
   const std::string two_quads =
     folder.write("q.off", "OFF\n4 2 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n4 0 1 2 3\n4 3 2 1 0\n");
   EXPECT_EQ(split(two_quads, "o.ply", "--triangulate").number_of_faces(), 4u);
-  const Outcome refined = run("surface '" + pillow + "' '" + folder.file("r.ply") +
-                              "' --levels 1 --triangulate --scheme loop");
-  EXPECT_EQ(refined.code, 0) << refined.err;
+  done(surface(pillow, "r.ply", "--levels 1 --triangulate --scheme loop"));
   EXPECT_EQ(read_mesh(folder.file("r.ply")).number_of_faces(), 24u);
 }
 

@@ -13,13 +13,7 @@
 
 #include "io/mesh_io.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <string>
-#include <vector>
 
 using namespace pn_subdivide;
 
@@ -85,11 +79,9 @@ protected:
   std::string written(const std::string& input, const std::string& output,
                       const std::string& options)
   {
-    const Outcome outcome = run("surface '" + folder.file(input) + "' '" + folder.file(output) +
-                                "' --quiet --linear --scheme catmull-clark " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "");
-    return Temporary_folder::content(folder.file(output));
+    const std::string all = "--quiet --linear --scheme catmull-clark " + options;
+    EXPECT_EQ(done(surface(input, output, all)).err, "");
+    return content(output);
   }
 
   void expect_colors(const std::vector<Source>& sources, Columns Attributes::*of)
@@ -101,13 +93,13 @@ protected:
         const std::string type = source.type.empty() ? "uchar" : source.type;
         const std::string text = written(source.name, "b.ply", options);
         for (const char* channel : {"red", "green", "blue"})
-          EXPECT_TRUE(contains(text, "property " + type + " " + channel + "\n")) << text;
+          expect_part(text, "property " + type + " " + channel + "\n");
         const Columns columns = read_mesh(folder.file("b.ply")).attributes.*of;
         ASSERT_EQ(columns.size(), 3u);
         for (std::size_t i = 0; i < 3; ++i)
           for (const double x : columns[i].values) EXPECT_EQ(x, source.color[i]);
-        EXPECT_TRUE(contains(written(source.name, "b.vtp", options),
-                             "type=\"" + vtk_name(type) + "\" Name=\"colors\""));
+        expect_part(written(source.name, "b.vtp", options),
+                    "type=\"" + vtk_name(type) + "\" Name=\"colors\"");
       }
   }
 };
@@ -166,7 +158,7 @@ TEST_F(Pn_subdivide_types, TextureCoordinatesAreFloatsUnlessAPlyFileHasAnotherTy
       SCOPED_TRACE(source.name + " " + options);
       folder.write(source.name, source.content);
       const std::string text = written(source.name, "b.ply", options);
-      EXPECT_TRUE(contains(text, source.property)) << text;
+      expect_part(text, source.property);
       const Attributes a = read_mesh(folder.file("b.ply")).attributes;
       std::vector<double> numbers;
       for (const Texture_point& t : a.texture) numbers.insert(numbers.end(), t.begin(), t.end());
@@ -182,9 +174,9 @@ TEST_F(Pn_subdivide_types, TextureCoordinatesAreFloatsUnlessAPlyFileHasAnotherTy
       }
       const auto is_float = [](double x) { return x == double(float(x)); };
       EXPECT_EQ(std::all_of(numbers.begin(), numbers.end(), is_float), !source.is_double);
-      EXPECT_TRUE(contains(written(source.name, "b.vtp", options),
-                           std::string("type=\"Float") + (source.is_double ? "64" : "32") +
-                             "\" Name=\"TCoords\""));
+      expect_part(written(source.name, "b.vtp", options), std::string("type=\"Float") +
+                                                            (source.is_double ? "64" : "32") +
+                                                            "\" Name=\"TCoords\"");
     }
 }
 
@@ -192,14 +184,14 @@ TEST_F(Pn_subdivide_types, TextureCoordinatesAreFloatsUnlessAPlyFileHasAnotherTy
 TEST_F(Pn_subdivide_types, ObjAndOffKeepTheirNumbers)
 {
   folder.write("a.obj", obj_with_colors());
-  EXPECT_TRUE(contains(written("a.obj", "b.obj", "--levels 0"), " 1 0.20000000000000001 0.5\n"));
-  EXPECT_TRUE(contains(written("a.obj", "b.off", "--levels 0"), "1.0 0.20000000000000001 0.5\n"));
+  expect_part(written("a.obj", "b.obj", "--levels 0"), " 1 0.20000000000000001 0.5\n");
+  expect_part(written("a.obj", "b.off", "--levels 0"), "1.0 0.20000000000000001 0.5\n");
 }
 
 TEST_F(Pn_subdivide_types, TextureCoordinatesThatNoFloatHoldsStayAsTheyAre)
 {
   folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 1e300 0\nf 1/1 2/1 3/1\n");
-  EXPECT_TRUE(contains(written("a.obj", "b.ply", "--levels 0"), "uchar double texcoord\n"));
+  expect_part(written("a.obj", "b.ply", "--levels 0"), "uchar double texcoord\n");
   EXPECT_EQ(read_mesh(folder.file("b.ply")).attributes.texture.at(0)[0], 1e300);
 }
 

@@ -16,12 +16,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <vector>
-
 namespace {
 
 using namespace crease_shapes;

@@ -9,6 +9,7 @@
 // What the result does not depend on, and what it is the same as.
 
 #include "Crease_shapes.h"
+#include "Sampled_surfaces.h"
 
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
@@ -18,16 +19,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
 #include <numeric>
-#include <random>
 #include <set>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace {
 
@@ -315,52 +308,14 @@ TEST(Crease_normal_schemes, The_same_scheme_changes_nothing)
 // an icosahedron with a vertex on every edge: twelve vertices of valence 5, all others of 6
 Control icosahedron()
 {
+  const auto mesh = sampled_surfaces::scattered(1, 0, 1, sampled_surfaces::on_sphere);
   Control c;
-  const double g = (1 + std::sqrt(5.)) / 2;
-  for (const double a : {-1., 1.})
-    for (const double b : {-g, g}) {
-      c.points.push_back({0, a, b});
-      c.points.push_back({a, b, 0});
-      c.points.push_back({b, 0, a});
-    }
-  const auto squared_distance = [&](int i, int j) {
-    double sum = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      sum += std::pow(c.points[std::size_t(i)][k] - c.points[std::size_t(j)][k], 2);
-    return sum;
-  };
-  const auto is_edge = [&](int i, int j) { return std::abs(squared_distance(i, j) - 4) < 1e-9; };
-  std::map<Edge, int> middle;
-  const auto between = [&](int i, int j) {
-    const auto [it, is_new] = middle.try_emplace(undirected(i, j), int(c.points.size()));
-    if (is_new) {
-      Triple m;
-      for (std::size_t k = 0; k < 3; ++k)
-        m[k] = (c.points[std::size_t(i)][k] + c.points[std::size_t(j)][k]) / 2;
-      c.points.push_back(m);
-    }
-    return it->second;
-  };
-  for (int i = 0; i < 12; ++i)
-    for (int j = i + 1; j < 12; ++j)
-      for (int k = j + 1; k < 12; ++k) {
-        if (!is_edge(i, j) || !is_edge(j, k) || !is_edge(k, i)) continue;
-        const auto at = [&](int v) {
-          const Triple& p = c.points[std::size_t(v)];
-          return Vector(p[0], p[1], p[2]);
-        };
-        const bool is_outward = at(i).dot(at(j).cross(at(k))) > 0;
-        const int a = i, b = is_outward ? j : k, d = is_outward ? k : j;
-        const int ab = between(a, b), bd = between(b, d), da = between(d, a);
-        for (const Face& f : {Face{a, ab, da}, Face{b, bd, ab}, Face{d, da, bd}, Face{ab, bd, da}})
-          c.faces.push_back(f);
-      }
+  c.points = mesh.points;
+  c.faces = mesh.faces;
+  for (std::size_t v = 12; v < c.points.size(); ++v)
+    for (double& x : c.points[v]) x *= 0.85; // on the edges, not on the sphere
   for (std::size_t f = 0; f < c.faces.size(); ++f)
-    for (const int v : c.faces[f]) {
-      const Triple& p = c.points[std::size_t(v)];
-      const double length = std::hypot(p[0], p[1], p[2]);
-      c.normals[{int(f), v}] = {p[0] / length, p[1] / length, p[2] / length};
-    }
+    for (const int v : c.faces[f]) c.normals[{int(f), v}] = mesh.normals[std::size_t(v)];
   return c;
 }
 

@@ -14,7 +14,6 @@
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
-#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/Bilinear_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
@@ -24,24 +23,10 @@
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Midpoint_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
-#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <boost/property_map/property_map.hpp>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
 #include <random>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace {
 
@@ -545,29 +530,6 @@ TEST(Creases_of_meshes, Estimates_of_corners_by_angles)
     PN::estimate_control_normals(mesh, plain, PN::parameters::control_normal_estimate(estimate));
     for (auto h : mesh.halfedges()) EXPECT_EQ(corners[h], plain[mesh.target(h)]);
   }
-}
-
-// \name Strong guarantee
-TEST(Creases_of_meshes, What_fails_leaves_all_as_it_was)
-{
-  const Control control = tagged_washer();
-  int failures = 0;
-  for (int left = 0;; left = left < 20 ? left + 1 : left * 2) {
-    Tagged<Surface_mesh> t(control);
-    const State before = state(t);
-    failing_maps::Calls_left puts(left);
-    try {
-      PN::subdivide(t.mesh, PN::CatmullClark_scheme(),
-                    np::edge_is_constrained_map(failing(t.sharp, puts))
-                      .vertex_is_constrained_map(failing(t.corners, puts))
-                      .vertex_normal_map(failing(t.normals, puts)));
-      break;
-    } catch (const std::runtime_error&) {
-      ++failures;
-    }
-    EXPECT_TRUE(state(t) == before) << left;
-  }
-  EXPECT_GE(failures, 22);
 }
 
 } // namespace

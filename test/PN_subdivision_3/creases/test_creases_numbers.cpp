@@ -21,15 +21,9 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <vector>
 
 namespace {
 
@@ -209,12 +203,6 @@ TEST(Exact_creases, Any_weights_keep_circles)
 }
 
 // \name Kernels
-template <class FT>
-double number(const FT& x)
-{
-  return CGAL::to_double(x);
-}
-
 // rounds of the capped cylinder in FT beside those in double
 template <class FT, class Scheme>
 void expect_near_double(const Control& control, const Scheme& scheme, int rounds, double bar)
@@ -226,8 +214,8 @@ void expect_near_double(const Control& control, const Scheme& scheme, int rounds
   ASSERT_EQ(run.number_of_slots(), expected.number_of_slots());
   for (Index slot = 0; slot < run.number_of_slots(); ++slot)
     for (std::size_t k = 0; k < 3; ++k) {
-      EXPECT_NEAR(number(run.point(slot)[k]), expected.point(slot)[k], bar);
-      EXPECT_NEAR(number(run.normal(slot)[k]), expected.normal(slot)[k], bar);
+      EXPECT_NEAR(CGAL::to_double(run.point(slot)[k]), expected.point(slot)[k], bar);
+      EXPECT_NEAR(CGAL::to_double(run.normal(slot)[k]), expected.normal(slot)[k], bar);
     }
 }
 

@@ -15,17 +15,11 @@
 #include "reference/Semi_sharp.h"
 
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
-#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <random>
-#include <type_traits>
 
 namespace {
 

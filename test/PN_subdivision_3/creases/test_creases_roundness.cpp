@@ -20,9 +20,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>

@@ -11,21 +11,8 @@
 #include "Random_creases.h"
 #include "Tagged_meshes.h"
 
-#include <CGAL/PN_subdivision_3/parameters/parameters.h>
-#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Surface_mesh.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <string>
-#include <vector>
 
 using namespace tagged_meshes;
 
@@ -33,60 +20,35 @@ namespace {
 
 using Mesh = CGAL::Surface_mesh<Point_3>;
 using V = Mesh::Vertex_index;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // \name Shapes, with the normals of their faces and sides
 
-void sharpen(Control& c, int a, int b, double s)
+Control sharpened(Control c, double s)
 {
-  c.sharp_edges[undirected(a, b)] = s;
+  for (auto& edge : c.sharp_edges) edge.second = s;
+  return c;
 }
 
 Control cube(double s)
 {
-  Control c;
-  for (int i = 0; i < 8; ++i)
-    c.points.push_back({double(i & 1), double((i >> 1) & 1), double(i >> 2)});
-  c.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  const std::array<Triple, 6> normals{
-    {{0, 0, -1}, {0, 0, 1}, {0, -1, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}}};
-  for (int f = 0; f < 6; ++f)
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Face& face = c.faces[std::size_t(f)];
-      c.normals[{f, face[i]}] = normals[std::size_t(f)];
-      sharpen(c, face[i], face[(i + 1) % 4], s);
-    }
-  return c;
+  return sharpened(crease_shapes::cube().control(), s);
 }
 
 // radius 4, height 3, 8 sides, caps of triangles; its rims are tagged
 Control cylinder(double s)
 {
-  Control c;
-  const int n = 8;
-  for (int i = 0; i < 2 * n; ++i) {
-    const double a = std::acos(-1.) * (i % n) / 4;
-    c.points.push_back({4 * std::cos(a), 4 * std::sin(a), i < n ? 0. : 3.});
+  Part part;
+  std::vector<Real> angles;
+  for (int i = 0; i < 8; ++i) angles.push_back(Real(i) * pi / 4);
+  const Ring low = part.ring(4, 0, angles), high = part.ring(4, 3, angles);
+  part.tube(part.add(upright_cylinder(4)), low, high);
+  for (const Ring* ring : {&low, &high}) {
+    const Real z = ring == &low ? 0 : 3;
+    const auto cap = part.add(plane(z, z - 1 > 0 ? 1 : -1));
+    const int center = part.vertex({0, 0, z});
+    for (std::size_t i = 0; i < 8; ++i) part.face(cap, {center, (*ring)[i], (*ring)[(i + 1) % 8]});
   }
-  c.points.push_back({0, 0, 0});
-  c.points.push_back({0, 0, 3});
-  const auto add = [&](const Face& face, bool is_side, double z) {
-    for (const int v : face) {
-      const Triple& p = c.points[std::size_t(v)];
-      c.normals[{int(c.faces.size()), v}] =
-        is_side ? Triple{p[0] / 4, p[1] / 4, 0} : Triple{0, 0, z};
-    }
-    c.faces.push_back(face);
-  };
-  for (int i = 0; i < n; ++i) {
-    const int j = (i + 1) % n;
-    add({i, j, n + j, n + i}, true, 0);
-    add({2 * n, j, i}, false, -1);
-    add({2 * n + 1, n + i, n + j}, false, 1);
-    sharpen(c, i, j, s);
-    sharpen(c, n + i, n + j, s);
-  }
-  return c;
+  return sharpened(part.control(), s);
 }
 
 double outside_cube(const Point_3& p)
@@ -98,6 +60,15 @@ double outside_cube(const Point_3& p)
 double outside_cylinder(const Point_3& p)
 {
   return (std::max)({std::hypot(p.x(), p.y()) - 4, p.z() - 3, -p.z(), 0.}) / 8;
+}
+
+template <class Np>
+void subdivide(Mesh& mesh, bool is_loop, const Np& parameters)
+{
+  if (is_loop)
+    PN::subdivide(mesh, PN::Loop_scheme(), parameters);
+  else
+    PN::subdivide(mesh, PN::CatmullClark_scheme(), parameters);
 }
 
 void subdivide_by_corners(Tagged<Mesh>& tagged, unsigned rounds, bool is_loop)
@@ -132,11 +103,8 @@ struct Shape
 
 void subdivide_by_points(Tagged<Mesh>& tagged, unsigned rounds, bool is_loop)
 {
-  const auto parameters = np::number_of_iterations(rounds).edge_is_constrained_map(tagged.sharp);
-  if (is_loop)
-    PN::subdivide(tagged.mesh, PN::Loop_scheme(), parameters);
-  else
-    PN::subdivide(tagged.mesh, PN::CatmullClark_scheme(), parameters);
+  subdivide(tagged.mesh, is_loop,
+            np::number_of_iterations(rounds).edge_is_constrained_map(tagged.sharp));
 }
 
 void subdivide_by_vertices(Tagged<Mesh>& tagged, unsigned rounds, bool is_loop)
@@ -146,13 +114,10 @@ void subdivide_by_vertices(Tagged<Mesh>& tagged, unsigned rounds, bool is_loop)
     const Vector_3 d = tagged.mesh.point(v) - Point_3(0.4, 0.5, 0.6);
     normals[v] = d / std::sqrt(d.squared_length());
   }
-  const auto parameters = np::number_of_iterations(rounds)
-                            .edge_is_constrained_map(tagged.sharp)
-                            .vertex_normal_map(normals);
-  if (is_loop)
-    PN::subdivide(tagged.mesh, PN::Loop_scheme(), parameters);
-  else
-    PN::subdivide(tagged.mesh, PN::CatmullClark_scheme(), parameters);
+  subdivide(tagged.mesh, is_loop,
+            np::number_of_iterations(rounds)
+              .edge_is_constrained_map(tagged.sharp)
+              .vertex_normal_map(normals));
 }
 
 double volume(const Mesh& mesh)

@@ -18,15 +18,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <set>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace {
 
@@ -127,22 +120,6 @@ TEST_P(Crease_shapes, Stay_exact)
                     EXPECT_LE(d.border, 8 * epsilon * part.scale()) << name;
                     EXPECT_LE(d.normals, 8 * epsilon) << name;
                   });
-}
-
-// the linear schemes do not keep what is curved
-TEST_P(Crease_shapes, Are_curved)
-{
-  const Part part = GetParam().make();
-  bool is_curved = false;
-  for (const Surface& s : part.surfaces) is_curved = is_curved || s.kind != Surface::plane;
-  const Deviation d =
-    deviation<double>(part, part.control(false), part.group, linear(CatmullClark_scheme()), 2);
-  if (is_curved)
-    EXPECT_GE(d.points, 0.02);
-  else if (part.of_border.empty())
-    EXPECT_LE(d.points, 1e-15);
-  else
-    EXPECT_GE(d.border, 0.02);
 }
 
 TEST_P(Crease_shapes, Stay_in_float)

@@ -13,18 +13,11 @@
 #include "reference/Crease_rule.h"
 
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
-#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <random>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace {
 

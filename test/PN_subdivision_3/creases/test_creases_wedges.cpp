@@ -12,16 +12,8 @@
 #include "Tagged_meshes.h"
 
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
-#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Surface_mesh.h>
-
-#include <gtest/gtest.h>
-
-#include <map>
-#include <random>
-#include <vector>
 
 using namespace tagged_meshes;
 

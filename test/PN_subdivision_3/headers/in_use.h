@@ -233,22 +233,13 @@ bool use_any_scheme()
 }
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_Bilinear_scheme_h)
 #  include "headers/row.h"
-void use_bilinear()
-{
-  use_quad_rules(Bilinear_scheme());
-}
+template void use_quad_rules(const Bilinear_scheme&);
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_Butterfly_scheme_h)
 #  include "headers/row.h"
-void use_butterfly()
-{
-  use_triangle_rules(Butterfly_scheme());
-}
+template void use_triangle_rules(const Butterfly_scheme&);
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_CatmullClark_scheme_h)
 #  include "headers/row.h"
-void use_catmullclark()
-{
-  use_quad_rules(CatmullClark_scheme());
-}
+template void use_quad_rules(const CatmullClark_scheme&);
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_DooSabin_scheme_h)
 #  include "headers/row.h"
 void use_doosabin()
@@ -260,22 +251,13 @@ void use_doosabin()
 }
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_Kobbelt_scheme_h)
 #  include "headers/row.h"
-void use_kobbelt()
-{
-  use_quad_rules(Kobbelt_scheme());
-}
+template void use_quad_rules(const Kobbelt_scheme&);
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_Loop_scheme_h)
 #  include "headers/row.h"
-void use_loop()
-{
-  use_triangle_rules(Loop_scheme());
-}
+template void use_triangle_rules(const Loop_scheme&);
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_Midpoint_scheme_h)
 #  include "headers/row.h"
-void use_midpoint()
-{
-  use_triangle_rules(Midpoint_scheme());
-}
+template void use_triangle_rules(const Midpoint_scheme&);
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_Sqrt3_scheme_h)
 #  include "headers/row.h"
 void use_sqrt3()
@@ -288,23 +270,14 @@ void use_sqrt3()
 }
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_Transfer_schemes_h)
 #  include "headers/row.h"
-void use_transfer()
-{
-  use_quad_rules(CatmullClark_scheme::Transfer());
-  use_triangle_rules(Loop_scheme::Transfer());
-}
+template void use_quad_rules(const CatmullClark_scheme::Transfer&);
+template void use_triangle_rules(const Loop_scheme::Transfer&);
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_Tuned_CatmullClark_scheme_h)
 #  include "headers/row.h"
-void use_modified_catmullclark()
-{
-  use_quad_rules(CatmullClark_scheme::Tuned());
-}
+template void use_quad_rules(const CatmullClark_scheme::Tuned&);
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_Tuned_Loop_scheme_h)
 #  include "headers/row.h"
-void use_modified_loop()
-{
-  use_triangle_rules(Loop_scheme::Tuned());
-}
+template void use_triangle_rules(const Loop_scheme::Tuned&);
 #elif defined(IN_USE_CGAL_PN_subdivision_3_schemes_scheme_by_name_h)
 bool use_scheme_by_name()
 {

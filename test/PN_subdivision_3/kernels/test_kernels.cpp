@@ -22,10 +22,7 @@
 #  include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
 #endif
 
-#include <cmath>
-#include <limits>
 #include <stdexcept>
-#include <vector>
 
 using namespace mesh_cases;
 namespace PN = CGAL::PN_subdivision_3;
@@ -91,8 +88,6 @@ void expect_close_to_long_double(double tolerance, double unit, unsigned rounds)
     }
   }
 }
-
-} // namespace
 
 // All coordinates are below 6. Soups are double numbers, which float rounds.
 TEST(Kernels, CartesianDouble)
@@ -264,8 +259,6 @@ TEST(Own_number_type, GivesWhatDoubleGives)
 
 // \name Fade and vanishing normals in every floating point type
 
-namespace {
-
 // An edge whose two normals include an angle near 180 degrees, alone with its triangle. Its vertex
 // has the mask (1, 1)/2: closed forms of the PN average exist.
 template <class FT>
@@ -312,8 +305,6 @@ void expect_thresholds()
   EXPECT_EQ(below.point, (typename CGAL::Simple_cartesian<FT>::Point_3(0, 0, 0)));
 }
 
-} // namespace
-
 TEST(Kernels, ThresholdsOfVanishingNormals)
 {
   expect_thresholds<float>();
@@ -344,3 +335,5 @@ TEST(Kernels, FadeInFloatIsThatOfLongDouble)
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(double(f[k]), double(l[k]), 5e-6) << degrees;
   }
 }
+
+} // namespace

@@ -16,12 +16,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <limits>
 #include <stdexcept>
-#include <vector>
 
 namespace {
 

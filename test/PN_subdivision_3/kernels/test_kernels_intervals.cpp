@@ -20,11 +20,7 @@
 #  include <CGAL/Gmpfi.h>
 #endif
 
-#include <cmath>
-#include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
 
 using namespace mesh_cases;
 using messages::message_of;

@@ -16,8 +16,6 @@
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <vector>
-
 std::vector<mesh_cases::Triple> limits_of_headers(bool is_cube)
 {
   namespace PN = CGAL::PN_subdivision_3;

@@ -26,9 +26,6 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 using namespace mesh_cases;
 using messages::expect_words;

@@ -20,15 +20,11 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <gtest/gtest.h>
 
-#include <cmath>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;

@@ -30,10 +30,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
-#include <iterator>
 #include <sstream>
-#include <string>
 #include <vector>
 
 namespace obj_to_limit {

@@ -12,6 +12,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/boost/graph/generators.h>
@@ -19,11 +20,8 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <iterator>
-#include <map>
 #include <set>
 #include <string>
-#include <tuple>
-#include <vector>
 
 using namespace mesh_type_cases;
 
@@ -51,17 +49,6 @@ std::size_t hidden_borders(const Mesh& mesh)
     n += border != mesh.is_border(v, false);
   }
   return n;
-}
-
-} // namespace
-
-TEST(Mesh_types, ReferenceHasTheRightSizes)
-{
-  // 13 vertices, 9 + 7 edges, 5 faces with 20 corners; border edges are halved
-  const Result r = reference(cases()[1]);
-  EXPECT_EQ(r.faces.size(), 4u * 20u);
-  EXPECT_EQ(r.points.size(), (13u + 16u + 5u) + (2 * 16u + 20u) + 20u);
-  EXPECT_EQ(reference(cases()[2]).faces.size(), 64u);
 }
 
 TEST(Mesh_types, SurfaceMeshWithEpick)
@@ -175,8 +162,6 @@ TEST(Property_maps, PointsOfAnotherKernelDecideTheNumberType)
 
 // \name Removed elements of a Surface_mesh
 
-namespace {
-
 struct Properties
 {
   Mesh::Property_map<Mesh::Vertex_index, int> vertex;
@@ -252,8 +237,6 @@ Mesh compacted(const Mesh& mesh)
   for (auto f : mesh.faces()) result.set_halfedge(face[f], halfedge[mesh.halfedge(f)]);
   return result;
 }
-
-} // namespace
 
 TEST(Removed_elements, ResultIsThatOfTheCompactMesh)
 {
@@ -383,15 +366,11 @@ TEST(Properties_of_the_user, StayValidAndKeepTheirValues)
 
 // \name geom_traits and visitor
 
-namespace {
-
 struct Visitor
 {
   std::vector<std::pair<unsigned, std::size_t>>* seen;
   void round_done(unsigned k, std::size_t n) { seen->emplace_back(k, n); }
 };
-
-} // namespace
 
 TEST(Visitor_parameter, IsCalledAfterEachRound)
 {
@@ -434,3 +413,38 @@ TEST(Geom_traits_parameter, DecidesTheNumberType)
   EXPECT_GT(largest, 1e-9);
   EXPECT_LT(largest, 1e-5);
 }
+
+// --- property maps of a Surface_mesh by name, with CGAL 5 and with CGAL 6 ---
+
+using CGAL::PN_subdivision_3::internal::find_property_map;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+template <class Element, class Value>
+void expect_found_by_name_and_type(Mesh mesh, const Value& value)
+{
+  const Element first(0);
+  EXPECT_FALSE((find_property_map<Element, Value>(mesh, "x")));
+  mesh.add_property_map<Element, Value>("x").first[first] = value;
+  const Mesh copy = mesh;
+  const auto map = find_property_map<Element, Value>(copy, "x");
+  ASSERT_TRUE(map);
+  EXPECT_EQ((*map)[first], value);
+  EXPECT_FALSE((find_property_map<Element, Value>(copy, "y")));
+  EXPECT_FALSE((find_property_map<Element, char>(copy, "x")));
+}
+
+TEST(Property_maps, AreFoundByNameAndType)
+{
+  Mesh mesh;
+  mesh.add_face(mesh.add_vertex({0, 0, 0}), mesh.add_vertex({1, 0, 0}), mesh.add_vertex({0, 1, 0}));
+  expect_found_by_name_and_type<Mesh::Vertex_index>(mesh, Kernel::Vector_3(1, 2, 3));
+  expect_found_by_name_and_type<Mesh::Halfedge_index>(mesh, Kernel::Vector_3(4, 5, 6));
+  expect_found_by_name_and_type<Mesh::Edge_index>(mesh, 0.5);
+  expect_found_by_name_and_type<Mesh::Face_index>(mesh, std::string("face"));
+  const auto points = find_property_map<Mesh::Vertex_index, Kernel::Point_3>(mesh, "v:point");
+  ASSERT_TRUE(points);
+  EXPECT_EQ((*points)[Mesh::Vertex_index(1)], Kernel::Point_3(1, 0, 0));
+}
+
+} // namespace

@@ -18,12 +18,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <limits>
-#include <new>
 #include <string>
 #include <tuple>
 #include <type_traits>
-#include <vector>
 
 using namespace mesh_cases;
 using failing_allocations::Allocation_limit;
@@ -332,47 +329,6 @@ TYPED_TEST(Strong_guarantee, Allocations)
       (fail_in_allocations<TypeParam, CGAL::Sequential_tag>(triangles_with_border(), true, rounds)),
       10);
   }
-}
-
-// sharp and semi-sharp edges and a corner; normals of the corners, which are as before, too
-TYPED_TEST(Strong_guarantee, AllocationsWithCreases)
-{
-  const auto attempt = [](auto& mesh, auto n, long k) {
-    auto sharp = get(CGAL::dynamic_edge_property_t<double>(), mesh);
-    auto corner = get(CGAL::dynamic_vertex_property_t<bool>(), mesh);
-    auto of_corners = get(CGAL::dynamic_halfedge_property_t<Vector>(), mesh);
-    const auto tags = [&] {
-      std::vector<double> all;
-      for (auto e : edges(mesh)) all.push_back(get(sharp, e));
-      for (auto v : vertices(mesh)) all.push_back(get(corner, v));
-      for (auto h : halfedges(mesh))
-        for (int i = 0; i < 3; ++i) all.push_back(get(of_corners, h)[i]);
-      return all;
-    };
-    int i = 0;
-    for (auto e : edges(mesh)) put(sharp, e, std::vector<double>{0, 0.6, 3}[std::size_t(++i % 3)]);
-    for (auto v : vertices(mesh)) put(corner, v, v == *vertices(mesh).begin());
-    for (auto h : halfedges(mesh)) {
-      ++i;
-      put(of_corners, h, Vector(i % 3, i % 5, 1));
-    }
-    const std::vector<double> before = tags();
-    const auto np = params::number_of_iterations(2)
-                      .edge_is_constrained_map(sharp)
-                      .vertex_is_constrained_map(corner)
-                      .vertex_normal_map(of_corners);
-    const std::string failure = failure_of([&] {
-      const Allocation_limit limit(k);
-      PN::CatmullClark_subdivision(mesh, np);
-    });
-    if (!failure.empty()) {
-      EXPECT_EQ(tags(), before) << k;
-    } else {
-      for (auto v : vertices(mesh)) put(n, v, Vector(0, 0, 0)); // not used
-    }
-    return failure;
-  };
-  EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), attempt), 400);
 }
 
 TYPED_TEST(Strong_guarantee, Attributes)

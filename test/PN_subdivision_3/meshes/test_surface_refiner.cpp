@@ -13,7 +13,6 @@
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
-#include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
@@ -23,15 +22,9 @@
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Polyhedron_3.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <set>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 using namespace surface_refiner_cases;

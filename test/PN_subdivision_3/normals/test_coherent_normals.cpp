@@ -18,8 +18,6 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
-#include <array>
-#include <map>
 #include <set>
 
 using namespace estimated_normals;
@@ -29,21 +27,15 @@ namespace PN = CGAL::PN_subdivision_3;
 
 namespace {
 
-struct Result
-{
-  std::vector<Triple> normals;
-  std::vector<double> roundness;
-};
-
 template <class K = CGAL::Simple_cartesian<double>>
-Result coherent(const Control_mesh& control)
+Estimates coherent(const Control_mesh& control)
 {
   auto mesh = to_mesh<K>(control);
   using Vertex = CGAL::SM_Vertex_index;
   const auto normals = mesh.template add_property_map<Vertex, typename K::Vector_3>("n").first;
   const auto roundness = mesh.template add_property_map<Vertex, double>("w", -1).first;
   PN::estimate_control_normals(mesh, normals, PN::parameters::vertex_roundness_map(roundness));
-  Result result;
+  Estimates result;
   for (auto v : mesh.vertices()) {
     const auto& n = normals[v];
     result.normals.push_back(
@@ -51,15 +43,6 @@ Result coherent(const Control_mesh& control)
     result.roundness.push_back(roundness[v]);
   }
   return result;
-}
-
-Control_mesh moved(Control_mesh mesh, const std::function<Vector(const Vector&)>& f)
-{
-  for (Triple& p : mesh.points) {
-    const Vector q = f(Vector(p[0], p[1], p[2]));
-    p = {double(q[0]), double(q[1]), double(q[2])};
-  }
-  return mesh;
 }
 
 Control_mesh scaled(const Control_mesh& mesh, double x, double y, double z)
@@ -391,20 +374,12 @@ Control_mesh sphere_with_poles(const Numbers& turns, const Numbers& heights)
   return mesh;
 }
 
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b)
-{
-  double largest = a.size() == b.size() ? 0 : HUGE_VAL;
-  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
-    if (!(std::abs(a[i] - b[i]) <= largest)) largest = std::abs(a[i] - b[i]);
-  return largest;
-}
-
 } // namespace
 
 TEST(Coherent_normals, AreExactOnRoundShapes)
 {
   for (const Control_mesh& mesh : exact_shapes()) {
-    const Result result = coherent(mesh);
+    const Estimates result = coherent(mesh);
     EXPECT_LE(largest_distance(result.normals, mesh.normals), 16 * ulp) << mesh.name;
     for (double w : result.roundness) EXPECT_EQ(w, 1) << mesh.name;
   }
@@ -418,7 +393,7 @@ TEST(Coherent_normals, AgreeWithTheReference)
     const reference::Face_list list = test_meshes::face_list(mesh);
     const auto points = reference_points(mesh);
     const reference::Coherent_normals expected(list, points);
-    const Result result = coherent(mesh);
+    const Estimates result = coherent(mesh);
     const double n = largest_distance(result.normals, triples(expected.normals));
     const double w =
       largest_difference(result.roundness, {expected.roundness.begin(), expected.roundness.end()});
@@ -435,52 +410,17 @@ TEST(Coherent_normals, AgreeWithTheReference)
 
 TEST(Coherent_normals, SimilaritiesCommute)
 {
-  const Eigen::AngleAxis<Real> turn(0.7L, Vector(1, 2, -0.5).normalized());
-  for (const Control_mesh& mesh : any_shapes()) {
-    const Result expected = coherent(mesh);
-    for (int exponent : {-600, -300, 300, 600}) {
-      const Real factor = std::ldexp(1.L, exponent);
-      const Result result = coherent(moved(mesh, [&](const Vector& p) { return factor * p; }));
-      EXPECT_EQ(result.normals, expected.normals) << mesh.name << ", 2^" << exponent;
-      EXPECT_EQ(result.roundness, expected.roundness) << mesh.name << ", 2^" << exponent;
-    }
-    const Result turned = coherent(
-      moved(mesh, [&](const Vector& p) -> Vector { return 3 * (turn * p) + Vector(1, -2, 3); }));
-    EXPECT_LE(largest_difference(turned.roundness, expected.roundness), 16384 * ulp) << mesh.name;
-    for (std::size_t v = 0; v < expected.normals.size(); ++v) {
-      const Triple& m = expected.normals[v];
-      const Vector n = turn * Vector(m[0], m[1], m[2]);
-      EXPECT_LE(distance(turned.normals[v], {double(n[0]), double(n[1]), double(n[2])}), 512 * ulp)
-        << mesh.name << ", vertex " << v;
-    }
-  }
+  expect_similarities_commute(any_shapes(), coherent<>, {-600, -300, 300, 600}, 512 * ulp);
 }
 
 TEST(Coherent_normals, NumberingHasNoPart)
 {
-  std::mt19937 generator(8);
-  for (const Control_mesh& mesh : any_shapes()) {
-    const auto [other, place] = renumbered(mesh, generator);
-    const Result expected = coherent(mesh), result = coherent(other);
-    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-      const std::size_t w = place[v];
-      EXPECT_LE(distance(result.normals[w], expected.normals[v]), 64 * ulp) << mesh.name;
-      EXPECT_NEAR(result.roundness[w], expected.roundness[v], 2048 * ulp) << mesh.name;
-    }
-  }
+  expect_numbering_has_no_part(any_shapes(), coherent<>, 64 * ulp);
 }
 
 TEST(Coherent_normals, ReversedFacesReverseThem)
 {
-  for (Control_mesh mesh : any_shapes()) {
-    Result expected = coherent(mesh);
-    for (Triple& n : expected.normals)
-      for (double& x : n) x = -x;
-    for (reference::Face& f : mesh.faces) std::reverse(f.begin(), f.end());
-    const Result result = coherent(mesh);
-    EXPECT_LE(largest_distance(result.normals, expected.normals), 64 * ulp) << mesh.name;
-    EXPECT_LE(largest_difference(result.roundness, expected.roundness), 2048 * ulp) << mesh.name;
-  }
+  expect_reversed_faces_reverse(any_shapes(), coherent<>, 64 * ulp);
 }
 
 TEST(Coherent_normals, AreTheReciprocalOnesBitForBitWhereTheseAreRight)
@@ -499,7 +439,7 @@ TEST(Coherent_normals, RightAnglesBetweenPlanesAreNotRound)
 {
   constexpr int n = 5;
   const Control_mesh mesh = bent_plane(n);
-  const Result result = coherent(mesh);
+  const Estimates result = coherent(mesh);
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     const int from_bend = std::abs(int(v) % (2 * n + 1) - n);
     EXPECT_EQ(result.roundness[v], from_bend < 2 ? 0 : 1) << v;
@@ -536,7 +476,7 @@ TEST(Coherent_normals, SpheresOfRandomPointsAreRound)
       ++spheres;
       const Control_mesh other =
         moved(mesh, [&](const Vector& p) -> Vector { return 1e-3L * (turn * p) + turn * p; });
-      for (const Result& result : {coherent(mesh), coherent(other)})
+      for (const Estimates& result : {coherent(mesh), coherent(other)})
         for (double w : result.roundness) EXPECT_EQ(w, 1) << mesh.name;
       EXPECT_LE(largest_distance(coherent(mesh).normals, mesh.normals), 1e-9) << mesh.name;
     }
@@ -556,7 +496,7 @@ TEST(Coherent_normals, GridsOfAnyStepsAreRound)
           renamed(cylinder(turns, heights, 3, Cells::triangles), "cylinder of triangles"),
           renamed(cylinder(turns, heights, 3, Cells::mixed), "cylinder"),
           renamed(cone(turns, heights, Cells::quads), "cone"), sphere_with_poles(turns, heights)}) {
-      const Result result = coherent(mesh);
+      const Estimates result = coherent(mesh);
       EXPECT_LE(largest_distance(result.normals, mesh.normals), 1e-9) << mesh.name << ' ' << seed;
       const auto least = std::min_element(result.roundness.begin(), result.roundness.end());
       EXPECT_EQ(*least, 1) << mesh.name << ' ' << seed << ", vertex "
@@ -625,7 +565,7 @@ TEST(Coherent_normals, SpheresWithPointsThatCoincideAtThePolesAreRoundBesideThem
       add(mesh, {p, p});
     }
   add_strips(mesh, n, rows);
-  const Result result = coherent(mesh);
+  const Estimates result = coherent(mesh);
   for (std::size_t v = 2 * n; v < n * (rows - 1); ++v) {
     EXPECT_LE(distance(result.normals[v], mesh.normals[v]), 64 * ulp) << v;
     EXPECT_EQ(result.roundness[v], 1) << v;
@@ -635,7 +575,7 @@ TEST(Coherent_normals, SpheresWithPointsThatCoincideAtThePolesAreRoundBesideThem
 TEST(Coherent_normals, PointsThatCoincideAreAlikeRound)
 {
   const Control_mesh mesh = box_with_bevels_of_no_width();
-  const Result result = coherent(mesh);
+  const Estimates result = coherent(mesh);
   int pairs = 0;
   for (const reference::Face& f : mesh.faces)
     for (std::size_t i = 0; i < 4; ++i) {
@@ -667,11 +607,12 @@ TEST(Coherent_normals, PartsHaveNoPartInOthers)
     for (int& v : f) v += n;
     both.faces.push_back(f);
   }
-  const Result of_both = coherent(both), of_sphere = coherent(sphere), of_plate = coherent(plate);
+  const Estimates of_both = coherent(both), of_sphere = coherent(sphere),
+                  of_plate = coherent(plate);
   EXPECT_EQ(of_plate.roundness[0], 0);
   for (std::size_t v = 0; v < both.points.size(); ++v) {
     const bool is_first = v < sphere.points.size();
-    const Result& one = is_first ? of_sphere : of_plate;
+    const Estimates& one = is_first ? of_sphere : of_plate;
     const std::size_t i = is_first ? v : v - sphere.points.size();
     EXPECT_EQ(of_both.normals[v], one.normals[i]) << v;
     EXPECT_EQ(of_both.roundness[v], one.roundness[i]) << v;
@@ -682,7 +623,7 @@ TEST(Coherent_normals, PartsHaveNoPartInOthers)
 TEST(Coherent_normals, BoxesHaveAreaNormals)
 {
   const Control_mesh mesh = scaled(named_shapes::cube(), 1, 2, 5);
-  const Result result = coherent(mesh);
+  const Estimates result = coherent(mesh);
   for (std::size_t v = 0; v < 8; ++v) {
     const Triple& p = mesh.points[v];
     const Triple expected = test_meshes::unit({1 / p[0], 1 / p[1], 1 / p[2]});
@@ -709,7 +650,7 @@ TEST(Coherent_normals, DegenerateMeshes)
   shapes.push_back(
     renamed(scaled(scattered(1, 0.3, 1, on_sphere), 1e-320, 1e-320, 1e-320), "denormal"));
   for (const Control_mesh& mesh : shapes) {
-    for (const Result& result :
+    for (const Estimates& result :
          {coherent(mesh), coherent<CGAL::Exact_predicates_exact_constructions_kernel>(mesh)})
       for (std::size_t v = 0; v < mesh.points.size(); ++v) {
         const Triple& n = result.normals[v];
@@ -735,11 +676,15 @@ TEST(Coherent_normals, ExactTypesKeepExactDirections)
   auto n = mesh.add_property_map<CGAL::SM_Vertex_index, K::Vector_3>("n").first;
   PN::estimate_control_normals(mesh, n);
   int interior = 0;
-  for (auto v : mesh.vertices())
+  for (auto v : mesh.vertices()) {
+    const K::Vector_3 radius = mesh.point(v) - CGAL::ORIGIN;
     if (!mesh.is_border(v)) {
-      EXPECT_EQ(CGAL::cross_product(n[v], mesh.point(v) - CGAL::ORIGIN), K::Vector_3(0, 0, 0));
+      EXPECT_EQ(CGAL::cross_product(n[v], radius), K::Vector_3(0, 0, 0));
       ++interior;
     }
+    EXPECT_LE(CGAL::to_double((n[v] - radius).squared_length()), 256 * ulp * ulp);
+    EXPECT_LE(CGAL::to_double(CGAL::abs(n[v].squared_length() - 1)), 0x1p-46);
+  }
   EXPECT_EQ(interior, 20);
 }
 

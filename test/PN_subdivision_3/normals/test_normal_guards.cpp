@@ -12,7 +12,6 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
-#include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 using namespace estimated_normals;

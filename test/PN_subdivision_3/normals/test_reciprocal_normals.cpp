@@ -10,7 +10,6 @@
 // what must not change them.
 
 #include "Estimated_normals.h"
-#include "support/Exact_rational.h"
 
 using namespace estimated_normals;
 using namespace sampled_surfaces;
@@ -47,15 +46,6 @@ std::vector<Control_mesh> any_shapes()
   return shapes;
 }
 
-Control_mesh moved(Control_mesh mesh, const std::function<Vector(const Vector&)>& f)
-{
-  for (Triple& p : mesh.points) {
-    const Vector q = f(Vector(p[0], p[1], p[2]));
-    p = {double(q[0]), double(q[1]), double(q[2])};
-  }
-  return mesh;
-}
-
 constexpr auto every_vertex = [](int) { return true; };
 
 } // namespace
@@ -64,15 +54,6 @@ TEST(Reciprocal_normals, AreExactOnSpheresAndSurfacesOfRevolution)
 {
   for (const Control_mesh& mesh : exact_shapes())
     EXPECT_LE(largest_distance(estimated(mesh), mesh.normals), 16 * ulp) << mesh.name;
-}
-
-// in degrees; the shape that is nearly an icosahedron has 0.51
-TEST(Reciprocal_normals, AngleWeightedOnesAreNot)
-{
-  for (const Control_mesh& mesh : exact_shapes())
-    EXPECT_GE(angles(mesh, estimated(mesh, Control_normal_estimate::angle), every_vertex).largest,
-              0.5)
-      << mesh.name;
 }
 
 TEST(Reciprocal_normals, AgreeWithTheReference)
@@ -118,43 +99,13 @@ TEST(Reciprocal_normals, ErrorsOnGeneralSurfaces)
   }
 }
 
-TEST(Reciprocal_normals, SimilaritiesCommute)
+TEST(Reciprocal_normals, PlaceNumberingAndDirectionHaveNoPart)
 {
-  const Eigen::AngleAxis<Real> turn(0.7L, Vector(1, 2, -0.5).normalized());
-  for (const Control_mesh& mesh : any_shapes()) {
-    const std::vector<Triple> expected = estimated(mesh);
-    EXPECT_EQ(estimated(moved(mesh, [](const Vector& p) { return 0x1p-300L * p; })), expected)
-      << mesh.name;
-    const auto turned = estimated(
-      moved(mesh, [&](const Vector& p) -> Vector { return 3 * (turn * p) + Vector(1, -2, 3); }));
-    for (std::size_t v = 0; v < expected.size(); ++v) {
-      const Vector n = turn * Vector(expected[v][0], expected[v][1], expected[v][2]);
-      EXPECT_LE(distance(turned[v], {double(n[0]), double(n[1]), double(n[2])}), 256 * ulp)
-        << mesh.name << ", vertex " << v;
-    }
-  }
-}
-
-TEST(Reciprocal_normals, NumberingHasNoPart)
-{
-  std::mt19937 generator(8);
-  for (const Control_mesh& mesh : any_shapes()) {
-    const auto [other, place] = renumbered(mesh, generator);
-    const auto expected = estimated(mesh), result = estimated(other);
-    for (std::size_t v = 0; v < mesh.points.size(); ++v)
-      EXPECT_LE(distance(result[place[v]], expected[v]), 32 * ulp) << mesh.name << ", vertex " << v;
-  }
-}
-
-TEST(Reciprocal_normals, ReversedFacesReverseThem)
-{
-  for (Control_mesh mesh : any_shapes()) {
-    std::vector<Triple> expected = estimated(mesh);
-    for (Triple& n : expected)
-      for (double& x : n) x = -x;
-    for (reference::Face& f : mesh.faces) std::reverse(f.begin(), f.end());
-    EXPECT_LE(largest_distance(estimated(mesh), expected), 32 * ulp) << mesh.name;
-  }
+  const auto estimate = [](const Control_mesh& mesh) { return Estimates{estimated(mesh), {}}; };
+  const std::vector<Control_mesh> meshes = any_shapes();
+  expect_similarities_commute(meshes, estimate, {-300}, 256 * ulp);
+  expect_numbering_has_no_part(meshes, estimate, 32 * ulp);
+  expect_reversed_faces_reverse(meshes, estimate, 32 * ulp);
 }
 
 // Along a way from one set of points to another nothing jumps: the largest step falls with the
@@ -182,34 +133,6 @@ TEST(Reciprocal_normals, AreContinuous)
     EXPECT_GT(coarse, 1e-3);
     EXPECT_LE(fine, coarse / 12) << mesh.name;
   }
-}
-
-// In an exact number type the normals of interior vertices have their direction exactly.
-TEST(Reciprocal_normals, ExactDirections)
-{
-  using FT = CGAL::Exact_rational;
-  using K = CGAL::Simple_cartesian<FT>;
-  const Control_mesh rough = patch(6, 5, 0.3, Cells::mixed, 9, cap(0.5));
-  auto mesh = to_mesh<K>(rough);
-  // stereographic projection: rational points on the sphere
-  for (auto v : mesh.vertices()) {
-    const FT x(rough.points[v][0] / 2), y(rough.points[v][1] / 2), d = 1 + x * x + y * y;
-    mesh.point(v) = K::Point_3(2 * x / d, 2 * y / d, (1 - x * x - y * y) / d);
-  }
-  auto n = mesh.add_property_map<CGAL::SM_Vertex_index, K::Vector_3>("n").first;
-  CGAL::PN_subdivision_3::estimate_control_normals(mesh, n);
-  int interior = 0;
-  for (auto v : mesh.vertices()) {
-    const K::Vector_3 radius = mesh.point(v) - CGAL::ORIGIN;
-    if (!mesh.is_border(v)) {
-      EXPECT_EQ(CGAL::cross_product(n[v], radius), K::Vector_3(0, 0, 0));
-      ++interior;
-    }
-    const K::Vector_3 error = n[v] - radius;
-    EXPECT_LE(CGAL::to_double(error.squared_length()), 256 * ulp * ulp);
-    EXPECT_LE(CGAL::to_double(CGAL::abs(n[v].squared_length() - 1)), 0x1p-46);
-  }
-  EXPECT_EQ(interior, 20);
 }
 
 // longer numbers give longer normals

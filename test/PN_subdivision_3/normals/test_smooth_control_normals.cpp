@@ -23,12 +23,8 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cmath>
 #include <limits>
-#include <random>
 #include <set>
-#include <stdexcept>
 
 namespace {
 

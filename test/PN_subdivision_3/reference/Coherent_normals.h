@@ -14,10 +14,6 @@
 
 #include "Control_normals.h"
 
-#include <algorithm>
-#include <utility>
-#include <vector>
-
 namespace reference {
 
 class Coherent_normals

@@ -16,7 +16,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <optional>
 
 namespace reference {

@@ -13,11 +13,6 @@
 
 #include "PN_rule.h"
 
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
-
 namespace reference {
 
 struct Crease_entries

@@ -14,11 +14,6 @@
 #include "Crease_rule.h"
 #include "Creases.h"
 
-#include <cmath>
-#include <limits>
-#include <map>
-#include <vector>
-
 namespace reference {
 
 class Crease_tangents

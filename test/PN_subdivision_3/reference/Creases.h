@@ -18,12 +18,7 @@
 #include "modified_CatmullClark.h"
 #include "modified_Loop.h"
 
-#include <cmath>
-#include <map>
 #include <set>
-#include <stdexcept>
-#include <utility>
-#include <vector>
 
 namespace reference {
 

@@ -12,8 +12,6 @@
 #include "modified_CatmullClark.h"
 #include "modified_Loop.h"
 
-#include <map>
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 

@@ -15,9 +15,7 @@
 
 #include "Face_list.h"
 
-#include <cmath>
 #include <map>
-#include <vector>
 
 namespace reference {
 

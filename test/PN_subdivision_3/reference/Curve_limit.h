@@ -15,9 +15,6 @@
 #include "Curve.h"
 #include "PN_rule.h"
 
-#include <algorithm>
-#include <map>
-
 namespace reference {
 
 struct Curve_limit

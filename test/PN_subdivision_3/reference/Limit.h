@@ -14,7 +14,6 @@
 
 #include "PN_rule.h"
 
-#include <algorithm>
 #include <map>
 #include <set>
 

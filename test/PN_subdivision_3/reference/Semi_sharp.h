@@ -15,12 +15,6 @@
 
 #include "Creases.h"
 
-#include <algorithm>
-#include <map>
-#include <set>
-#include <utility>
-#include <vector>
-
 namespace reference {
 
 inline bool is_fraction(Real s)

@@ -11,8 +11,6 @@
 
 #include "Quadrisection.h"
 
-#include <map>
-
 namespace reference {
 
 inline std::map<Edge, int> keep_and_halve(const Face_list& mesh, Refined& result)

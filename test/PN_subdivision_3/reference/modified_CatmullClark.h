@@ -12,8 +12,6 @@
 #include "CatmullClark.h"
 #include "Tuned_ring.h"
 
-#include <map>
-
 namespace reference {
 
 // n quads about the vertex 0; neighbors 1, ..., n, then the vertices between them.

@@ -12,8 +12,6 @@
 #include "Loop.h"
 #include "Tuned_ring.h"
 
-#include <map>
-
 namespace reference {
 
 // n triangles about the vertex 0; neighbors 1, ..., n.

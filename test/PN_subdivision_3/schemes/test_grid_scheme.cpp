@@ -22,14 +22,9 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/generators.h>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <functional>
 #include <random>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace {
 

@@ -45,55 +45,33 @@ double as_double(const Big& x)
 }
 
 // A user's number type that has cos() and acos(), but no sqrt(): a long double behind operators.
-class Number_without_root : boost::ordered_field_operators<Number_without_root>
+class Rootless : boost::ordered_field_operators<Rootless>
 {
 public:
-  Number_without_root() = default;
-  explicit Number_without_root(int x)
+  Rootless() = default;
+  explicit Rootless(int x)
     : value_(x)
   {}
-  explicit Number_without_root(double x)
+  explicit Rootless(double x)
     : value_(x)
   {}
 
-  Number_without_root operator-() const { return Number_without_root(-value_); }
-  Number_without_root& operator+=(const Number_without_root& x)
-  {
-    return value_ += x.value_, *this;
-  }
-  Number_without_root& operator-=(const Number_without_root& x)
-  {
-    return value_ -= x.value_, *this;
-  }
-  Number_without_root& operator*=(const Number_without_root& x)
-  {
-    return value_ *= x.value_, *this;
-  }
-  Number_without_root& operator/=(const Number_without_root& x)
-  {
-    return value_ /= x.value_, *this;
-  }
-  [[maybe_unused]] friend bool operator==(const Number_without_root& a,
-                                          const Number_without_root& b)
+  Rootless operator-() const { return Rootless(-value_); }
+  Rootless& operator+=(const Rootless& x) { return value_ += x.value_, *this; }
+  Rootless& operator-=(const Rootless& x) { return value_ -= x.value_, *this; }
+  Rootless& operator*=(const Rootless& x) { return value_ *= x.value_, *this; }
+  Rootless& operator/=(const Rootless& x) { return value_ /= x.value_, *this; }
+  [[maybe_unused]] friend bool operator==(const Rootless& a, const Rootless& b)
   {
     return a.value_ == b.value_;
   }
-  friend bool operator<(const Number_without_root& a, const Number_without_root& b)
-  {
-    return a.value_ < b.value_;
-  }
-  friend Number_without_root cos(const Number_without_root& x)
-  {
-    return Number_without_root(std::cos(x.value_));
-  }
-  friend Number_without_root acos(const Number_without_root& x)
-  {
-    return Number_without_root(std::acos(x.value_));
-  }
-  friend double as_double(const Number_without_root& x) { return static_cast<double>(x.value_); }
+  friend bool operator<(const Rootless& a, const Rootless& b) { return a.value_ < b.value_; }
+  friend Rootless cos(const Rootless& x) { return Rootless(std::cos(x.value_)); }
+  friend Rootless acos(const Rootless& x) { return Rootless(std::acos(x.value_)); }
+  friend double as_double(const Rootless& x) { return static_cast<double>(x.value_); }
 
 private:
-  explicit Number_without_root(long double x)
+  explicit Rootless(long double x)
     : value_(x)
   {}
 
@@ -156,9 +134,8 @@ TYPED_TEST(Modified_scheme_numbers, UsesTheCosinesOfTheNumberType)
 // long double has beyond a double, to which weights of other types are rounded.
 TYPED_TEST(Modified_scheme_numbers, NeedsNoRootsOfTheNumberType)
 {
-  expect_weights_of_reference<Number_without_root, TypeParam>(4e-16);
-  expect_commutation<Number_without_root, TypeParam>(std::is_same_v<TypeParam, Triangles> ? 1e-18
-                                                                                          : 1e-15);
+  expect_weights_of_reference<Rootless, TypeParam>(4e-16);
+  expect_commutation<Rootless, TypeParam>(std::is_same_v<TypeParam, Triangles> ? 1e-18 : 1e-15);
 }
 
 // Intervals are computed with rounding upward: what that leaves behind must not be seen in double.

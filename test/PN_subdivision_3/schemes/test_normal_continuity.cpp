@@ -7,14 +7,12 @@
 // Author(s): PN_subdivision_3 developers
 
 // Normal continuity at extraordinary points, measured: the normals of the faces about such a point
-// draw together as the net is refined (Yang, Theorem 4.9). A scheme whose surfaces have kinks shows
-// that the measure sees them.
+// draw together as the net is refined (Yang, Theorem 4.9).
 
 #include "analysis/Extraordinary_net.h"
 
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
-#include <CGAL/PN_subdivision_3/schemes/Bilinear_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
@@ -31,13 +29,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <random>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace {
 
@@ -50,39 +44,6 @@ using Mesh = CGAL::Surface_mesh<Point>;
 using Vertex = Mesh::Vertex_index;
 using Face = Mesh::Face_index;
 using Normals = Mesh::Property_map<Vertex, Vector>;
-
-// What is bilinear in each face: old vertices, midpoints, centroids.
-template <class FT>
-struct Bilinear_mask
-{
-  template <class Stencil>
-  void vertex(unsigned v, Stencil& s) const
-  {
-    s.add(v, FT(1));
-  }
-  template <class Stencil>
-  void edge(unsigned e, Stencil& s) const
-  {
-    s.add(level.target(2 * e), FT(1) / FT(2));
-    s.add(level.source(2 * e), FT(1) / FT(2));
-  }
-  template <class Stencil>
-  void face(unsigned f, Stencil& s) const
-  {
-    unsigned h = level.halfedge_of_face(f);
-    for (int i = 0; i < 4; ++i, h = level.next(h)) s.add(level.target(h), FT(1) / FT(4));
-  }
-  const PN::Level_connectivity& level;
-};
-struct Bilinear_scheme
-{
-  using Host = PN::PQQ_host;
-  template <class FT>
-  Bilinear_mask<FT> mask(const PN::Level_connectivity& level, unsigned) const
-  {
-    return {level};
-  }
-};
 
 struct Net
 {
@@ -240,11 +201,4 @@ TEST(Normal_continuity, OfAllSchemes)
   expect_normals_to_converge(PN::Loop_scheme::Tuned(), 3);
   expect_normals_to_converge(PN::Butterfly_scheme(), 3);
   expect_normals_to_converge(PN::Sqrt3_scheme(), 3);
-}
-
-TEST(Normal_continuity, KinksAreSeen)
-{
-  for (const unsigned valence : {3u, 5u})
-    EXPECT_GT(spread_after(14, Bilinear_scheme(), 4, valence),
-              0.5 * spread_after(4, Bilinear_scheme(), 4, valence));
 }

@@ -28,7 +28,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <vector>

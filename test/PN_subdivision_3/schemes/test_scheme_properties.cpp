@@ -17,12 +17,6 @@
 
 #include <CGAL/PN_subdivision_3/schemes/estimated_row_entries.h>
 
-#include <array>
-#include <cstdint>
-#include <set>
-#include <stdexcept>
-#include <vector>
-
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
 #  include <tbb/task_arena.h>

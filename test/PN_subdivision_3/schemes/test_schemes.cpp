@@ -13,8 +13,6 @@
 
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 
-#include <type_traits>
-
 namespace {
 
 using test_meshes::Control_mesh;

@@ -166,4 +166,14 @@ REGISTER_TYPED_TEST_SUITE_P(Random_meshes, OnSpheresAndCylindersStayOnThem, Comm
 
 } // namespace random_meshes
 
+// Both suites for some descriptions of schemes.
+#define PN_INSTANTIATE_SUITES(Name, ...)                                                           \
+  using Name##_schemes = testing::Types<__VA_ARGS__>;                                              \
+  namespace named_shapes {                                                                         \
+  INSTANTIATE_TYPED_TEST_SUITE_P(Name, Named_shapes, Name##_schemes, Scheme_names);                \
+  }                                                                                                \
+  namespace random_meshes {                                                                        \
+  INSTANTIATE_TYPED_TEST_SUITE_P(Name, Random_meshes, Name##_schemes, Scheme_names);               \
+  }
+
 #endif // CGAL_PN_SUBDIVISION_3_TEST_SUITE_RANDOM_MESHES_H

@@ -9,11 +9,4 @@
 #include "named_shapes.h"
 #include "random_meshes.h"
 
-using CatmullClark_schemes = testing::Types<CatmullClark_description>;
-
-namespace named_shapes {
-INSTANTIATE_TYPED_TEST_SUITE_P(CatmullClark, Named_shapes, CatmullClark_schemes, Scheme_names);
-}
-namespace random_meshes {
-INSTANTIATE_TYPED_TEST_SUITE_P(CatmullClark, Random_meshes, CatmullClark_schemes, Scheme_names);
-}
+PN_INSTANTIATE_SUITES(CatmullClark, CatmullClark_description)

@@ -10,11 +10,4 @@
 #include "named_shapes.h"
 #include "random_meshes.h"
 
-using DooSabin_schemes = testing::Types<DooSabin_description>;
-
-namespace named_shapes {
-INSTANTIATE_TYPED_TEST_SUITE_P(DooSabin, Named_shapes, DooSabin_schemes, Scheme_names);
-}
-namespace random_meshes {
-INSTANTIATE_TYPED_TEST_SUITE_P(DooSabin, Random_meshes, DooSabin_schemes, Scheme_names);
-}
+PN_INSTANTIATE_SUITES(DooSabin, DooSabin_description)

@@ -10,11 +10,4 @@
 #include "named_shapes.h"
 #include "random_meshes.h"
 
-using Interpolatory_schemes = testing::Types<Butterfly_description, Kobbelt_description>;
-
-namespace named_shapes {
-INSTANTIATE_TYPED_TEST_SUITE_P(Interpolatory, Named_shapes, Interpolatory_schemes, Scheme_names);
-}
-namespace random_meshes {
-INSTANTIATE_TYPED_TEST_SUITE_P(Interpolatory, Random_meshes, Interpolatory_schemes, Scheme_names);
-}
+PN_INSTANTIATE_SUITES(Interpolatory, Butterfly_description, Kobbelt_description)

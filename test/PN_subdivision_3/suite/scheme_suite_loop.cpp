@@ -9,11 +9,4 @@
 #include "named_shapes.h"
 #include "random_meshes.h"
 
-using Loop_schemes = testing::Types<Loop_description>;
-
-namespace named_shapes {
-INSTANTIATE_TYPED_TEST_SUITE_P(Loop, Named_shapes, Loop_schemes, Scheme_names);
-}
-namespace random_meshes {
-INSTANTIATE_TYPED_TEST_SUITE_P(Loop, Random_meshes, Loop_schemes, Scheme_names);
-}
+PN_INSTANTIATE_SUITES(Loop, Loop_description)

@@ -10,12 +10,4 @@
 #include "named_shapes.h"
 #include "random_meshes.h"
 
-using Modified_schemes =
-  testing::Types<Modified_CatmullClark_description, Modified_Loop_description>;
-
-namespace named_shapes {
-INSTANTIATE_TYPED_TEST_SUITE_P(Modified, Named_shapes, Modified_schemes, Scheme_names);
-}
-namespace random_meshes {
-INSTANTIATE_TYPED_TEST_SUITE_P(Modified, Random_meshes, Modified_schemes, Scheme_names);
-}
+PN_INSTANTIATE_SUITES(Modified, Modified_CatmullClark_description, Modified_Loop_description)

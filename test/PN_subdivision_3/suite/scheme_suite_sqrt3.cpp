@@ -10,11 +10,4 @@
 #include "named_shapes.h"
 #include "random_meshes.h"
 
-using Sqrt3_schemes = testing::Types<Sqrt3_description>;
-
-namespace named_shapes {
-INSTANTIATE_TYPED_TEST_SUITE_P(Sqrt3, Named_shapes, Sqrt3_schemes, Scheme_names);
-}
-namespace random_meshes {
-INSTANTIATE_TYPED_TEST_SUITE_P(Sqrt3, Random_meshes, Sqrt3_schemes, Scheme_names);
-}
+PN_INSTANTIATE_SUITES(Sqrt3, Sqrt3_description)

@@ -10,11 +10,4 @@
 #include "named_shapes.h"
 #include "random_meshes.h"
 
-using Upsampling_schemes = testing::Types<Midpoint_description, Bilinear_description>;
-
-namespace named_shapes {
-INSTANTIATE_TYPED_TEST_SUITE_P(Upsampling, Named_shapes, Upsampling_schemes, Scheme_names);
-}
-namespace random_meshes {
-INSTANTIATE_TYPED_TEST_SUITE_P(Upsampling, Random_meshes, Upsampling_schemes, Scheme_names);
-}
+PN_INSTANTIATE_SUITES(Upsampling, Midpoint_description, Bilinear_description)

@@ -16,13 +16,8 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <map>
-#include <utility>
-#include <vector>
 
 namespace crease_shapes {
 

@@ -18,13 +18,6 @@
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <random>
-#include <utility>
-#include <vector>
-
 namespace creased_limit_cases {
 
 using namespace tagged_meshes;

@@ -22,12 +22,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
-#include <limits>
 #include <random>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace curve_cases {
 

@@ -15,7 +15,6 @@
 #include "Mesh_cases.h"
 
 #include <functional>
-#include <map>
 #include <random>
 #include <utility>
 

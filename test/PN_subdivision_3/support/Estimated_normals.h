@@ -21,10 +21,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <numeric>
-#include <random>
-#include <vector>
 
 namespace estimated_normals {
 
@@ -108,6 +105,95 @@ inline Renumbered renumbered(const Control_mesh& mesh, std::mt19937& generator)
   }
   std::shuffle(other.faces.begin(), other.faces.end(), generator);
   return result;
+}
+
+// normals, and roundness where it is estimated
+struct Estimates
+{
+  std::vector<Triple> normals;
+  std::vector<double> roundness;
+};
+
+inline double largest_difference(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double largest = a.size() == b.size() ? 0 : HUGE_VAL;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
+    if (!(std::abs(a[i] - b[i]) <= largest)) largest = std::abs(a[i] - b[i]);
+  return largest;
+}
+
+inline void expect_near(const Estimates& a, const Estimates& b, double bound,
+                        const std::string& name)
+{
+  EXPECT_LE(largest_distance(a.normals, b.normals), bound) << name;
+  EXPECT_LE(largest_difference(a.roundness, b.roundness), 32 * bound) << name;
+}
+
+inline Control_mesh
+moved(Control_mesh mesh,
+      const std::function<sampled_surfaces::Vector(const sampled_surfaces::Vector&)>& f)
+{
+  for (Triple& p : mesh.points) {
+    const sampled_surfaces::Vector q = f(sampled_surfaces::Vector(p[0], p[1], p[2]));
+    p = {double(q[0]), double(q[1]), double(q[2])};
+  }
+  return mesh;
+}
+
+// powers of two bit for bit
+template <class Estimate>
+void expect_similarities_commute(const std::vector<Control_mesh>& meshes, const Estimate& estimate,
+                                 const std::vector<int>& exponents, double bound)
+{
+  using sampled_surfaces::Vector;
+  const Eigen::AngleAxis<Real> turn(0.7L, Vector(1, 2, -0.5).normalized());
+  for (const Control_mesh& mesh : meshes) {
+    Estimates expected = estimate(mesh);
+    for (int exponent : exponents) {
+      const Real factor = std::ldexp(1.L, exponent);
+      const Estimates result =
+        estimate(moved(mesh, [&](const Vector& p) -> Vector { return factor * p; }));
+      EXPECT_EQ(result.normals, expected.normals) << mesh.name << ", 2^" << exponent;
+      EXPECT_EQ(result.roundness, expected.roundness) << mesh.name << ", 2^" << exponent;
+    }
+    const Estimates turned = estimate(
+      moved(mesh, [&](const Vector& p) -> Vector { return 3 * (turn * p) + Vector(1, -2, 3); }));
+    for (Triple& m : expected.normals) {
+      const Vector n = turn * Vector(m[0], m[1], m[2]);
+      m = {double(n[0]), double(n[1]), double(n[2])};
+    }
+    expect_near(turned, expected, bound, mesh.name);
+  }
+}
+
+template <class Estimate>
+void expect_numbering_has_no_part(const std::vector<Control_mesh>& meshes, const Estimate& estimate,
+                                  double bound)
+{
+  std::mt19937 generator(8);
+  for (const Control_mesh& mesh : meshes) {
+    const auto [other, place] = renumbered(mesh, generator);
+    const Estimates expected = estimate(mesh), result = estimate(other);
+    Estimates back = result;
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      back.normals[v] = result.normals[place[v]];
+      if (!result.roundness.empty()) back.roundness[v] = result.roundness[place[v]];
+    }
+    expect_near(back, expected, bound, mesh.name);
+  }
+}
+
+template <class Estimate>
+void expect_reversed_faces_reverse(const std::vector<Control_mesh>& meshes,
+                                   const Estimate& estimate, double bound)
+{
+  for (Control_mesh mesh : meshes) {
+    Estimates expected = estimate(mesh);
+    for (Triple& n : expected.normals)
+      for (double& x : n) x = -x;
+    for (reference::Face& f : mesh.faces) std::reverse(f.begin(), f.end());
+    expect_near(estimate(mesh), expected, bound, mesh.name);
+  }
 }
 
 // angles to the true normals, in degrees

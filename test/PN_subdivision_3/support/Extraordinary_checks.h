@@ -13,14 +13,7 @@
 #include "analysis/extraordinary_curvature.h"
 #include "analysis/extraordinary_eigenvalues.h"
 
-#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
-
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <type_traits>
 
 // What holds for plain and for modified schemes at a vertex of any valence.
 namespace extraordinary_checks {

@@ -16,21 +16,15 @@
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/parameters/Default_visitor.h>
-#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <gtest/gtest.h>
-
-#include <cstddef>
 #include <cstring>
 #include <functional>
 #include <limits>
 #include <stdexcept>
-#include <string>
 #include <type_traits>
-#include <vector>
 
 // A small mesh with everything that a call can be given, of which each cell of the matrix fills in some.
 namespace feature_matrix {
@@ -221,42 +215,21 @@ private:
 
 // \name Normals: calls a function with the scheme and the named parameters of a case
 
-struct Estimated
-{
-  static constexpr const char* name = "estimated normals";
-  template <class Function>
-  void operator()(Case& c, const Function& f) const
-  {
-    f(c.scheme, c.tags());
-  }
-};
-struct Linear
-{
-  static constexpr const char* name = "linear";
-  template <class Function>
-  void operator()(Case& c, const Function& f) const
-  {
-    f(PN::linear(c.scheme), c.tags());
-  }
-};
-struct Of_vertices
-{
-  static constexpr const char* name = "normals of vertices";
-  template <class Function>
-  void operator()(Case& c, const Function& f) const
-  {
-    f(c.scheme, c.tags().vertex_normal_map(c.normals));
-  }
-};
-struct Of_corners
-{
-  static constexpr const char* name = "normals of corners";
-  template <class Function>
-  void operator()(Case& c, const Function& f) const
-  {
-    f(c.scheme, c.tags().vertex_normal_map(c.corner_normals));
-  }
-};
+#define PN_NORMALS(Name, words, scheme_of_case, parameters_of_case)                                \
+  struct Name                                                                                      \
+  {                                                                                                \
+    static constexpr const char* name = words;                                                     \
+    template <class Function>                                                                      \
+    void operator()(Case& c, const Function& f) const                                              \
+    {                                                                                              \
+      f(scheme_of_case, parameters_of_case);                                                       \
+    }                                                                                              \
+  };
+PN_NORMALS(Estimated, "estimated normals", c.scheme, c.tags())
+PN_NORMALS(Linear, "linear", PN::linear(c.scheme), c.tags())
+PN_NORMALS(Of_vertices, "normals of vertices", c.scheme, c.tags().vertex_normal_map(c.normals))
+PN_NORMALS(Of_corners, "normals of corners", c.scheme, c.tags().vertex_normal_map(c.corner_normals))
+#undef PN_NORMALS
 
 struct Plain
 {

@@ -14,11 +14,6 @@
 #include "Interpolation_runs.h"
 #include "Sampled_surfaces.h"
 
-#include <array>
-#include <functional>
-#include <map>
-#include <random>
-
 namespace interpolation_cases {
 
 using reference::Real;

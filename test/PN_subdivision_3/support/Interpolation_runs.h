@@ -15,8 +15,6 @@
 #include "Limit_cases.h"
 #include "Options.h"
 
-#include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
-
 namespace interpolation_cases {
 
 namespace PN = CGAL::PN_subdivision_3;

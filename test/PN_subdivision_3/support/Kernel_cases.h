@@ -18,7 +18,6 @@
 
 #include <CGAL/PN_certificates_3/reproduction.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
-#include <CGAL/PN_subdivision_curve.h>
 
 namespace kernel_cases {
 

@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <string>
 #include <vector>
 
 namespace mesh_cases {

@@ -13,15 +13,10 @@
 
 #include "reference/Face_list.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <map>
 #include <random>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace test_meshes {
 

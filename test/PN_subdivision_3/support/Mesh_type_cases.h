@@ -20,8 +20,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <vector>
-
 namespace mesh_type_cases {
 
 using namespace mesh_cases;

@@ -12,11 +12,7 @@
 #include "Mesh_cases.h"
 #include "Options.h"
 
-#include <CGAL/PN_subdivision_3/attributes.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
-
-#include <vector>
 
 namespace carrying_mesh {
 

@@ -14,8 +14,6 @@
 #include "Scheme_rows.h"
 #include "Schemes.h"
 
-#include <gtest/gtest.h>
-
 namespace PN = CGAL::PN_subdivision_3;
 using reference::Matrix;
 using reference::Real;

@@ -16,10 +16,7 @@
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 
-#include <cstddef>
-#include <memory>
 #include <set>
-#include <vector>
 
 namespace opensubdiv_peer {
 

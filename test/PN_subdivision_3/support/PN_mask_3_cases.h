@@ -25,7 +25,6 @@
 #include <map>
 #include <memory>
 #include <random>
-#include <type_traits>
 #include <vector>
 
 using Triple = std::array<double, 3>;
@@ -169,73 +168,34 @@ struct Control
   }
 };
 
-template <template <class...> class Mask, bool of_triangles>
-struct Masks_of_cgal
-{
-  static constexpr bool triangles = of_triangles;
-  template <class Mesh, class Map>
-  static auto mask(const Mesh& mesh, const Map& map)
-  {
-    return CGAL::PN_subdivision_3::make_PN_mask_3<Mask>(mesh, map);
-  }
-};
-
 // CGAL's masks, each with its host and CGAL's own linear function.
-struct CatmullClark : Masks_of_cgal<CGAL::CatmullClark_mask_3, false>
-{
-  template <class Mesh, class Mask, class NP>
-  static void host(Mesh& mesh, const Mask& pn_mask, const NP& np)
-  {
-    CGAL::Subdivision_method_3::PQQ(mesh, pn_mask, np);
-  }
-  template <class Mesh, class NP>
-  static void linear(Mesh& mesh, const NP& np)
-  {
-    CGAL::Subdivision_method_3::CatmullClark_subdivision(mesh, np);
-  }
-};
+#define PN_MASK_OF_CGAL(NAME, HOST, TRIANGLES)                                                     \
+  struct NAME                                                                                      \
+  {                                                                                                \
+    static constexpr bool triangles = TRIANGLES;                                                   \
+    template <class Mesh, class Map>                                                               \
+    static auto mask(const Mesh& mesh, const Map& map)                                             \
+    {                                                                                              \
+      return CGAL::PN_subdivision_3::make_PN_mask_3<CGAL::NAME##_mask_3>(mesh, map);               \
+    }                                                                                              \
+    template <class Mesh, class Mask, class NP>                                                    \
+    static void host(Mesh& mesh, const Mask& pn_mask, const NP& np)                                \
+    {                                                                                              \
+      CGAL::Subdivision_method_3::HOST(mesh, pn_mask, np);                                         \
+    }                                                                                              \
+    template <class Mesh, class NP>                                                                \
+    static void linear(Mesh& mesh, const NP& np)                                                   \
+    {                                                                                              \
+      CGAL::Subdivision_method_3::NAME##_subdivision(mesh, np);                                    \
+    }                                                                                              \
+  };
 
-struct Loop : Masks_of_cgal<CGAL::Loop_mask_3, true>
-{
-  template <class Mesh, class Mask, class NP>
-  static void host(Mesh& mesh, const Mask& pn_mask, const NP& np)
-  {
-    CGAL::Subdivision_method_3::PTQ(mesh, pn_mask, np);
-  }
-  template <class Mesh, class NP>
-  static void linear(Mesh& mesh, const NP& np)
-  {
-    CGAL::Subdivision_method_3::Loop_subdivision(mesh, np);
-  }
-};
+PN_MASK_OF_CGAL(CatmullClark, PQQ, false)
+PN_MASK_OF_CGAL(Loop, PTQ, true)
+PN_MASK_OF_CGAL(DooSabin, DQQ, false)
+PN_MASK_OF_CGAL(Sqrt3, Sqrt3, true)
 
-struct DooSabin : Masks_of_cgal<CGAL::DooSabin_mask_3, false>
-{
-  template <class Mesh, class Mask, class NP>
-  static void host(Mesh& mesh, const Mask& pn_mask, const NP& np)
-  {
-    CGAL::Subdivision_method_3::DQQ(mesh, pn_mask, np);
-  }
-  template <class Mesh, class NP>
-  static void linear(Mesh& mesh, const NP& np)
-  {
-    CGAL::Subdivision_method_3::DooSabin_subdivision(mesh, np);
-  }
-};
-
-struct Sqrt3 : Masks_of_cgal<CGAL::Sqrt3_mask_3, true>
-{
-  template <class Mesh, class Mask, class NP>
-  static void host(Mesh& mesh, const Mask& pn_mask, const NP& np)
-  {
-    CGAL::Subdivision_method_3::Sqrt3(mesh, pn_mask, np);
-  }
-  template <class Mesh, class NP>
-  static void linear(Mesh& mesh, const NP& np)
-  {
-    CGAL::Subdivision_method_3::Sqrt3_subdivision(mesh, np);
-  }
-};
+#undef PN_MASK_OF_CGAL
 
 template <class Scheme>
 Soup control_soup(bool closed)

@@ -18,17 +18,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <random>
-#include <string>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 // A surface made piece by piece against the one that subdivide() makes.
 namespace pieces_cases {

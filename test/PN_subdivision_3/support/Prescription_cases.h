@@ -14,8 +14,6 @@
 #include "Interpolation_cases.h"
 #include "Options.h"
 
-#include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
-
 #include <optional>
 
 namespace interpolation_cases {

@@ -15,14 +15,9 @@
 
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <map>
 #include <random>
-#include <vector>
 
 namespace random_creases {
 
@@ -35,32 +30,36 @@ inline double random_between(std::mt19937& random, double least, double greatest
   return least + (greatest - least) * (double(random() >> 8) / double(1 << 24));
 }
 
-// a box of quads, two to each edge, with a hexagon and a triangle cut from three of them
-inline Control box()
+inline Control box_of_cells(const std::array<int, 3>& cells)
 {
   Control c;
   std::map<std::array<int, 3>, int> index;
-  const auto vertex = [&](int x, int y, int z) {
-    const auto [it, is_new] = index.try_emplace({x, y, z}, int(c.points.size()));
-    if (is_new) c.points.push_back({double(x), double(y), double(z)});
+  const auto vertex = [&](const std::array<int, 3>& p) {
+    const auto [it, is_new] = index.try_emplace(p, int(c.points.size()));
+    if (is_new) c.points.push_back({double(p[0]), double(p[1]), double(p[2])});
     return it->second;
   };
-  for (int axis = 0; axis < 3; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
     for (int side = 0; side < 2; ++side)
-      for (int i = 0; i < 2; ++i)
-        for (int j = 0; j < 2; ++j) {
+      for (int i = 0; i < cells[(axis + 1) % 3]; ++i)
+        for (int j = 0; j < cells[(axis + 2) % 3]; ++j) {
           Face f;
           for (const auto& [di, dj] : {Edge{0, 0}, Edge{1, 0}, Edge{1, 1}, Edge{0, 1}}) {
             std::array<int, 3> p{};
-            p[std::size_t(axis)] = 2 * side;
-            p[std::size_t((axis + 1) % 3)] = i + di;
-            p[std::size_t((axis + 2) % 3)] = j + dj;
-            f.push_back(vertex(p[0], p[1], p[2]));
+            p[axis] = side * cells[axis];
+            p[(axis + 1) % 3] = i + di;
+            p[(axis + 2) % 3] = j + dj;
+            f.push_back(vertex(p));
           }
           if (side == 0) std::reverse(f.begin(), f.end());
           c.faces.push_back(f);
         }
   return c;
+}
+
+inline Control box()
+{
+  return box_of_cells({2, 2, 2});
 }
 
 // a grid of quads with a quad split into triangles and two joined to a hexagon

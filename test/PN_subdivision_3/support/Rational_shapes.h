@@ -16,7 +16,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 
 namespace rational_shapes {
 

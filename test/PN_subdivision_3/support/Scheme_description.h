@@ -23,10 +23,8 @@
 
 #include <boost/core/demangle.hpp>
 
-#include <string>
 #include <type_traits>
 #include <typeinfo>
-#include <vector>
 
 // What most schemes have in common; a description overrides what differs.
 struct Scheme_description
@@ -57,25 +55,27 @@ struct Scheme_description
   static void finish_round(const reference::Face_list& /*mesh*/, reference::Values& /*values*/) {}
 };
 
-struct CatmullClark_description : Scheme_description
+// a scheme whose reference does not know the round, but a parameter in some, which is given in sixteenths
+template <class Scheme, auto refined, int... sixteenths>
+struct Scheme_of_reference : Scheme_description
 {
-  using Cgal = ::CatmullClark;
-  static auto scheme() { return CGAL::PN_subdivision_3::CatmullClark_scheme(); }
+  static auto scheme() { return Scheme(); }
   static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
   {
-    return reference::catmull_clark(mesh);
+    return refined(mesh, reference::Real(sixteenths) / 16 ...);
   }
 };
 
-struct Loop_description : Scheme_description
+struct CatmullClark_description
+  : Scheme_of_reference<CGAL::PN_subdivision_3::CatmullClark_scheme, reference::catmull_clark>
+{
+  using Cgal = ::CatmullClark;
+};
+
+struct Loop_description : Scheme_of_reference<CGAL::PN_subdivision_3::Loop_scheme, reference::loop>
 {
   static constexpr std::size_t degree = 3;
   using Cgal = ::Loop;
-  static auto scheme() { return CGAL::PN_subdivision_3::Loop_scheme(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::loop(mesh);
-  }
 };
 
 // The names of the schemes in the output.

@@ -13,8 +13,6 @@
 
 #include "Scheme_runs.h"
 
-#include <cstdint>
-
 // Calls f(new vertex, begin, end) with the entries of every row of round k in the number type FT.
 template <class FT, class Scheme, class Function>
 void for_each_row(Surface_mesh& mesh, const Scheme& scheme, unsigned k, const Function& f)

@@ -22,9 +22,7 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <set>
-#include <sstream>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;

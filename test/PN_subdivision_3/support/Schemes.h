@@ -27,19 +27,14 @@
 #include <gtest/gtest.h>
 
 #include <string_view>
-#include <type_traits>
 
-struct DooSabin_description : Scheme_description
+struct DooSabin_description
+  : Scheme_of_reference<CGAL::PN_subdivision_3::DooSabin_scheme, reference::doo_sabin>
 {
   static constexpr bool takes_valence_2 = false;
   static constexpr bool is_primal = false;
   static constexpr unsigned rounds_of_reproduction = 4;
   using Cgal = ::DooSabin;
-  static auto scheme() { return CGAL::PN_subdivision_3::DooSabin_scheme(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::doo_sabin(mesh);
-  }
 };
 
 struct Sqrt3_description : Scheme_description
@@ -56,103 +51,70 @@ struct Sqrt3_description : Scheme_description
   }
 };
 
-struct Butterfly_description : Scheme_description
+struct Butterfly_description
+  : Scheme_of_reference<CGAL::PN_subdivision_3::Butterfly_scheme, reference::butterfly>
 {
   static constexpr std::size_t degree = 3;
   static constexpr bool is_interpolatory = true;
   static constexpr bool takes_valence_2 = false;
   static constexpr bool has_positive_weights = false;
   static constexpr unsigned rounds_of_reproduction = 4;
-  static auto scheme() { return CGAL::PN_subdivision_3::Butterfly_scheme(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::butterfly(mesh);
-  }
 };
 
-struct Kobbelt_description : Scheme_description
+struct Kobbelt_description
+  : Scheme_of_reference<CGAL::PN_subdivision_3::Kobbelt_scheme, reference::kobbelt, 1>
 {
   static constexpr std::size_t degree = 4;
   static constexpr bool is_interpolatory = true;
   static constexpr bool takes_valence_2 = false;
   static constexpr bool has_positive_weights = false;
   static constexpr unsigned rounds_of_reproduction = 4;
-  static auto scheme() { return CGAL::PN_subdivision_3::Kobbelt_scheme(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::kobbelt(mesh, reference::Real(1) / 16);
-  }
 };
 
-struct Modified_CatmullClark_description : Scheme_description
-{
-  static auto scheme() { return CGAL::PN_subdivision_3::CatmullClark_scheme::Tuned(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::modified_catmull_clark(mesh, reference::Real(1) / 2);
-  }
-};
+struct Modified_CatmullClark_description
+  : Scheme_of_reference<CGAL::PN_subdivision_3::CatmullClark_scheme::Tuned,
+                        reference::modified_catmull_clark, 8>
+{};
 
-struct Modified_Loop_description : Scheme_description
+struct Modified_Loop_description
+  : Scheme_of_reference<CGAL::PN_subdivision_3::Loop_scheme::Tuned, reference::modified_loop, 8>
 {
   static constexpr std::size_t degree = 3;
-  static auto scheme() { return CGAL::PN_subdivision_3::Loop_scheme::Tuned(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::modified_loop(mesh, reference::Real(1) / 2);
-  }
 };
 
-struct Ct_CatmullClark_description : Scheme_description
+template <class Scheme, auto refined, bool of_quads>
+struct Transfer_description : Scheme_of_reference<Scheme, refined, 0>
 {
   static constexpr bool is_linear_for_equal_normals = false;
   static constexpr bool takes_intervals = false;
-  static auto scheme() { return CGAL::PN_subdivision_3::CatmullClark_scheme::Transfer(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::modified_catmull_clark(mesh, 0);
-  }
   static void finish_round(const reference::Face_list& mesh, reference::Values& values)
   {
-    reference::transfer_curvature(mesh, true, values);
+    reference::transfer_curvature(mesh, of_quads, values);
   }
 };
 
-struct Ct_Loop_description : Scheme_description
+struct Ct_CatmullClark_description
+  : Transfer_description<CGAL::PN_subdivision_3::CatmullClark_scheme::Transfer,
+                         reference::modified_catmull_clark, true>
+{};
+
+struct Ct_Loop_description : Transfer_description<CGAL::PN_subdivision_3::Loop_scheme::Transfer,
+                                                  reference::modified_loop, false>
 {
   static constexpr std::size_t degree = 3;
-  static constexpr bool is_linear_for_equal_normals = false;
-  static constexpr bool takes_intervals = false;
-  static auto scheme() { return CGAL::PN_subdivision_3::Loop_scheme::Transfer(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::modified_loop(mesh, 0);
-  }
-  static void finish_round(const reference::Face_list& mesh, reference::Values& values)
-  {
-    reference::transfer_curvature(mesh, false, values);
-  }
 };
 
-struct Midpoint_description : Scheme_description
+struct Midpoint_description
+  : Scheme_of_reference<CGAL::PN_subdivision_3::Midpoint_scheme, reference::midpoint>
 {
   static constexpr std::size_t degree = 3;
   static constexpr bool is_interpolatory = true;
-  static auto scheme() { return CGAL::PN_subdivision_3::Midpoint_scheme(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::midpoint(mesh);
-  }
 };
 
-struct Bilinear_description : Scheme_description
+struct Bilinear_description
+  : Scheme_of_reference<CGAL::PN_subdivision_3::Bilinear_scheme, reference::bilinear>
 {
   static constexpr bool is_interpolatory = true;
-  static auto scheme() { return CGAL::PN_subdivision_3::Bilinear_scheme(); }
-  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
-  {
-    return reference::bilinear(mesh);
-  }
 };
 
 using Schemes = testing::Types<CatmullClark_description, Loop_description, DooSabin_description,

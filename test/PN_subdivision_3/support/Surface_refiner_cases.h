@@ -17,16 +17,10 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <limits>
 #include <memory>
 #include <random>
 #include <stdexcept>
-#include <vector>
 
 namespace surface_refiner_cases {
 

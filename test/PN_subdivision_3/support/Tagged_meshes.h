@@ -19,14 +19,7 @@
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <set>
-#include <stdexcept>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace tagged_meshes {
 

@@ -14,7 +14,6 @@
 #include <iterator>
 #include <random>
 #include <string>
-#include <vector>
 
 // A folder of its own for each test, removed with everything in it.
 class Temporary_folder

@@ -20,7 +20,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <iosfwd>
 #include <limits>
 #include <utility>
