@@ -81,8 +81,8 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
       return subdivide_to_limit<Concurrency_tag>(mesh, s, others);
     });
   else if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_primal_host<Limit_report,
-                                    internal::Surface_call<PolygonMesh, NamedParameters>>(
+    return internal::on_host_of_limits<true, Limit_report,
+                                       internal::Surface_call<PolygonMesh, NamedParameters>>(
       scheme, [&](const auto& s) { return subdivide_to_limit<Concurrency_tag>(mesh, s, np); });
   else {
     static_assert(Scheme::Host::keeps_vertices,
