@@ -9,8 +9,8 @@
 // The usual calls of subdivide(), see internal/meshes/compiled_call.h.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/PN_subdivision_3/internal/calls/Mesh_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/compiled_call.h>
-#include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
@@ -21,54 +21,54 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-using Rounds_done = Function_ref<void(unsigned, std::size_t)>;
-
-struct Compiled_call_visitor
-{
-  void round_done(unsigned round, std::size_t faces) const { done(round, faces); }
-  Rounds_done done;
-};
-
-// as any scheme on its host, of which the library has the rounds
+// on its host, of which the library has the rounds; without edges where a scheme has no rules for creases
 template <class Mesh, class Scheme, class Point_map, class Normal_map, class Edge_map>
-void compiled_call(Mesh& mesh, const Scheme& typed_scheme, unsigned rounds, Rounds_done round_done,
-                   Point_map points, Normal_map normals, Edge_map edges)
+void compiled_call(Mesh& mesh, const Scheme& scheme, unsigned rounds,
+                   Function_ref<void(unsigned, std::size_t)> round_done, Point_map points,
+                   Normal_map normals, Edge_map edges,
+                   const Any_attributes<Surface_mesh_access<Mesh>>& attributes)
 {
-  const Scheme_on_host<typename Scheme::Host, double> scheme(typed_scheme);
-  const auto with_edges = [&](const auto& np) {
-    if constexpr (std::is_same_v<Edge_map, No_constraint_map>)
-      subdivide(mesh, scheme, np);
-    else
-      subdivide(mesh, scheme, np.edge_is_constrained_map(edges));
-  };
-  const auto all = CGAL::parameters::number_of_iterations(rounds).vertex_point_map(points).visitor(
-    Compiled_call_visitor{round_done});
-  if constexpr (std::is_same_v<Normal_map, No_normal_map>)
-    with_edges(all);
-  else
-    with_edges(all.vertex_normal_map(normals));
+  using On_host = Scheme_on_host<typename Scheme::Host, double>;
+  [[maybe_unused]] constexpr No_constraint_map no_map{};
+  [[maybe_unused]] Surface_mesh_access<Mesh> access(mesh);
+  if constexpr (!std::is_same_v<Scheme, On_host>)
+    compiled_call(mesh, On_host(scheme), rounds, round_done, points, normals, edges, attributes);
+  else if constexpr (is_constraint_map_v<Edge_map> && !Has_crease_rules<Scheme>::value) {
+    require_crease_rules(scheme, access, normals, edges, no_map);
+    compiled_call(mesh, scheme, rounds, round_done, points, normals, no_map, attributes);
+  } else {
+    using Rounded = With_roundness<Scheme, double>;
+    const Given_roundness<double> none;
+    const Rounded rounded{{scheme}, &none, std::is_same_v<Normal_map, No_normal_map>};
+    Mesh_subdivision<Sequential_tag, Rounded, double>(rounded, rounds, round_done)(
+      access, points, normals, No_roundness(), edges, no_map, attributes);
+  }
 }
 
 template <class Kernel>
 using Mesh_of = Surface_mesh<typename Kernel::Point_3>;
-template <class Kernel>
-using Points_of = typename boost::property_map<Mesh_of<Kernel>, vertex_point_t>::type;
 
-#define CGAL_PN_SUBDIVISION_3_CALL(KERNEL, SCHEME, NORMALS, EDGES)                                 \
-  template void compiled_call(Mesh_of<KERNEL>&, const SCHEME&, unsigned, Rounds_done,              \
-                              Points_of<KERNEL>, NORMALS, EDGES);
-#define CGAL_PN_SUBDIVISION_3_CALLS(KERNEL, SCHEME, EDGES)                                         \
-  CGAL_PN_SUBDIVISION_3_CALL(KERNEL, SCHEME, Usual_normal_map<Mesh_of<KERNEL>>, EDGES)             \
-  CGAL_PN_SUBDIVISION_3_CALL(KERNEL, SCHEME, No_normal_map, EDGES)
-#define CGAL_PN_SUBDIVISION_3_CALLS_OF(KERNEL)                                                     \
-  CGAL_PN_SUBDIVISION_3_CALLS(KERNEL, CatmullClark_scheme, No_constraint_map)                      \
-  CGAL_PN_SUBDIVISION_3_CALLS(KERNEL, CatmullClark_scheme, Usual_edge_map<Mesh_of<KERNEL>>)        \
-  CGAL_PN_SUBDIVISION_3_CALLS(KERNEL, Loop_scheme, No_constraint_map)                              \
-  CGAL_PN_SUBDIVISION_3_CALLS(KERNEL, Loop_scheme, Usual_edge_map<Mesh_of<KERNEL>>)                \
-  CGAL_PN_SUBDIVISION_3_CALLS(KERNEL, DooSabin_scheme, No_constraint_map)                          \
-  CGAL_PN_SUBDIVISION_3_CALLS(KERNEL, Sqrt3_scheme, No_constraint_map)
+#define CGAL_PN_SUBDIVISION_3_CALL(KERNEL, NORMALS, EDGES, ...)                                    \
+  template void compiled_call(Mesh_of<KERNEL>&, const __VA_ARGS__&, unsigned,                      \
+                              Function_ref<void(unsigned, std::size_t)>,                           \
+                              boost::property_map<Mesh_of<KERNEL>, vertex_point_t>::type, NORMALS, \
+                              EDGES, const Any_attributes<Surface_mesh_access<Mesh_of<KERNEL>>>&);
+#define CGAL_PN_SUBDIVISION_3_CALLS(KERNEL, EDGES, ...)                                            \
+  CGAL_PN_SUBDIVISION_3_CALL(KERNEL, Usual_normal_map<Mesh_of<KERNEL>>, EDGES, __VA_ARGS__)        \
+  CGAL_PN_SUBDIVISION_3_CALL(KERNEL, No_normal_map, EDGES, __VA_ARGS__)
+#define CGAL_PN_SUBDIVISION_3_CALLS_OF(...)                                                        \
+  CGAL_PN_SUBDIVISION_3_CALLS(Simple_cartesian<double>, No_constraint_map, __VA_ARGS__)            \
+  CGAL_PN_SUBDIVISION_3_CALLS(Simple_cartesian<double>,                                            \
+                              Usual_edge_map<Mesh_of<Simple_cartesian<double>>>, __VA_ARGS__)      \
+  CGAL_PN_SUBDIVISION_3_CALLS(Epick, No_constraint_map, __VA_ARGS__)                               \
+  CGAL_PN_SUBDIVISION_3_CALLS(Epick, Usual_edge_map<Mesh_of<Epick>>, __VA_ARGS__)
+#define CGAL_PN_SUBDIVISION_3_CALLS_ON(HOST, SCHEME)                                               \
+  CGAL_PN_SUBDIVISION_3_CALLS_OF(Scheme_on_host<HOST, double>)                                     \
+  CGAL_PN_SUBDIVISION_3_CALLS_OF(SCHEME)
 
-CGAL_PN_SUBDIVISION_3_CALLS_OF(Simple_cartesian<double>)
-CGAL_PN_SUBDIVISION_3_CALLS_OF(Epick)
+CGAL_PN_SUBDIVISION_3_CALLS_ON(PQQ_host, CatmullClark_scheme)
+CGAL_PN_SUBDIVISION_3_CALLS_ON(PTQ_host, Loop_scheme)
+CGAL_PN_SUBDIVISION_3_CALLS_ON(DQQ_host, DooSabin_scheme)
+CGAL_PN_SUBDIVISION_3_CALLS_ON(Sqrt3_host, Sqrt3_scheme)
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -109,10 +109,9 @@ Limit_report limits_of_call(const PolygonMesh& mesh, const Scheme& scheme, Limit
       return vertex_limit_points<Concurrency_tag>(mesh, scheme, limits, np);
     else
       return face_limit_points<Concurrency_tag>(mesh, scheme, limits, np);
-  } else if constexpr (is_of_faces_v<PolygonMesh, LimitMap>)
-    return on_dual_host<Limit_report, Call>(scheme, of_scheme);
-  else
-    return on_primal_host<Limit_report, Call>(scheme, of_scheme);
+  } else
+    return on_host_of_limits<!is_of_faces_v<PolygonMesh, LimitMap>, Limit_report, Call>(scheme,
+                                                                                        of_scheme);
 }
 
 // the keys of elements that have limits, by the map of points, normals or errors that is given
@@ -143,7 +142,7 @@ Limit_report move_to_limit_of_call(PolygonMesh& mesh, const Scheme& scheme,
       return move_to_limit_of_call<Concurrency_tag>(mesh, s, others);
     });
   else if constexpr (Is_any<Scheme>::value)
-    return on_primal_host<Limit_report, Surface_call<PolygonMesh, NamedParameters>>(
+    return on_host_of_limits<true, Limit_report, Surface_call<PolygonMesh, NamedParameters>>(
       scheme, [&](const auto& s) { return move_to_limit_of_call<Concurrency_tag>(mesh, s, np); });
   else {
     using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;

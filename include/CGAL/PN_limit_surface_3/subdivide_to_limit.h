@@ -108,9 +108,8 @@ private:
     std::vector<Value> values = of_mesh.values(level, points, normals, creases);
     using Writers = Normal_writers<Access, Normal_map>;
     typename Writers::Corner_writer corners(access, level, normals);
-    Call_attribute_rounds<FT, Host, Attributes> attribute_rounds(
-      attributes, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()),
-      Attributes::is_empty ? Control_sharpness() : of_mesh.sharpness(level), for_chunks_);
+    auto attribute_rounds =
+      attribute_rounds_of_call<FT, Host>(attributes, access, level, creases, of_mesh, for_chunks_);
     const Rules_of<Scheme>& rules = rules_of(scheme_);
     Level_refiner<Rules_of<Scheme>, Average, decltype(creases)> refiner(
       rules, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
@@ -136,7 +135,7 @@ private:
       put_limits(limits, refined.values, static_cast<Index>(size.vertices), writer);
       put_corner_normals<Maps_writer::is_any_given>(corners, refined.level, limit_creases, limits);
       of_limits.write(limits, static_cast<Index>(size.vertices));
-      attribute_rounds.put(refiner, last.round());
+      attribute_rounds.put(refiner, last.round(), for_chunks_);
       of_mesh.put_sharpness(limit_creases, size, rounds);
       of_mesh.put_tangents(limit_creases, size);
       put_connectivity(last.round(), access, for_chunks_, [&] {
@@ -151,7 +150,8 @@ private:
       put(Writers::vertex_map(normals));
     else
       put(No_normal_map());
-    attribute_rounds.visit(access, refiner, last.round());
+    if constexpr (Attributes::visited.any())
+      attributes.visit(access, size, attribute_rounds->rules(last.round(), refiner.level()));
     limits.resize(size.vertices);
     return limit_report(limits, demand);
   }
@@ -295,8 +295,8 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
       return subdivide_to_limit<Concurrency_tag>(mesh, s, others);
     });
   else if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_primal_host<Limit_report,
-                                    internal::Surface_call<PolygonMesh, NamedParameters>>(
+    return internal::on_host_of_limits<true, Limit_report,
+                                       internal::Surface_call<PolygonMesh, NamedParameters>>(
       scheme, [&](const auto& s) { return subdivide_to_limit<Concurrency_tag>(mesh, s, np); });
   else {
     static_assert(Scheme::Host::keeps_vertices,

@@ -235,13 +235,15 @@ void subdivide(PolygonMesh& mesh, const Scheme& scheme,
     auto& carried = internal::unwrapped(attributes);
     using Attributes_of_call =
       internal::Call_attributes<PolygonMesh, Visitor, std::remove_reference_t<decltype(carried)>>;
+    const Attributes_of_call attributes_of_call{unwrapped, carried};
     if constexpr (internal::is_compiled_call<Concurrency_tag, PolygonMesh, Scheme, Parameters,
                                              Attributes_of_call>())
-      internal::compiled_call(mesh, scheme, iterations, round_done, Parameters::point_map(mesh, np),
-                              Parameters::normal_map(np), Parameters::edge_constraint_map(np));
+      internal::compiled_call(
+        mesh, scheme, iterations, round_done, Parameters::point_map(mesh, np),
+        Parameters::normal_map(np), Parameters::edge_constraint_map(np),
+        internal::Any_attributes<internal::Surface_mesh_access<PolygonMesh>>(attributes_of_call));
     else
       internal::with_mesh_access(mesh, [&](auto& access) {
-        const Attributes_of_call attributes_of_call{unwrapped, carried};
         internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
           using Scheme_of_call = std::decay_t<decltype(s)>;
           const internal::Mesh_subdivision<Concurrency_tag, Scheme_of_call, typename Parameters::FT>

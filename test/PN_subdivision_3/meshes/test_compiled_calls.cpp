@@ -94,7 +94,7 @@ protected:
   using Mesh = CGAL::Surface_mesh<typename Kernel::Point_3>;
   using Vector = typename Kernel::Vector_3;
 
-  // what call(mesh, normals, sharp edges) makes of a mesh with a removed vertex, or the message
+  // what call(mesh, normals, sharp edges, attribute) makes of a mesh with a removed vertex, or the message
   template <class Call>
   static std::vector<double> result(const Call& call, std::string& message)
   {
@@ -108,34 +108,48 @@ protected:
     PN::estimate_control_normals(mesh, normals);
     auto edges = mesh.template add_property_map<CGAL::SM_Edge_index, bool>("e:sharp", false).first;
     edges[*mesh.edges().begin()] = true;
+    auto values = mesh.template add_property_map<CGAL::SM_Vertex_index, double>("v:value").first;
+    for (const auto v : mesh.vertices()) values[v] = double(v);
     try {
-      call(mesh, normals, edges);
+      call(mesh, normals, edges, values);
     } catch (const std::exception& e) {
       message = e.what();
     }
     std::vector<double> all = numbers(mesh);
     for (const auto v : mesh.vertices())
       for (int i = 0; i < 3; ++i) all.push_back(normals[v][i]);
+    for (const auto v : mesh.vertices()) all.push_back(values[v]);
     for (const auto e : mesh.edges()) all.push_back(edges[e]);
     return all;
   }
 
-  // parameters(normals, sharp edges) of a call that the library has
-  template <class Make>
+  // parameters(others, normals, sharp edges) of a call that the library has: of the scheme or, with an attribute, of any scheme
+  template <bool has_attribute, class Make>
   static void expect_same(const Make& parameters, const char* expected_message = "")
   {
+    using Called = std::conditional_t<has_attribute, PN::Any_scheme<>, Scheme>;
+    using Compiled =
+      std::conditional_t<has_attribute, PN::internal::Scheme_on_host<typename Scheme::Host, double>,
+                         Scheme>;
+    const auto others = [](auto values) {
+      if constexpr (has_attribute)
+        return PN::parameters::attributes(PN::parameters::vertex_attribute(values))
+          .number_of_iterations(3);
+      else
+        return params::number_of_iterations(3);
+    };
     std::string of_library, of_headers;
     const auto compiled = result(
-      [&](Mesh& mesh, auto normals, auto edges) {
-        const auto np = parameters(normals, edges);
-        static_assert(is_compiled<Scheme, Mesh, std::decay_t<decltype(np)>>());
-        PN::subdivide(mesh, Scheme(), np);
+      [&](Mesh& mesh, auto normals, auto edges, auto values) {
+        const auto np = parameters(others(values), normals, edges);
+        static_assert(is_compiled<Compiled, Mesh, std::decay_t<decltype(np)>>());
+        PN::subdivide(mesh, Called(Scheme()), np);
       },
       of_library);
     Of_headers visitor;
     const auto expected = result(
-      [&](Mesh& mesh, auto normals, auto edges) {
-        const auto np = parameters(normals, edges).visitor(std::ref(visitor));
+      [&](Mesh& mesh, auto normals, auto edges, auto values) {
+        const auto np = parameters(others(values), normals, edges).visitor(std::ref(visitor));
         static_assert(!is_compiled<Scheme, Mesh, std::decay_t<decltype(np)>>());
         PN::subdivide(mesh, Scheme(), np);
       },
@@ -156,26 +170,27 @@ TYPED_TEST_SUITE(Compiled_calls, Cases, );
 
 TYPED_TEST(Compiled_calls, GiveTheSameBits)
 {
-  this->expect_same(
-    [](auto normals, auto) { return params::vertex_normal_map(normals).number_of_iterations(3); });
-  this->expect_same([](auto, auto) { return params::number_of_iterations(2); });
-  if constexpr (PN::internal::Has_crease_rules<typename TypeParam::Scheme>::value) {
-    this->expect_same([](auto normals, auto edges) {
-      return params::edge_is_constrained_map(edges).vertex_normal_map(normals).number_of_iterations(
-        3);
-    });
-    this->expect_same([](auto, auto edges) {
-      return params::edge_is_constrained_map(edges).number_of_iterations(2);
-    });
-  }
+  constexpr bool has_rules = PN::internal::Has_crease_rules<typename TypeParam::Scheme>::value;
+  const char* const refusal = has_rules ? "" : "has no rules for creases";
+  this->template expect_same<false>([](const auto& others, auto, auto) { return others; });
+  this->template expect_same<true>(
+    [](const auto& others, auto normals, auto) { return others.vertex_normal_map(normals); });
+  this->template expect_same<false>(
+    [](const auto& others, auto, auto edges) { return others.edge_is_constrained_map(edges); },
+    refusal);
+  this->template expect_same<true>(
+    [](const auto& others, auto normals, auto edges) {
+      return others.edge_is_constrained_map(edges).vertex_normal_map(normals);
+    },
+    refusal);
 }
 
 TYPED_TEST(Compiled_calls, ThrowTheSame)
 {
-  this->expect_same(
-    [](auto normals, auto) {
+  this->template expect_same<true>(
+    [](const auto& others, auto normals, auto) {
       normals[CGAL::SM_Vertex_index(3)] = typename TestFixture::Vector(HUGE_VAL, 0, 0);
-      return params::vertex_normal_map(normals);
+      return others.vertex_normal_map(normals);
     },
     "is not finite");
 }
@@ -195,7 +210,7 @@ TYPED_TEST(Compiled_calls, CallTheVisitorForRounds)
   std::string message;
   std::size_t faces = 0;
   this->result(
-    [&](auto& mesh, auto, auto) {
+    [&](auto& mesh, auto, auto, auto) {
       PN::subdivide(mesh, typename TypeParam::Scheme(), np);
       faces = mesh.number_of_faces();
     },
@@ -232,10 +247,6 @@ TEST(Compiled_call, IsOfUsualTypesOnly)
   auto of_corners =
     mesh.add_property_map<CGAL::SM_Halfedge_index, Cartesian::Vector_3>("h:n", {0, 0, 0}).first;
   EXPECT_FALSE(with(params::vertex_normal_map(of_corners)));
-  const auto edges = mesh.add_property_map<CGAL::SM_Edge_index, bool>("e:b", false).first;
-  using Creased = std::decay_t<decltype(params::edge_is_constrained_map(edges))>;
-  EXPECT_TRUE((is_compiled<CatmullClark_scheme, Mesh, Creased>()));
-  EXPECT_FALSE((is_compiled<PN::DooSabin_scheme, Mesh, Creased>()));
 }
 
 // another type, which the library does not have
@@ -345,35 +356,28 @@ std::vector<double> refined_numbers(const mesh_cases::Soup& soup, const Scheme& 
 }
 
 // the libraries have linear twins of an Any_scheme only
-template <class Make>
-void expect_same_linear(const Make& make)
+template <class Scheme, class Make>
+void expect_same_linear(const Scheme& scheme, const mesh_cases::Soup& soup, const Make& make)
 {
-  const auto quads = mesh_cases::mixed_with_border(),
-             triangles = mesh_cases::triangles_with_border();
-  EXPECT_EQ(make(PN::linear(PN::Any_scheme<>(PN::CatmullClark_scheme())), quads),
-            make(PN::linear(PN::CatmullClark_scheme()), quads));
-  EXPECT_EQ(make(PN::linear(PN::Any_scheme<>(PN::Loop_scheme())), triangles),
-            make(PN::linear(PN::Loop_scheme()), triangles));
+  EXPECT_EQ(make(soup, PN::linear(PN::Any_scheme<>(scheme))), make(soup, PN::linear(scheme)));
+}
+template <class Scheme, class Make>
+void expect_same_as_headers(const Scheme& scheme, const mesh_cases::Soup& soup, const Make& make)
+{
+  const auto expected = make(soup, Of_headers_alone<Scheme>());
+  EXPECT_EQ(make(soup, scheme), expected);
+  EXPECT_EQ(make(soup, PN::Any_scheme<>(scheme)), expected);
+  expect_same_linear(scheme, soup, make);
 }
 
 TEST(Compiled_levels, RoundsAreThoseOfTheHeaders)
 {
   for (const double sharpness : {0., 1.5, HUGE_VAL}) {
-    const auto quads = refined_numbers(mesh_cases::mixed_with_border(),
-                                       Of_headers_alone<PN::CatmullClark_scheme>(), sharpness);
-    EXPECT_EQ(quads, refined_numbers(mesh_cases::mixed_with_border(), PN::CatmullClark_scheme(),
-                                     sharpness));
-    EXPECT_EQ(quads, refined_numbers(mesh_cases::mixed_with_border(),
-                                     PN::Any_scheme<>(PN::CatmullClark_scheme()), sharpness));
-    const auto triangles = refined_numbers(mesh_cases::triangles_with_border(),
-                                           Of_headers_alone<PN::Loop_scheme>(), sharpness);
-    EXPECT_EQ(triangles,
-              refined_numbers(mesh_cases::triangles_with_border(), PN::Loop_scheme(), sharpness));
-    EXPECT_EQ(triangles, refined_numbers(mesh_cases::triangles_with_border(),
-                                         PN::Any_scheme<>(PN::Loop_scheme()), sharpness));
-    expect_same_linear([&](const auto& scheme, const mesh_cases::Soup& soup) {
+    const auto refined = [&](const mesh_cases::Soup& soup, const auto& scheme) {
       return refined_numbers(soup, scheme, sharpness);
-    });
+    };
+    expect_same_as_headers(PN::CatmullClark_scheme(), mesh_cases::mixed_with_border(), refined);
+    expect_same_as_headers(PN::Loop_scheme(), mesh_cases::triangles_with_border(), refined);
   }
 }
 
@@ -405,29 +409,25 @@ TEST(Compiled_tessellation, IsThatOfTheHeaders)
   const auto of_triangles = tessellated(triangles, PN::Loop_scheme());
   EXPECT_GT(of_triangles.size(), 100u);
   EXPECT_EQ(of_triangles, tessellated(triangles, PN::Any_scheme<>(PN::Loop_scheme())));
-  expect_same_linear(
-    [](const auto& scheme, const mesh_cases::Soup& soup) { return tessellated(soup, scheme); });
+  const auto make = [](const auto& soup, const auto& scheme) { return tessellated(soup, scheme); };
+  expect_same_linear(PN::CatmullClark_scheme(), quads, make);
+  expect_same_linear(PN::Loop_scheme(), triangles, make);
 }
 
 TEST(Compiled_limits, AreThoseOfTheHeaders)
 {
   for (const bool has_creases : {false, true}) {
-    for (const mesh_cases::Soup& soup : {mesh_cases::cube(), mesh_cases::mixed_with_border()}) {
-      const auto limits = limits_of(soup, PN::CatmullClark_scheme(), has_creases);
-      EXPECT_EQ(limits, limits_of(soup, Of_headers_alone<PN::CatmullClark_scheme>(), has_creases));
-      EXPECT_EQ(limits, limits_of(soup, PN::Any_scheme<>(PN::CatmullClark_scheme()), has_creases));
-    }
+    const auto limits = [&](const mesh_cases::Soup& soup, const auto& scheme) {
+      return limits_of(soup, scheme, has_creases);
+    };
+    for (const mesh_cases::Soup& soup : {mesh_cases::cube(), mesh_cases::mixed_with_border()})
+      expect_same_as_headers(PN::CatmullClark_scheme(), soup, limits);
     for (const mesh_cases::Soup& soup :
          {mesh_cases::tetrahedron(), mesh_cases::triangles_with_border()}) {
-      const auto limits = limits_of(soup, PN::Loop_scheme(), has_creases);
-      EXPECT_EQ(limits, limits_of(soup, Of_headers_alone<PN::Loop_scheme>(), has_creases));
-      EXPECT_EQ(limits, limits_of(soup, PN::Any_scheme<>(PN::Loop_scheme()), has_creases));
+      expect_same_as_headers(PN::Loop_scheme(), soup, limits);
       EXPECT_EQ(limits_of(soup, PN::Sqrt3_scheme(), false),
                 limits_of(soup, PN::Any_scheme<>(PN::Sqrt3_scheme()), false));
     }
-    expect_same_linear([&](const auto& scheme, const mesh_cases::Soup& soup) {
-      return limits_of(soup, scheme, has_creases);
-    });
   }
 }
 

@@ -38,6 +38,12 @@ public:
   explicit Optional_attribute_rounds(std::unique_ptr<Rounds> rounds)
     : rounds_(std::move(rounds))
   {}
+  // as of Attribute_rounds
+  template <class... Arguments>
+  explicit Optional_attribute_rounds(Control_attributes<FT>&& attributes,
+                                     const Arguments&... arguments)
+    : rounds_(std::make_unique<Rounds>(std::move(attributes), arguments...))
+  {}
   Rounds* operator->() const { return rounds_.get(); }
   Rounds& operator*() const { return *rounds_; }
   explicit operator bool() const { return rounds_ != nullptr; }
@@ -77,6 +83,25 @@ public:
     refine(scheme, refiner, round);
   }
 
+  // ends the last round, of which the refiner has the level, and puts what it gives
+  template <class Refiner, class Round>
+  void put(const Refiner& refiner, const Round& last, const For_chunks& for_chunks)
+  {
+    if (!rounds_) return;
+    std::optional<Level_connectivity> refined;
+    if (rounds_->needs_refined_level()) {
+      refined = child_level(last, for_chunks);
+      if (rounds_->child() != nullptr) (*rounds_->child())(*refined);
+    }
+    rounds_->end_round();
+    rounds_->put(last.refined_size(), refined ? &*refined : nullptr,
+                 rounds_->rules(last, refiner.level()));
+  }
+  void keep() noexcept
+  {
+    if (rounds_) rounds_->keep();
+  }
+
   // The attributes of a part of the level, given its slots in the level.
   Optional_attribute_rounds part(const Level_part& part,
                                  const std::vector<Level_part::Index>& slot_ids,
@@ -112,6 +137,10 @@ public:
   template <class... Arguments>
   void begin_round(const Arguments&...) const
   {}
+  template <class... Arguments>
+  void put(const Arguments&...) const
+  {}
+  void keep() const noexcept {}
   static constexpr std::nullptr_t rows() { return nullptr; }
   template <class Scheme, class Refiner>
   void refine(const Scheme&, Refiner& refiner) const
@@ -125,71 +154,23 @@ public:
   }
 };
 
-// The attributes of a call in its rounds.
-template <class FT, class Host, class Attributes, bool = Attributes::is_empty>
-class Call_attribute_rounds : public Optional_attribute_rounds<FT, Host>
+// the attributes of a call in its rounds, with the values of the call's mesh
+template <class FT, class Host, class Attributes, class Access, class Level_creases, class Values>
+auto attribute_rounds_of_call([[maybe_unused]] const Attributes& attributes,
+                              [[maybe_unused]] const Access& access,
+                              [[maybe_unused]] const Level_connectivity& level,
+                              [[maybe_unused]] const Level_creases& creases,
+                              [[maybe_unused]] const Values& of_mesh,
+                              [[maybe_unused]] const For_chunks& for_chunks)
 {
-  using Base = Optional_attribute_rounds<FT, Host>;
-  using typename Base::Rounds;
-
-public:
-  using Index = Level_connectivity::Index;
-
-  // `extra_slots` has the vertices of the further slots, see Creases
-  template <class Access>
-  Call_attribute_rounds(const Attributes& attributes, const Access& access,
-                        const Level_connectivity& level, const std::vector<Index>& extra_slots,
-                        const Control_sharpness& sharpness, const For_chunks& for_chunks)
-    : Base(std::make_unique<Rounds>(attributes.template read<FT>(access, level),
-                                    Attributes::visited, level, extra_slots, sharpness, access,
-                                    for_chunks))
-    , attributes_(attributes)
-    , for_chunks_(for_chunks)
-  {}
-
-  // ends the last round, of which the refiner has the level, and puts what it gives
-  template <class Refiner, class Round>
-  void put(const Refiner& refiner, const Round& last)
-  {
-    Rounds& rounds = **this;
-    std::optional<Level_connectivity> refined;
-    if (rounds.needs_refined_level()) {
-      refined = child_level(last, for_chunks_);
-      if (rounds.child() != nullptr) (*rounds.child())(*refined);
-    }
-    rounds.end_round();
-    rounds.put(last.refined_size(), refined ? &*refined : nullptr,
-               rounds.rules(last, refiner.level()));
-  }
-  void keep() noexcept { (*this)->keep(); }
-
-  template <class Access, class Refiner, class One_round>
-  void visit(const Access& access, const Refiner& refiner, const One_round& last) const
-  {
-    attributes_.visit(access, last.refined_size(), (*this)->rules(last, refiner.level()));
-  }
-
-private:
-  const Attributes& attributes_;
-  const For_chunks for_chunks_;
-};
-
-template <class FT, class Host, class Attributes>
-class Call_attribute_rounds<FT, Host, Attributes, true>
-  : public Optional_attribute_rounds<FT, Host, false>
-{
-public:
-  template <class... Arguments>
-  explicit Call_attribute_rounds(const Attributes&, const Arguments&...)
-  {}
-  template <class... Arguments>
-  void put(const Arguments&...) const
-  {}
-  void keep() const noexcept {}
-  template <class... Arguments>
-  void visit(const Arguments&...) const
-  {}
-};
+  using Rounds = Optional_attribute_rounds<FT, Host, !Attributes::is_empty>;
+  if constexpr (!Attributes::is_empty)
+    if (attributes.is_any())
+      return Rounds(attributes.template read<FT>(access, level), Attributes::visited, level,
+                    vertices_of_extra_slots(creases, level.number_of_vertices()),
+                    of_mesh.sharpness(level), access, for_chunks);
+  return Rounds();
+}
 
 } // namespace CGAL::PN_subdivision_3::internal
 

@@ -141,8 +141,9 @@ struct Call_attributes
                                                 Visits<Visitor, Edge_created<Mesh>>::value,
                                                 Visits<Visitor, Face_created<Mesh>>::value};
   // there is nothing to refine, whatever the attributes
-  static constexpr bool is_empty = std::is_same_v<std::decay_t<Attributes>, No_attributes> &&
-                                   !visited.vertices && !visited.edges && !visited.faces;
+  static constexpr bool is_empty =
+    std::is_same_v<std::decay_t<Attributes>, No_attributes> && !visited.any();
+  static constexpr bool is_any() { return !is_empty; }
 
   template <class FT, class Access>
   Control_attributes<FT> read(const Access& access, const Level_connectivity& level) const
@@ -168,6 +169,36 @@ struct Call_attributes
 
   Visitor& visitor;
   Attributes& attributes;
+};
+
+// The attributes of a call, whatever their types, as the library PN_subdivision_3_double reads them.
+template <class Access>
+class Any_attributes
+{
+public:
+  static constexpr bool is_empty = false;
+  static constexpr Level_origins::Kinds visited{};
+
+  template <class Attributes>
+  explicit Any_attributes(const Attributes& attributes)
+    : attributes_(&attributes)
+  {
+    if constexpr (!Attributes::is_empty)
+      read_ = [](const void* a, const Access& access, const Level_connectivity& level) {
+        return static_cast<const Attributes*>(a)->template read<double>(access, level);
+      };
+  }
+  bool is_any() const { return read_ != nullptr; }
+  template <class FT>
+  Control_attributes<FT> read(const Access& access, const Level_connectivity& level) const
+  {
+    return read_(attributes_, access, level);
+  }
+
+private:
+  const void* attributes_;
+  Control_attributes<double> (*read_)(const void*, const Access&,
+                                      const Level_connectivity&) = nullptr;
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -61,8 +61,7 @@ public:
   {
     auto kept = read(access, level, refined_size, attributes);
     if (rounds > 0)
-      refine_kept<FT>(linear(scheme), access, level, creases, sharpness, rounds,
-                      Attributes_of_call<decltype(kept)>{kept}, for_chunks);
+      refine_kept<FT>(linear(scheme), access, level, creases, sharpness, rounds, kept, for_chunks);
     if constexpr (std::is_same_v<Attributes, Attribute_table>) {
       for (const auto* arrays : {&kept.vertices, &kept.corners, &kept.edges})
         for (const Attribute_array& array : *arrays)
@@ -124,17 +123,17 @@ public:
 
 private:
   // the points of the linear twin are all 0: only its rows count
-  template <class FT, class Scheme, class Access, class Level_creases, class Attributes_of_call>
+  template <class FT, class Scheme, class Access, class Level_creases, class Attributes>
   static void refine_kept(const Scheme& scheme, const Access& access, Level_connectivity level,
                           Level_creases creases, const Control_sharpness& sharpness,
-                          unsigned rounds, const Attributes_of_call& attributes_of_call,
-                          const For_chunks& for_chunks)
+                          unsigned rounds, Attributes& attributes, const For_chunks& for_chunks)
   {
     using Average = Average_of_scheme<Scheme, FT>;
     using Refiner = Level_refiner<Scheme, Average, Level_creases>;
-    Call_attribute_rounds<FT, typename Scheme::Host, Attributes_of_call> attribute_rounds(
-      attributes_of_call, access, level,
-      vertices_of_extra_slots(creases, level.number_of_vertices()), sharpness, for_chunks);
+    static constexpr Numbers_as_elements numbers{};
+    Optional_attribute_rounds<FT, typename Scheme::Host> attribute_rounds(
+      read_attributes<FT>(numbers, level, attributes), Level_origins::Kinds(), level,
+      vertices_of_extra_slots(creases, level.number_of_vertices()), sharpness, access, for_chunks);
     typename Refiner::Values points(creases.number_of_slots, zero_vector<FT, 3>());
     Refiner refiner(scheme, std::move(level), std::move(creases), std::move(points), for_chunks);
     for (unsigned k = 1; k < rounds; ++k) attribute_rounds.refine(scheme, refiner);
@@ -142,7 +141,7 @@ private:
     auto last = refiner.next_round();
     attribute_rounds.begin_round(scheme, refiner, last, Kind_of_round::last_put_later);
     refiner.refined_values(last, attribute_rounds.rows());
-    attribute_rounds.put(refiner, last.round());
+    attribute_rounds.put(refiner, last.round(), for_chunks);
     attribute_rounds.keep();
   }
 
@@ -185,21 +184,6 @@ private:
   {
     return *values;
   }
-
-  template <class Attributes>
-  struct Attributes_of_call
-  {
-    static constexpr bool is_empty = false;
-    static constexpr Level_origins::Kinds visited{};
-
-    template <class FT, class Access>
-    Control_attributes<FT> read(const Access&, const Level_connectivity& level) const
-    {
-      static constexpr Numbers_as_elements numbers{};
-      return read_attributes<FT>(numbers, level, attributes);
-    }
-    Attributes& attributes;
-  };
 
   template <class Access>
   Attribute_table read(const Access&, const Level_connectivity&, const Level_size&,

@@ -14,35 +14,32 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
 
-#define CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, HOST)                                             \
-  EXTERN template class Attribute_rounds<double, HOST>;                                            \
-  EXTERN template void Attribute_rounds<double, HOST>::put(                                        \
-    const Level_size&, const Level_connectivity*, const Origin_rules<HOST>&);
 #define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, HOST, SCHEME)                           \
   EXTERN template void Attribute_rounds<double, HOST>::begin_round(                                \
     const compiled_once::SCHEME&,                                                                  \
     const Round<compiled_once::SCHEME, compiled_once::Average<compiled_once::SCHEME>>&,            \
     const Level_connectivity&, Kind_of_round);
 #define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, HOST, SCHEME)                          \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, HOST, SCHEME)                                 \
   EXTERN template void Attribute_rounds<double, HOST>::begin_creased_round(                        \
     const compiled_once::SCHEME&,                                                                  \
     const Crease_round<compiled_once::SCHEME, compiled_once::Average<compiled_once::SCHEME>,       \
                        Creases<double>>&,                                                          \
     Level_connectivity&, const Creases<double>&, Kind_of_round);
+#define CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, HOST, KIND)                                       \
+  EXTERN template class Attribute_rounds<double, HOST>;                                            \
+  EXTERN template void Attribute_rounds<double, HOST>::put(                                        \
+    const Level_size&, const Level_connectivity*, const Origin_rules<HOST>&);                      \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, HOST, Any_of_##KIND)                          \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, HOST, Linear_of_##KIND)
+#define CGAL_PN_SUBDIVISION_3_CREASED_ATTRIBUTES(EXTERN, HOST, KIND)                               \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, HOST, KIND)                                             \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, HOST, Any_of_##KIND)                         \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, HOST, Linear_of_##KIND)
 #define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_OF_ALL(EXTERN)                                            \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, PQQ_host)                                               \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, PQQ_host, Any_of_quads)                      \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, PTQ_host)                                               \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, PTQ_host, Any_of_triangles)                  \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, DQQ_host)                                               \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, DQQ_host, Any_of_corners)                     \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, Sqrt3_host)                                             \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, Sqrt3_host, Any_of_sqrt3)                     \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, PQQ_host, Linear_of_quads)                   \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, PTQ_host, Linear_of_triangles)               \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, DQQ_host, Linear_of_corners)                  \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, Sqrt3_host, Linear_of_sqrt3)
+  CGAL_PN_SUBDIVISION_3_CREASED_ATTRIBUTES(EXTERN, PQQ_host, quads)                                \
+  CGAL_PN_SUBDIVISION_3_CREASED_ATTRIBUTES(EXTERN, PTQ_host, triangles)                            \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, DQQ_host, corners)                                      \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, Sqrt3_host, sqrt3)
 
 #ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
 namespace CGAL::PN_subdivision_3::internal {

@@ -184,9 +184,8 @@ private:
     Writer writer(access, points, Writers::vertex_map(normals), is_any_near_overflow(values),
                   roundness);
     typename Writers::Corner_writer corners(access, level, normals);
-    Call_attribute_rounds<FT, Host, Attributes> attribute_rounds(
-      attributes, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()),
-      Attributes::is_empty ? Control_sharpness() : of_mesh.sharpness(level), for_chunks_);
+    auto attribute_rounds =
+      attribute_rounds_of_call<FT, Host>(attributes, access, level, creases, of_mesh, for_chunks_);
     const Rules& rules = rules_of(scheme_);
     Level_refiner<Rules, Average, decltype(creases)> refiner(
       rules, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
@@ -198,7 +197,7 @@ private:
     auto last = refiner.next_round();
     attribute_rounds.begin_round(rules, refiner, last, Kind_of_round::last_put_at_once);
     put_last_round(access, size, refiner, last, writer, corners, attribute_rounds.rows());
-    attribute_rounds.put(refiner, last.round());
+    attribute_rounds.put(refiner, last.round(), for_chunks_);
     of_mesh.put_sharpness(last.refined_creases(), size, rounds);
     of_mesh.put_tangents(last.refined_creases(), size);
     report_last_round(round_done_, rounds, rounds_, size);
@@ -208,7 +207,8 @@ private:
       of_mesh.keep();
       attribute_rounds.keep();
     });
-    attribute_rounds.visit(access, refiner, last.round());
+    if constexpr (Attributes::visited.any())
+      attributes.visit(access, size, attribute_rounds->rules(last.round(), refiner.level()));
     if constexpr (!Host::keeps_vertices) access.trim(size, writer.has_own_maps);
   }
 

@@ -10,8 +10,10 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_COMPILED_CALL_H
 
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <cstddef>
@@ -43,25 +45,28 @@ template <class Point>
 constexpr bool is_usual_mesh_v<Surface_mesh<Point>> =
   is_one_of_v<typename Kernel_traits<Point>::type, Simple_cartesian<double>, Epick>;
 
+template <class Scheme>
+constexpr bool is_usual_scheme_v =
+  is_one_of_v<Scheme, CatmullClark_scheme, Loop_scheme, DooSabin_scheme, Sqrt3_scheme>;
+template <class Host>
+constexpr bool is_usual_scheme_v<Scheme_on_host<Host, double>> = true;
+
 template <class Mesh>
 using Usual_normal_map = typename Mesh::template Property_map<
   SM_Vertex_index, typename Kernel_traits<typename Mesh::Point>::type::Vector_3>;
 template <class Mesh>
 using Usual_edge_map = typename Mesh::template Property_map<SM_Edge_index, bool>;
 
-// A scheme of CGAL's own functions, one thread, the mesh's own points, given normals or estimated ones, edges that are
-// sharp for ever or none, and nothing else.
+// A scheme of CGAL's own functions or one on its host, one thread, the mesh's own points, given normals or estimated ones, edges that
+// are sharp for ever or none, attributes of any kind, and nothing else.
 template <class Concurrency_tag, class Mesh, class Scheme, class Parameters, class Attributes>
 constexpr bool is_compiled_call()
 {
-  if constexpr (!is_linked_to_library || is_parallel_v<Concurrency_tag> || !Attributes::is_empty ||
-                !is_usual_mesh_v<Mesh>)
+  if constexpr (!is_linked_to_library || is_parallel_v<Concurrency_tag> ||
+                Attributes::visited.any() || !is_usual_mesh_v<Mesh>)
     return false;
   else {
     using Edges = typename Parameters::Edge_constraint_map;
-    constexpr bool is_usual_scheme = is_one_of_v<Scheme, CatmullClark_scheme, Loop_scheme> ||
-                                     (is_one_of_v<Scheme, DooSabin_scheme, Sqrt3_scheme> &&
-                                      std::is_same_v<Edges, No_constraint_map>);
     constexpr bool has_usual_points =
       std::is_same_v<typename Parameters::FT, double> &&
       std::is_same_v<typename Parameters::Point_map,
@@ -70,16 +75,20 @@ constexpr bool is_compiled_call()
       is_one_of_v<Edges, No_constraint_map, Usual_edge_map<Mesh>> &&
       is_one_of_v<typename Parameters::Normal_map, No_normal_map, Usual_normal_map<Mesh>> &&
       std::is_same_v<typename Parameters::Vertex_constraint_map, No_constraint_map>;
-    return is_usual_scheme && has_usual_points && has_usual_maps &&
+    return is_usual_scheme_v<Scheme> && has_usual_points && has_usual_maps &&
            !is_given_roundness_v<typename Parameters::Roundness> &&
            !is_given_roundness_v<typename Parameters::Roundness_map>;
   }
 }
 
+template <class Access>
+class Any_attributes;
+
 template <class Mesh, class Scheme, class Point_map, class Normal_map, class Edge_map>
 void compiled_call(Mesh& mesh, const Scheme& scheme, unsigned rounds,
                    Function_ref<void(unsigned, std::size_t)> round_done, Point_map points,
-                   Normal_map normals, Edge_map edges);
+                   Normal_map normals, Edge_map edges,
+                   const Any_attributes<Surface_mesh_access<Mesh>>& attributes);
 
 } // namespace CGAL::PN_subdivision_3::internal
 

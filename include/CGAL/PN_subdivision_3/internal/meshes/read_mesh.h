@@ -56,6 +56,16 @@ void report_last_round(const Round_done& done, unsigned last, unsigned all, cons
   while (last < all) done(++last, 0);
 }
 
+[[noreturn]] inline void refuse_size(const Level_size& size, unsigned round, std::uint64_t limit)
+{
+  throw std::length_error(
+    "PN_subdivision_3: round " + std::to_string(round) + " would need " +
+    std::to_string(size.vertices) + " vertices, " + std::to_string(size.halfedges()) +
+    " half-edges and " + std::to_string(size.faces) + " faces, more than the " +
+    std::to_string(limit - 1) + " that the index type of the mesh can number: ask for at most " +
+    std::to_string(round - 1) + " rounds");
+}
+
 // the size after some rounds
 template <class Host>
 Level_size checked_refined_size(Level_size size, unsigned rounds, std::uint64_t limit)
@@ -63,12 +73,7 @@ Level_size checked_refined_size(Level_size size, unsigned rounds, std::uint64_t 
   for (unsigned k = 1; k <= rounds; ++k) {
     size = Host::refined_size(size, k);
     if (size.halfedges() < limit && size.vertices < limit && size.faces < limit) continue;
-    throw std::length_error(
-      "PN_subdivision_3: round " + std::to_string(k) + " would need " +
-      std::to_string(size.vertices) + " vertices, " + std::to_string(size.halfedges()) +
-      " half-edges and " + std::to_string(size.faces) + " faces, more than the " +
-      std::to_string(limit - 1) + " that the index type of the mesh can number: ask for at most " +
-      std::to_string(k - 1) + " rounds");
+    refuse_size(size, k, limit);
   }
   return size;
 }

@@ -45,7 +45,7 @@ public:
   struct Kinds
   {
     bool vertices = false, edges = false, faces = false;
-    bool any() const { return vertices || edges || faces; }
+    constexpr bool any() const { return vertices || edges || faces; }
   };
 
   // the origins of the control level: every element itself

@@ -125,31 +125,19 @@ Result on_host([[maybe_unused]] const Scheme& scheme, [[maybe_unused]] const Fun
     return Result();
 }
 
-// the same for schemes that keep no vertices
-template <class Result, class Call, class Scheme, class Function>
-Result on_dual_host(const Scheme& scheme, const Function& f)
+// the same for schemes whose limit points belong to vertices, or to faces
+template <bool are_of_vertices, class Result, class Call, class Scheme, class Function>
+Result on_host_of_limits(const Scheme& scheme, const Function& f)
 {
   return on_host<Result, Call>(scheme, [&](const auto& s) -> Result {
-    if constexpr (std::decay_t<decltype(s)>::Host::keeps_vertices)
+    if constexpr (std::decay_t<decltype(s)>::Host::keeps_vertices == are_of_vertices)
+      return f(s);
+    else
       throw std::invalid_argument(
         "PN_subdivision_3: the limit points of " + name_in_message(s) +
-        " belong to the vertices, not to the faces: give a map of vertices");
-    else
-      return f(s);
-  });
-}
-
-// the same for schemes that keep vertices
-template <class Result, class Call, class Scheme, class Function>
-Result on_primal_host(const Scheme& scheme, const Function& f)
-{
-  return on_host<Result, Call>(scheme, [&](const auto& s) -> Result {
-    if constexpr (std::decay_t<decltype(s)>::Host::keeps_vertices)
-      return f(s);
-    else
-      throw std::invalid_argument("PN_subdivision_3: the limit points of " + name_in_message(s) +
-                                  " belong to the faces, not to the vertices: see "
-                                  "limit_points() with a map of faces");
+        (are_of_vertices
+           ? " belong to the faces, not to the vertices: see limit_points() with a map of faces"
+           : " belong to the vertices, not to the faces: give a map of vertices"));
   });
 }
 

@@ -115,29 +115,19 @@ constexpr bool has_crease_tangents_v = !std::is_same_v<Crease_tangent_map<Scheme
 template <class Scheme>
 using Normal_estimate_of = decltype(std::declval<const Scheme&>().normal_estimate());
 
-template <class Scheme, class Normal_scheme>
-std::optional<Control_normal_estimate>
-stated_normal_estimate(const Scheme_with_normals<Scheme, Normal_scheme>& scheme);
-
-// what a scheme or an adaptor says about the estimate, if anything
+// What a scheme or an adaptor says about the estimate, if anything. The scheme of the normals is asked before the scheme of the points.
 template <class Scheme>
 std::optional<Control_normal_estimate> stated_normal_estimate(const Scheme& scheme)
 {
-  if constexpr (boost::is_detected<Normal_estimate_of, Scheme>::value)
+  if constexpr (Is_with_normals<Scheme>::value) {
+    const auto stated = stated_normal_estimate(scheme.normal_scheme);
+    return stated ? stated : stated_normal_estimate(scheme.scheme);
+  } else if constexpr (boost::is_detected<Normal_estimate_of, Scheme>::value)
     return scheme.normal_estimate();
   else if constexpr (Is_adaptor<Scheme>::value)
     return stated_normal_estimate(scheme.scheme);
   else
     return std::nullopt;
-}
-
-// the scheme of the normals is asked before the scheme of the points
-template <class Scheme, class Normal_scheme>
-std::optional<Control_normal_estimate>
-stated_normal_estimate(const Scheme_with_normals<Scheme, Normal_scheme>& scheme)
-{
-  const auto stated = stated_normal_estimate(scheme.normal_scheme);
-  return stated ? stated : stated_normal_estimate(scheme.scheme);
 }
 
 template <class Scheme>
