@@ -162,11 +162,11 @@ public:
   }
 
 private:
-  using One_round = Round<Scheme, PN_average<FT, 3>>;
+  using Plain_round = Round<Scheme, PN_average<FT, 3>>;
 
   Extraordinary_net net_;
   Level_connectivity level_;
-  One_round round_;
+  Plain_round round_;
 };
 
 } // namespace internal

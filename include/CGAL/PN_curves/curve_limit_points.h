@@ -157,11 +157,11 @@ auto limits_of_curve(const Range& polygon, const Mask& mask, Curve_end end,
     if (places[i] < first || places[i] >= last) continue;
     const auto name = [i] { return "point " + std::to_string(i); };
     results.emplace_back();
-    decided<FT>([&, i] { results.back() = limits(values, places[i]); },
-                [&] {
-                  return "whether a normal next to " + name() +
-                         " vanishes or is opposite to a neighbor's";
-                });
+    name_undecided<FT>([&, i] { results.back() = limits(values, places[i]); },
+                       [&] {
+                         return "whether a normal next to " + name() +
+                                " vanishes or is opposite to a neighbor's";
+                       });
     check_in_range(point_of(results.back().value), [&] { return "the limit point of " + name(); });
     points.push_back(to_curve_limit_point<Limit, Subdivision>(
       results.back(), static_cast<double>(i) + (is_primal ? 0. : 0.5)));

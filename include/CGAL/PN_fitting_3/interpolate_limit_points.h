@@ -79,8 +79,8 @@ interpolate_without_creases(const Access& access, const Scheme& scheme,
     if (is_interpolated(v)) data.vertices.push_back(v);
   set_demand(options, data);
   const Vectors<3> old_normals = data.normals;
-  const Rules_of<Scheme>& rules = rules_of(scheme);
-  Mesh_limit_functionals<Rules_of<Scheme>> source(rules, level, for_chunks);
+  const Scheme_of_rounds<Scheme>& round_scheme = scheme_of_rounds(scheme);
+  Mesh_limit_functionals<Scheme_of_rounds<Scheme>> source(round_scheme, level, for_chunks);
   auto result = control_net<has_normal_map, NamedParameters>(scheme, level, options, data, source);
   multiply_by_size<FT>(data, result);
   result.report.normal_angle = largest_normal_angle(level, data.normals);
@@ -92,7 +92,7 @@ interpolate_without_creases(const Access& access, const Scheme& scheme,
     write(normal_map);
   else
     write(No_normal_map());
-  natural.keep();
+  natural.commit();
   return result.report;
 }
 

@@ -138,8 +138,8 @@ Limit_interpolation prescribe_on(const Access& access, Mesh& mesh, const Scheme&
     read_interpolation_data<FT>(access, scheme, level, mesh, np, Parameters::normal_map(np));
   set_demand(options, data);
   data.max_steps = (std::numeric_limits<unsigned>::max)();
-  const Rules_of<Scheme>& rules = rules_of(scheme);
-  Mesh_limit_functionals<Rules_of<Scheme>> source(rules, level, for_chunks);
+  const Scheme_of_rounds<Scheme>& round_scheme = scheme_of_rounds(scheme);
+  Mesh_limit_functionals<Scheme_of_rounds<Scheme>> source(round_scheme, level, for_chunks);
   auto prescribed =
     read_prescribed(access, level, parameter_or<prescribed_point_map_t>(np, nothing),
                     parameter_or<prescribed_normal_map_t>(np, nothing), data.exponent);

@@ -206,7 +206,7 @@ smooth_control_normals(const PolygonMesh& mesh, NormalMap normals,
           if (smooth[slot] != data.normals[slot])
             changed.change_vector(i, internal::coordinates_of<FT>(smooth[slot]));
         });
-        changed.keep();
+        changed.commit();
       };
       if constexpr (!internal::has_corner_normals_v<Access, NormalMap>) {
         const auto data = internal::data_in_double<FT>(internal::read_given_values<Average>(

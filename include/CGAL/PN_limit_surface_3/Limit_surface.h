@@ -366,11 +366,11 @@ private:
         internal::box_size(level);
       demand_.normal_tolerance = internal::check_tolerance(
         internal::parameter_or<internal::normal_tolerance_t>(np, demand_.normal_tolerance));
-      using Rules = internal::Rules_of<Scheme>;
+      using Round_scheme = internal::Scheme_of_rounds<Scheme>;
       using Level_creases = std::decay_t<decltype(creases)>;
-      evaluation_ = std::make_unique<internal::Scheme_evaluation<Rules, Level_creases>>(
-        internal::kept_scheme<Rules>(internal::rules_of(scheme), *roundness_), std::move(level),
-        std::move(creases));
+      evaluation_ = std::make_unique<internal::Scheme_evaluation<Round_scheme, Level_creases>>(
+        internal::kept_scheme<Round_scheme>(internal::scheme_of_rounds(scheme), *roundness_),
+        std::move(level), std::move(creases));
     };
     internal::with_slot_level<double>(access, scheme, points, normals,
                                       Parameters::edge_constraint_map(np),

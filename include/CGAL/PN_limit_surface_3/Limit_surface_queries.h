@@ -219,7 +219,7 @@ private:
     }
   };
 
-  // where the triangle is closest to a point
+  // the place where the triangle is closest to a point
   Place start(const Triangle& t, const Kernel::Point_3& p) const
   {
     const Kernel::Triangle_3 flat = t.triangle();
@@ -257,7 +257,7 @@ private:
     return best.distance;
   }
 
-  // by what is found from where a triangle is nearest, or by a corner, where Newton's method may not go
+  // replaces a place by a better one found from where a triangle is nearest, or by a corner, where Newton's method may not go
   void improve(Place& best, const Triangle& t, bool has_one, const Kernel::Point_3& p) const
   {
     const auto is_nearer = [&](const auto& x) {
@@ -295,7 +295,7 @@ private:
     place.distance = std::sqrt(CGAL::squared_distance(Places::in_double(place.at.point), p));
   }
 
-  // by a step or a part of it, if that is closer
+  // moves the place by the step, or a part of the step, if that is closer
   bool go(Place& place, const Kernel::Point_3& p) const
   {
     internal::Jet_vector r;

@@ -25,7 +25,7 @@ namespace CGAL::PN_subdivision_3 {
 
 namespace internal {
 
-// at the faces of a dual scheme
+// limit_points() at the faces of a dual scheme
 template <class Concurrency_tag, class PolygonMesh, class Scheme, class LimitMap,
           class NamedParameters>
 Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
@@ -45,9 +45,9 @@ Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, Li
         Limit_demand demand = limit_demand<FT>(limit_options(np), box_size(level));
         demand.curvatures = false;
         demand.points = true;
-        const Rules_of<Scheme_of_call>& rules = rules_of(s);
-        Face_limits<Rules_of<Scheme_of_call>, FT> evaluation(rules, demand,
-                                                             For_chunks::with(Concurrency_tag()));
+        const Scheme_of_rounds<Scheme_of_call>& round_scheme = scheme_of_rounds(s);
+        Face_limits<Scheme_of_rounds<Scheme_of_call>, FT> evaluation(
+          round_scheme, demand, For_chunks::with(Concurrency_tag()));
         const auto results = evaluation(level);
         check_limits<FT>(results, [](std::size_t f) { return "face number " + std::to_string(f); });
         std::size_t i = 0;
@@ -59,7 +59,7 @@ Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, Li
     return {};
 }
 
-// at the vertices of all others
+// limit_points() at the vertices of a scheme that is not dual
 template <class Concurrency_tag, class PolygonMesh, class Scheme, class LimitMap,
           class NamedParameters>
 Limit_report vertex_limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,

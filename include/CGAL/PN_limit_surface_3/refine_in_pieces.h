@@ -435,8 +435,8 @@ private:
     });
     constexpr bool has_attributes = !std::is_same_v<Attributes, internal::No_attributes>;
     // as calls for all of a surface have them; no roundness of the call is read any more
-    using Rules = internal::Rules_of<internal::With_roundness<Hosted_scheme, FT>>;
-    using Refiner = internal::Piece_refiner<Rules, Average, Level_creases, has_attributes>;
+    using Round_scheme = internal::Scheme_of_rounds<internal::With_roundness<Hosted_scheme, FT>>;
+    using Refiner = internal::Piece_refiner<Round_scheme, Average, Level_creases, has_attributes>;
     typename Refiner::Attribute_rounds carried;
     if constexpr (has_attributes)
       if (!internal::is_empty(attributes)) {
@@ -449,19 +449,19 @@ private:
     const auto make = [&](auto* refiner) {
       using Made = std::remove_pointer_t<decltype(refiner)>;
       auto made = std::make_unique<Made>(
-        internal::rules_of(internal::With_roundness<Hosted_scheme, FT>{{scheme}}), std::move(level),
-        std::move(creases), typename Refiner::Values(values.begin(), values.end()),
-        std::move(carried), rounds_, number_of_pieces_, ghost_rings_,
-        internal::For_chunks::with(Concurrency_tag()));
+        internal::scheme_of_rounds(internal::With_roundness<Hosted_scheme, FT>{{scheme}}),
+        std::move(level), std::move(creases),
+        typename Refiner::Values(values.begin(), values.end()), std::move(carried), rounds_,
+        number_of_pieces_, ghost_rings_, internal::For_chunks::with(Concurrency_tag()));
       if constexpr (std::is_base_of_v<internal::Pieces_at_limit<Average>, Made>)
         at_limit_ = made.get();
       refiner_ = std::move(made);
     };
     if constexpr (may_be_limits)
       if (limits_)
-        return make(
-          static_cast<internal::Piece_limits<Rules, Average, Level_creases, has_attributes>*>(
-            nullptr));
+        return make(static_cast<
+                    internal::Piece_limits<Round_scheme, Average, Level_creases, has_attributes>*>(
+          nullptr));
     make(static_cast<Refiner*>(nullptr));
   }
 

@@ -110,13 +110,14 @@ private:
     typename Writers::Corner_writer corners(access, level, normals);
     auto attribute_rounds =
       attribute_rounds_of_call<FT, Host>(attributes, access, level, creases, of_mesh, for_chunks_);
-    const Rules_of<Scheme>& rules = rules_of(scheme_);
-    Level_refiner<Rules_of<Scheme>, Average, decltype(creases)> refiner(
-      rules, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
+    const Scheme_of_rounds<Scheme>& round_scheme = scheme_of_rounds(scheme_);
+    Level_refiner<Scheme_of_rounds<Scheme>, Average, decltype(creases)> refiner(
+      round_scheme, std::move(level), std::move(creases), {values.begin(), values.end()},
+      for_chunks_);
     std::vector<Value>().swap(values);
-    refine(rounds, rules, refiner, attribute_rounds);
+    refine(rounds, round_scheme, refiner, attribute_rounds);
     auto last = refiner.next_round();
-    attribute_rounds.begin_round(rules, refiner, last, Kind_of_round::last_put_later);
+    attribute_rounds.begin_round(round_scheme, refiner, last, Kind_of_round::last_put_later);
     Level refined = refined_level(refiner, last, attribute_rounds.rows());
     refiner.release_values();
     report_last_round(round_done_, rounds, rounds_, size);
@@ -139,11 +140,11 @@ private:
       of_mesh.put_sharpness(limit_creases, size, rounds);
       of_mesh.put_tangents(limit_creases, size);
       put_connectivity(last.round(), access, for_chunks_, [&] {
-        writer.keep();
-        of_limits.keep();
-        corners.keep();
-        of_mesh.keep();
-        attribute_rounds.keep();
+        writer.commit();
+        of_limits.commit();
+        corners.commit();
+        of_mesh.commit();
+        attribute_rounds.commit();
       });
     };
     if (puts_normals())
@@ -161,23 +162,23 @@ private:
 
   // all rounds but the last one
   template <class Refiner, class Attribute_rounds>
-  void refine(unsigned rounds, const Rules_of<Scheme>& rules, Refiner& refiner,
+  void refine(unsigned rounds, const Scheme_of_rounds<Scheme>& round_scheme, Refiner& refiner,
               Attribute_rounds& attribute_rounds) const
   {
     for (unsigned k = 1; k < rounds; ++k) {
-      attribute_rounds.refine(rules, refiner);
+      attribute_rounds.refine(round_scheme, refiner);
       round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
     }
     attribute_rounds.before_cut(refiner);
   }
 
-  // at the slots of the refined level; the creases get the tangents of the limit
+  // the limits at the slots of the refined level; the creases get the tangents of the limit
   template <class Level_creases>
   auto limits_of(Level& refined, Level_creases& creases, const Limit_demand& demand,
                  unsigned next_round) const
   {
-    auto limits =
-      limits_at_slots<FT>(rules_of(scheme_), demand, for_chunks_, refined, creases, next_round);
+    auto limits = limits_at_slots<FT>(scheme_of_rounds(scheme_), demand, for_chunks_, refined,
+                                      creases, next_round);
     if (asks_for_points(options_))
       std::vector<Value>().swap(refined.values); // else they are written
     check_limits<FT>(limits, [](std::size_t v) { return "vertex number " + std::to_string(v); });

@@ -72,7 +72,7 @@ public:
       bool goes_on = false;
       read(access, s, Parameters::const_point_map(control, np_),
            [&](const Tessellation_demand& demand, auto& level, auto& creases, auto* bounds) {
-             goes_on = run_tessellation<FT>(rules_of(s), demand, for_chunks_, table_, level,
+             goes_on = run_tessellation<FT>(scheme_of_rounds(s), demand, for_chunks_, table_, level,
                                             creases, bounds, runs, report, build_out);
            });
       return goes_on;
@@ -98,7 +98,8 @@ private:
       Face_bounds<typename Average_of_scheme<Scheme, FT>::Value, Level_creases>* none = nullptr;
       if constexpr (may_be_proven)
         if (demand.is_proven) {
-          Proven_bounds<Rules_of<Scheme>, Level_creases> bounds(rules_of(scheme), demand.exponent);
+          Proven_bounds<Scheme_of_rounds<Scheme>, Level_creases> bounds(scheme_of_rounds(scheme),
+                                                                        demand.exponent);
           bounds.require_all(control, creases, chord_error_);
           return sink(demand, control, creases, none = &bounds);
         }

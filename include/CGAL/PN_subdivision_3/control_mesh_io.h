@@ -112,7 +112,7 @@ written_normals(const Access& access, const Level_connectivity& level, const Nor
   return all;
 }
 
-// in the order of bytes of this processor; the properties of vertices are numbers, one column each
+// writes in the order of bytes of this processor; the properties of vertices are numbers, one column each
 inline void
 write_ply_elements(std::ostream& out, const Level_connectivity& level,
                    const std::string& properties, const std::vector<std::vector<double>>& columns,
@@ -278,7 +278,7 @@ auto read_control_mesh(const std::string& file_name, PolygonMesh& mesh,
                                 [&](auto v) { return access.vertex(v); });
       normals = estimate_control_normals(mesh, np);
       internal::put_normals(access, file, level, sharpness, normals);
-      growth.keep();
+      growth.commit();
     });
   }
   return normals;

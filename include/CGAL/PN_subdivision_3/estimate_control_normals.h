@@ -12,7 +12,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Wedge_estimation.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
@@ -68,8 +68,7 @@ void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
   const std::vector<Index> extra = vertices_of_extra_slots(creases, n);
   for (Index slot = 0; slot < values.size(); ++slot)
     point_of(values[slot]) = checked_point<FT>(access, points, slot < n ? slot : extra[slot - n]);
-  make_control_creases<FT>(level, creases, values, std::vector<bool>(values.size(), false),
-                           estimate);
+  estimate_wedges<FT>(level, creases, values, std::vector<bool>(values.size(), false), estimate);
   const Cut_copy<FT> cut(level, creases);
   for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
     const Coordinates<FT, 3>& m = values[slot].normal;

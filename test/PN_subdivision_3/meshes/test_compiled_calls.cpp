@@ -316,13 +316,12 @@ TEST(Compiled_levels, ControlValuesAreThoseOfTheHeaders)
           PN::Control_normal_estimate::angle}) {
       EXPECT_EQ(control_values(soup,
                                [&](const auto& level, auto& creases, auto& values) {
-                                 make_control_creases(level, creases, values,
-                                                      std::vector<bool>(values.size(), false),
-                                                      estimate);
+                                 estimate_wedges(level, creases, values,
+                                                 std::vector<bool>(values.size(), false), estimate);
                                }),
                 control_values(soup, [&](const auto& level, auto& creases, auto& values) {
-                  Control_creases<double>(level, creases, values,
-                                          std::vector<bool>(values.size(), false), estimate)();
+                  Wedge_estimation<double>(level, creases, values,
+                                           std::vector<bool>(values.size(), false), estimate)();
                 }));
       EXPECT_EQ(control_values(soup,
                                [&](const auto& level, auto&, auto& values) {

@@ -11,7 +11,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_CREASE_LEVELS_H
 #define CGAL_PN_SUBDIVISION_3_TEST_CREASE_LEVELS_H
 
-#include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Wedge_estimation.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
@@ -255,8 +255,8 @@ private:
           values[slot].normal = {FT(m[0]), FT(m[1]), FT(m[2])};
         });
       }
-      internal::make_control_creases<FT>(level, creases, values, is_given,
-                                         Control_normal_estimate::coherent);
+      internal::estimate_wedges<FT>(level, creases, values, is_given,
+                                    Control_normal_estimate::coherent);
       if (control.has_zero_tangents)
         for (auto& e : creases.edges) e.tangent_from.fill({FT(0), FT(0), FT(0)});
     }

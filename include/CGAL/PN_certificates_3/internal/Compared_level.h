@@ -98,9 +98,9 @@ Level_with_points<FT> refined_aside(const Scheme& scheme, const Access& access, 
     const auto values = of_mesh.values(level, points, normals, creases);
     Level_with_points<FT> result;
     count_roundness(values, level.number_of_vertices(), result);
-    const Rules_of<Scheme>& rules = rules_of(scheme);
-    Level_refiner<Rules_of<Scheme>, Average, decltype(creases)> refiner(
-      rules, std::move(level), std::move(creases), {values.begin(), values.end()},
+    const Scheme_of_rounds<Scheme>& round_scheme = scheme_of_rounds(scheme);
+    Level_refiner<Scheme_of_rounds<Scheme>, Average, decltype(creases)> refiner(
+      round_scheme, std::move(level), std::move(creases), {values.begin(), values.end()},
       For_chunks::with(Concurrency_tag()));
     while (refiner.rounds_done() < rounds) refiner.refine();
     result.level = refiner.level();
@@ -152,7 +152,7 @@ public:
     return result;
   }
 
-  // of coordinates here
+  // the rounding of coordinates
   double rounding() const { return rounding_; }
   // the power of two that coordinates are divided by
   int exponent() const { return exponent_; }

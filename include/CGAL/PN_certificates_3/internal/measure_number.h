@@ -145,7 +145,7 @@ Uncertain<bool> is_proved_zero(const Number& x)
     return is_zero;
 }
 
-// what to do where that is not known
+// the advice where the sign of a number is not known
 template <class FT>
 constexpr const char* advice_for_proofs()
 {

@@ -207,7 +207,7 @@ private:
     for (Index& h : halfedge_) h = 2 * edge_at[h >> 1] + (h & 1u);
     for (Index& f : face_) f = face_at[f];
   }
-  // of a half-edge with a face, before its edge is flipped
+  // the new triangle of a half-edge with a face, before its edge is flipped
   Index triangle(const Level_connectivity& level, Index h, const Table& ordinal) const
   {
     const Index f = level.face(h), i = ordinal[h];

@@ -74,7 +74,7 @@ public:
     return {0, windows_[0].is_primal() || end_ == Curve_end::closed ? n : n - 1};
   }
 
-  // of vertex or edge v
+  // the limit of vertex or edge v
   Result operator()(const std::vector<Value>& values, Index v)
   {
     const auto n = static_cast<Index>(values.size());

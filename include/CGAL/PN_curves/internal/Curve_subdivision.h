@@ -101,7 +101,7 @@ private:
   using Row = std::vector<std::pair<Index, FT>>;
 
   static std::size_t row_of(Index i) { return (i & 1) != 0 ? 1 : 0; }
-  // by how much the old points of the row of the new point i are shifted to those of the row of its parity
+  // by how much the row of the new point i is shifted against the row of its parity
   static Index shift_of(Index i) { return (i - (i & 1)) / 2; }
 
   // puts the largest weight last and makes it 1 minus the sum of the others

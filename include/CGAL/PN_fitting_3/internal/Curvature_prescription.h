@@ -215,7 +215,7 @@ private:
   {
     return t.form - functionals_[i].second_form;
   }
-  // of a symmetric map of a plane: it has two eigenvalues of which sum and sum of squares are known
+  // the norm of a symmetric map of a plane: it has two eigenvalues, whose sum and sum of squares are known
   static double spectral_norm(const Tensor& m)
   {
     const double mean = m.trace() / 2;

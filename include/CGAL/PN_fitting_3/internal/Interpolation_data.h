@@ -251,7 +251,7 @@ inline void estimate_missing_normals(const Level_connectivity& level,
     if (is_missing(data.normals[v])) data.normals[v] = to_eigen<3>(values[v].normal);
 }
 
-// Those of points in the place of the data's own, all normals and the roundness if that is asked for.
+// Estimates all normals, and the roundness if that is asked for, of points in the place of the data's own points.
 inline void estimate_all_normals(const Level_connectivity& level, Control_normal_estimate estimate,
                                  const Vectors<3>& points, bool with_roundness,
                                  Interpolation_data<3>& data)

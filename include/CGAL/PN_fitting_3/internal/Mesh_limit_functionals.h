@@ -92,7 +92,7 @@ public:
 
 private:
   using Average = PN_average<double, 3>;
-  using One_round = Round<Scheme, Average>;
+  using Plain_round = Round<Scheme, Average>;
   using Kind = typename Ring_rules_cache<Scheme, double>::Kind;
   using Functionals_of_ring = Ring_limit_functionals<3, 2>;
   using Entry = Functionals::Entry;
@@ -128,7 +128,7 @@ private:
     const std::vector<Value>& values;
     const Stage* parent;
     const Sub_level* cut;
-    const One_round* round;
+    const Plain_round* round;
   };
 
   // the values that the round has refined
@@ -187,7 +187,7 @@ private:
         "PN_subdivision_3: the scheme does not settle about its vertices: "
         "it has no limit masks");
     const Sub_level cut(stage.level, unsettled, cut_rings(scheme_));
-    const One_round round(scheme_, cut.level, next_round);
+    const Plain_round round(scheme_, cut.level, next_round);
     const Valued_level<Value> fine =
       level_of_round(round, values_of_part(stage.values, cut.vertices), for_chunks_);
     evaluate(Stage{fine.level, fine.values, &stage, &cut, &round}, cut.centers, unsettled_positions,
@@ -274,7 +274,7 @@ private:
     return result;
   }
 
-  // at regular vertices that of the spline; by the slopes of the control normals where the ring matrix
+  // at regular vertices the jet of the spline; by the slopes of the control normals where the ring matrix
   // has no part of second order that would last
   std::optional<Surface_jet<double>>
   surface_jet(const Level_connectivity& level, Index v,

@@ -143,7 +143,7 @@ Fairness fairness(const Scheme_& rules, const Level_connectivity& control, const
           mean_turn(level, refined)};
 }
 
-// by Loop or Catmull-Clark subdivision
+// the fairness of the surface by Loop or Catmull-Clark subdivision
 inline Fairness fairness(const Level_connectivity& level, const Vectors<3>& points,
                          const Vectors<3>& normals, double roundness = 1)
 {
@@ -183,7 +183,7 @@ public:
     Vectors<3> smooth = solution();
     double least = fairness(level_, points_, normals_).change_of_curvature;
     if (fairness(level_, points_, smooth).change_of_curvature < least) return smooth;
-    // it is the points that have noise, then, or the shape is like that
+    // the points themselves have noise, then, or the shape is like that
     for (const double w : {0.75, 0.5, 0.25, 0.}) {
       const double change = fairness(level_, points_, smooth, w).change_of_curvature;
       if (!(change < least)) continue;
@@ -199,7 +199,7 @@ public:
   double noise() const { return std::sqrt(noise_); }
   double defect() const { return std::sqrt(defect_); }
   double strength() const { return strength_; }
-  // with which the surface is the fairest
+  // the roundness with which the surface is the fairest
   double roundness() const { return roundness_; }
 
 private:
@@ -233,7 +233,7 @@ private:
     }
   }
 
-  // of the edges of the faces of a vertex
+  // the arcs along the edges of the faces of a vertex
   std::vector<std::size_t> arcs_about(Index v) const
   {
     std::vector<std::size_t> arcs;
@@ -289,7 +289,7 @@ private:
     return all;
   }
 
-  // of a mean of n squares of normal variables (Wilson and Hilferty)
+  // the mean of n squares of normal variables, by their median (Wilson and Hilferty)
   static double mean_of_median(double median, double n)
   {
     const double root = 1 - 2 / (9 * n);

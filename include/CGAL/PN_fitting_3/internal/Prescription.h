@@ -304,7 +304,7 @@ private:
     return largest;
   }
 
-  // of the vector x.p of the functional's rows [first, first + 3), times `row`; of length 1
+  // the condition on the vector x.p of the functional's rows [first, first + 3), times `row`; of length 1
   static Condition scaled(const Functionals& f, int first, const Vector& row, double& scale)
   {
     Condition c;

@@ -164,7 +164,7 @@ public:
   // the ring after the last round
   const std::vector<Value>& top() const { return levels_[depth_]; }
   unsigned depth() const { return depth_; }
-  // of place p of the given ring
+  // the block of place p of the given ring
   const Block& block(std::size_t p) const { return blocks_[p]; }
 
 private:
@@ -214,7 +214,7 @@ private:
       if (!rule_->tangents.empty()) set_tangents();
   }
 
-  // of the points themselves; remove_limit_from_tangents() makes them relative to o
+  // the tangents of the points themselves; remove_limit_from_tangents() makes them relative to o
   void set_tangents()
   {
     using Square = Eigen::Matrix<double, dimension, dimension>;
@@ -249,7 +249,7 @@ private:
     }
   }
 
-  // from the ring at depth + 1 to that at depth
+  // from the ring at depth + 1 to the ring at depth
   void pull_back(unsigned depth)
   {
     next_.swap(blocks_);

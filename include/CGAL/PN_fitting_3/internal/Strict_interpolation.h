@@ -247,7 +247,7 @@ public:
     , unknowns_(unknowns_of(data.vertices, data.points.size()))
   {}
 
-  // with these control normals, of all vertices
+  // solves with these control normals, of all vertices
   Result operator()(Vectors<dimension> control_normals)
   {
     Result result;

@@ -88,12 +88,12 @@ private:
     return length;
   }
 
-  // of the control points with the unknowns in place of those that are sought
+  // the limits of the control points, of which the sought ones are `unknowns`
   Vector limits_at(const Vector& unknowns, Limit_interpolation* report)
   {
     return limits(unknowns, data_.points, data_.precision().tolerance, report);
   }
-  // of changes of the control points that are sought, where the other points are zero
+  // the limits of changes of the sought control points, where the other points are zero
   Vector limits_of_direction(const Vector& direction)
   {
     const double scale = size_ / direction.lpNorm<Eigen::Infinity>();

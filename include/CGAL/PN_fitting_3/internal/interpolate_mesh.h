@@ -72,9 +72,9 @@ void write_control_net(const Access& access, Point_map points, [[maybe_unused]] 
   if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
     Undoable_vertices<Access, Normal_map> new_normal(access, normals);
     put_changed<FT>(new_normal, old_normals, new_normals);
-    new_normal.keep();
+    new_normal.commit();
   }
-  new_point.keep();
+  new_point.commit();
 }
 
 template <class PolygonMesh, class Scheme, class NamedParameters>
@@ -118,7 +118,7 @@ std::vector<double> read_roundness_of_vertices(const Access& access, std::size_t
 template <int dimension>
 void find_natural_normals(Interpolation_data<dimension>& data, Limit_source<dimension, 2>& source);
 
-// puts the natural normals that are found from those of the data
+// puts the natural normals that are found from the normals of the data
 template <class FT, class Scheme, class New_normals>
 void put_natural_normals(const Scheme& scheme, const Level_connectivity& level,
                          const For_chunks& for_chunks, Interpolation_data<3> data,
@@ -128,8 +128,8 @@ void put_natural_normals(const Scheme& scheme, const Level_connectivity& level,
   for (Level_connectivity::Index v = 0; v < n; ++v)
     if (!data.normals[v].isZero(0)) data.vertices.push_back(v);
   data.tolerance = 1e-9 * box_size(data.points);
-  const Rules_of<Scheme>& rules = rules_of(scheme);
-  Mesh_limit_functionals<Rules_of<Scheme>> source(rules, level, for_chunks);
+  const Scheme_of_rounds<Scheme>& round_scheme = scheme_of_rounds(scheme);
+  Mesh_limit_functionals<Scheme_of_rounds<Scheme>> source(round_scheme, level, for_chunks);
   find_natural_normals(data, source);
   for (Level_connectivity::Index v = 0; v < n; ++v)
     new_normals.change_vector(v, coordinates_of<FT>(data.normals[v]));
@@ -169,7 +169,7 @@ Interpolation_result<3> interpolate_strictly(const Level_connectivity& level,
                                              const Options& options, Interpolation_data<3>& data,
                                              Surface_limits& source);
 
-// with normals that are estimated of the control points, again in each step
+// interpolates with normals that are estimated of the control points, again in each step
 template <int dimension>
 Interpolation_result<dimension>
 interpolate_estimated(const Level_connectivity& level, Control_normal_estimate estimate,
@@ -189,13 +189,13 @@ prescribe(const Level_connectivity& level, const Options& options,
           std::vector<Prescribed_vertex> prescribed, const std::vector<Prescribed_form>& forms,
           Function_ref<std::string(Level_connectivity::Index)> names);
 
-// on a surface with creases
+// interpolates on a surface with creases
 template <int dimension>
 Interpolation_result<dimension>
 interpolate_creased(const Interpolation_data<dimension>& data,
                     Function_ref<void(Vectors<dimension>&, double, Limit_interpolation*)> limits);
 
-// of a polygon
+// interpolates the points of a polygon
 template <int dimension, class Options>
 Interpolation_result<dimension> interpolate_polygon(bool is_closed, const Options& options,
                                                     Interpolation_data<dimension>& data);
@@ -306,7 +306,7 @@ void require_fixed_creases([[maybe_unused]] const Access& access,
   }
 }
 
-// what a call tells of that is sharp, or that it has normals of wedges; empty if there is neither
+// the part of a call by which something is sharp, or that it has normals of wedges; empty if there is neither
 template <class Scheme, class Access, class Normal_map, class Edge_map, class Vertex_map>
 std::string what_is_sharp(const Scheme& scheme, const Access& access,
                           const Level_connectivity& level, const Normal_map&, Edge_map edge_map,
@@ -385,10 +385,10 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
   Valued_level<typename Average_of_scheme<Scheme_of_call, double>::Value> valued{
     level, slots_in_double<Scheme_of_call, FT>(values)};
   const Creases<double> fixed = in_double(creases);
-  const auto rules = rules_of(scheme);
+  const auto round_scheme = scheme_of_rounds(scheme);
   auto result =
-    interpolate_creased<3>(data, Creased_limit_points<Rules_of<Scheme_of_call>>(
-                                   rules, valued, fixed, vertex_of_slot, data, for_chunks));
+    interpolate_creased<3>(data, Creased_limit_points<Scheme_of_rounds<Scheme_of_call>>(
+                                   round_scheme, valued, fixed, vertex_of_slot, data, for_chunks));
   multiply_by_size<FT>(data, result);
 
   Undoable_vertices<Access, std::decay_t<decltype(points)>> new_points(access, points);
@@ -398,9 +398,9 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
   if constexpr (Writers::Corner_writer::takes_corners && is_pn_v<Scheme>)
     corners.put_all(level, creases, values);
   of_mesh.put_tangents(creases, level.size());
-  new_points.keep();
-  corners.keep();
-  of_mesh.keep();
+  new_points.commit();
+  corners.commit();
+  of_mesh.commit();
   return result.report;
 }
 

@@ -142,7 +142,7 @@ private:
     is_symmetric_ = true;
   }
 
-  // by two steps of inverse iteration from a vector that has a part in every direction
+  // found out by two steps of inverse iteration from a vector that has a part in every direction
   bool is_well_conditioned(const Row_matrix& matrix) const
   {
     if (matrix.rows() == 0) return true;
@@ -260,7 +260,7 @@ public:
     , scales_(scales)
   {}
 
-  // what is to be tried after x, of which r is r(x)
+  // the vector to be tried after x, where r = r(x)
   Vector next(const Vector& x, const Vector& r)
   {
     Vector result = x + r;

@@ -109,7 +109,7 @@ private:
     for (Index i = 0; i < order_.size(); ++i) rank_[order_[i]] = i;
   }
 
-  // by powers of two, in two steps so that nothing overflows
+  // scales by powers of two, in two steps so that nothing overflows
   void scale_points(const Points& points)
   {
     for (const Index v : order_)

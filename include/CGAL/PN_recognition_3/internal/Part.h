@@ -27,7 +27,7 @@ class Lists
 {
 public:
   Lists() = default;
-  // of pairs (list, number)
+  // makes lists of pairs (list, number)
   Lists(Index lists, const std::vector<std::pair<Index, Index>>& pairs);
 
   struct Range
@@ -195,8 +195,8 @@ void measure(const Context& c, Region& r);
 // --- fits ---
 
 double greatest_distance(const Shape& s, const std::vector<Vec3>& points);
-// to the distances from a shape that is near, in some steps; whether it has been any good. With a `hopeless` distance it gives up if
-// the first step leaves more than that and more than a quarter.
+// Fits a shape that is near by the distances from it, in some steps; whether this has been any good. With a `hopeless` distance
+// it gives up if the first step leaves more than this distance and more than a quarter.
 bool fit_shape(Shape& s, const std::vector<Vec3>& points, std::size_t steps, double hopeless = 0);
 // the sphere of the least sum of squares of |p - c|^2 - r^2
 bool sphere_through(const std::vector<Vec3>& points, Shape& s);
@@ -218,10 +218,10 @@ public:
 
   // all vertices of a facet within t of the shape, the normal of the facet near the normals of the shape there
   bool is_on(const Shape& s, Index p, double t, int side) const;
-  // on which side a facet is
+  // tells on which side a facet is
   int side_of(const Shape& s, Index p) const;
-  // Grows and fits by turns until nothing changes; whether there is a region. What was taken on a generous tolerance may
-  // have been too much, so that the fit leaves the seeds: then less of it.
+  // Grows and fits by turns until nothing changes; whether there is a region. A generous tolerance may take too many
+  // facets, so that the fit leaves the seeds: then it is tried with less tolerance.
   bool settle(Region& r, const std::vector<Index>& seeds, double t);
 
   // a facet that flats must not take
@@ -243,10 +243,10 @@ private:
   unsigned now_ = 0;
 };
 
-// Whether a region has more vertices on its shape than any facets would have, so that it is no accident. Measures the region, and takes
-// flats out of it.
+// Whether a region has more vertices on its shape than any facets would have, so that it is no accident. Measures the region,
+// and takes flats out of the region.
 bool has_evidence(const Context& c, Grower& grower, Region& r);
-// the same for a region that has lost facets
+// has_evidence() of a region that has lost facets
 bool still_has_evidence(const Context& c, Region& r);
 
 // Tries guesses and keeps the regions that have evidence.
@@ -259,14 +259,14 @@ public:
 
   const std::vector<Region>& regions() const { return regions_; }
   bool has_region(Index p) const { return has_region_[p]; }
-  // in a sphere or torus that is beyond doubt
+  // whether the facet is in a sphere or torus that is beyond doubt
   bool is_settled(Index p) const { return is_settled_[p]; }
   // whether the facets are together in a region of this kind already
   bool is_known(Kind kind, const Seeds& seeds) const;
 
   enum class Guess { exact, may_be_fitted };
   bool try_shape(Shape s, const Seeds& seeds, Guess guess = Guess::exact);
-  // of facets that may be all there are
+  // tries a shape of facets that may be all facets of the surface
   bool try_whole(Shape s, const Seeds& seeds);
 
 private:
@@ -301,12 +301,12 @@ std::vector<Region> find_regions(const Context& c);
 
 // whether a patch is a facet of a region that a polyhedral Boolean has cut, which leaves vertices on chords
 bool is_cut_facet(const Context& c, const Patches::Patch& patch, const Region& r);
-// leaves the rounds; of patches of prisms, the steps of these, 0 of others
+// leaves the round regions; returns for patches of prisms the steps of the prisms, 0 for other patches
 std::vector<double> take_prisms_out(const Context& c, std::vector<Region>& regions);
-// lets regions take what growing has left undone at their borders; the region of each patch, null: none
+// lets regions take what growing has left undone at their borders; returns the region of each patch, null: none
 std::vector<Index> close_borders(const Context& c, std::vector<Region>& regions,
                                  const std::vector<double>& prism_step);
-// of edges of some faces: their midpoints from a shape
+// the largest distance of the midpoints of edges of some faces from a shape
 double midpoint_distance(const Context& c, const Shape& s, Lists::Range faces);
 // whether vertices and normal of some face or patch are as a facet's of the region would be
 bool may_be_facet(const Context& c, const Region& r, Lists::Range vertices, const Vec3& normal,

@@ -177,7 +177,7 @@ public:
     , labels_(labels)
   {}
 
-  // from the edge of what has labels, to the longest common border among the best
+  // labels slivers, from the edge of what has labels on, by the longest common border among the best
   void operator()()
   {
     std::vector<Index> slivers;

@@ -206,7 +206,7 @@ private:
     labels_[label].widest_step = prism_step_[patches[0]];
   }
 
-  // over joints of at most 30 degrees
+  // joins segments over joints of at most 30 degrees
   void join_unknown()
   {
     for (const std::vector<Index>& component : free_components(radians(30))) {
@@ -277,7 +277,7 @@ private:
     for (Index f = 0; f < label_.size(); ++f) labels_[label_[f]].faces.push_back(f);
   }
 
-  // in the order of their first faces
+  // collects the segments in the order of their first faces
   Segments collect()
   {
     Segments result;

@@ -77,7 +77,7 @@ inline double radians(double degrees)
   return degrees * std::acos(-1.) / 180;
 }
 
-// of a plane, by an angle of this cosine and sine
+// turns the coordinates of a plane by an angle of this cosine and sine
 inline void turn(double& x, double& y, double c, double s)
 {
   const double old = x;

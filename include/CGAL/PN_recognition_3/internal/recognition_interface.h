@@ -61,7 +61,7 @@ constexpr Kind_facts facts_of(Kind kind)
   return {};
 }
 
-// where a point is about an axis
+// the coordinates of a point about an axis
 struct Cylindrical
 {
   double rho = 0, z = 0;
@@ -100,7 +100,7 @@ struct Shape
   double meridian_angle(const Vec3& p) const;
 };
 
-// the same in another frame, x -> scale x + shift, in terms that have a meaning for users
+// a shape in another frame, x -> scale x + shift, in terms that have a meaning for users
 Recognized_surface as_surface(const Shape& s, double scale, const Vec3& shift);
 // and back
 Shape as_shape(const Recognized_surface& surface, double scale, const Vec3& shift);
@@ -137,7 +137,7 @@ public:
   bool is_corner(Index v) const;
   // whether all faces at a vertex are of unknown surfaces
   bool is_unknown(Index v) const;
-  // of the corner of face(h) at target(h); zero: none
+  // the normal of the corner of face(h) at target(h); zero: none
   Vec3 normal(Index h) const;
 
 private:

@@ -143,7 +143,7 @@ struct Cartesian_dimension<T, std::void_t<typename Kernel_traits<T>::Kernel::Vec
                                                                                                : 0;
 };
 
-// of how many numbers a std::array is, or a vector or matrix of Eigen, of which the size is below 0 if it is dynamic
+// the number of numbers of a std::array, or of a vector or matrix of Eigen, below 0 if its size is dynamic
 template <class T, class FT, class = void>
 constexpr int size_of_data_v = 0;
 template <class T, std::size_t n, class FT>

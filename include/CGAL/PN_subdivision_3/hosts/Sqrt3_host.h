@@ -345,7 +345,7 @@ private:
     child.set_halfedge_of_vertex(n2, opposite(last));
   }
 
-  // where the old border half-edge b begins now
+  // the half-edge with which the old border half-edge b begins now
   Index first_on_border(Index b) const
   {
     if (!has_refined_border()) return b;

@@ -151,7 +151,7 @@ private:
       if (largest > 0 && std::isfinite(largest)) exponent_ = -std::ilogb(largest);
     }
   }
-  // from a point to another one, scaled
+  // the chord from a point to another point, scaled
   Vector chord(int from, int to) const
   {
     Vector c = difference(nodes_[to].value.point, nodes_[from].value.point);

@@ -146,7 +146,7 @@ private:
     return true;
   }
 
-  // without the source of h
+  // adds the plain row of an edge, but for the source of h
   template <class Stencil>
   void add_plain_edge(Index h, const FT& beside, const FT& beyond, Stencil& s) const
   {
@@ -174,7 +174,7 @@ private:
     s.add(level_.source(h), face_rest_);
   }
 
-  // what the entries of such a row leave, added in their order
+  // the weight that is left by the entries of add_plain_strip(), added in their order
   FT rest_of_face_row() const
   {
     const FT inner = beta_ * beta_, mixed = alpha_ * beta_, outer = alpha_ * alpha_;

@@ -41,7 +41,7 @@ public:
   // lambda = mu_1, and mu_1'
   Number lambda, new_lambda;
 
-  // from d = 0 to n-1, plus a number
+  // the sums from d = 0 to n-1, plus a number
   std::vector<Number> sums(const Number& constant) const
   {
     constexpr std::int64_t longest_added = 64;

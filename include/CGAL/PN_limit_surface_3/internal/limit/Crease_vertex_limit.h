@@ -46,7 +46,7 @@ struct Crease_curve_weights
 {
   FT vertex, limit;
 
-  // on a level that is cut open, of a vertex on its border
+  // the weights of a vertex on the border of a level that is cut open
   template <class Scheme>
   static Crease_curve_weights of(const Scheme& scheme, const Level_connectivity& level,
                                  Level_connectivity::Index v, unsigned round)
@@ -120,7 +120,7 @@ private:
     return next;
   }
 
-  // entry j is that of place[j]
+  // entry j belongs to place[j]
   template <std::size_t n>
   void put(const std::array<Entry, n>& entries, std::size_t at,
            const std::array<std::size_t, 3>& place, Crease_vertex_limit& next) const
@@ -155,7 +155,7 @@ public:
     Ring_row<FT> limit;
   };
 
-  // of an interior vertex in a round with the rules of all later ones
+  // the rules of an interior vertex in a round with the rules of all later rounds
   Dart_rules(const Scheme& scheme, Index valence, unsigned round)
     : crease_places_{1, valence + 1}
   {
@@ -172,7 +172,7 @@ public:
       set_rules(normal_mask_of, valence, round, normals_);
     }
   }
-  // of a vertex on a border that is a crease on one side, by the ring class of a plain one
+  // the rules of a vertex on a border that is a crease on one side, by the ring class of a plain border vertex
   Dart_rules(const Ring_rules<Scheme, FT>& border, Index crease_place)
     : crease_places_{crease_place}
     , points_{border.matrix(), border.limit_row()}
@@ -228,7 +228,7 @@ private:
     Ring_pair rings;
   };
 
-  // that of the points, which are the same on both sides of the crease
+  // the matrix of the points, which are the same on both sides of the crease
   template <class Number, class Mask_of>
   static Ring_matrix<Number> dart_matrix(const Mask_of& mask_of, const Wheel& wheel, Index valence)
   {

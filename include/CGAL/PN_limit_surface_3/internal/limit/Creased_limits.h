@@ -79,7 +79,7 @@ private:
       : cut(level, creases)
     {}
     ~Cut() { cut.close(); }
-    Level_cut<FT> cut;
+    Cut_in_place<FT> cut;
   };
 
   // \name Where something is sharp, but not forever
@@ -154,7 +154,7 @@ private:
     const std::vector<Index>&here, &whole;
   };
 
-  // of the level cut open; returns the positions of the vertices that have to be refined first
+  // the limits of the level cut open; returns the positions of the vertices that have to be refined first
   std::vector<Index> evaluate_rest(const Level& level, const Creases<FT>& creases,
                                    Creases<FT>& limits, const Vertices& vertices,
                                    unsigned next_round, unsigned depth,
@@ -192,7 +192,7 @@ private:
     std::vector<Value> values;
     std::vector<Index> centers;
   };
-  // of a level that is not cut open; the rim has the rules of a smooth border
+  // a part of a level that is not cut open; the rim has the rules of a smooth border
   Part part_about(const Level& level, const Creases<FT>& creases,
                   const std::vector<Index>& vertices) const
   {
@@ -247,7 +247,8 @@ private:
         if (!is_asked_for(star)) continue;
         const Vertex_rule rule = creases.rule(star);
         if (rule == Vertex_rule::crease)
-          decide(star, [&] { evaluate_crease(level, creases, star, weights, limits, results); });
+          name_undecided(star,
+                         [&] { evaluate_crease(level, creases, star, weights, limits, results); });
         else if (rule == Vertex_rule::corner)
           for (Index w = 0; w < star.number_of_wedges; ++w)
             results[star.slot(w)].value = level.values[star.slot(w)];
@@ -255,21 +256,20 @@ private:
     });
   }
 
-  // names the vertex at which the precision of the number type does not suffice
   template <class Function>
-  static void decide(const Crease_star& star, const Function& f)
+  static void name_undecided(const Crease_star& star, const Function& f)
   {
-    decided<FT>(
+    internal::name_undecided<FT>(
       f, [&] { return "the limit at vertex " + std::to_string(star.vertex) + " on a crease"; });
   }
 
-  // the tangent at a vertex along an edge of it, from the vertex and towards it from the other end
+  // the tangent at a vertex along an edge, from the vertex, and the tangent at the edge's other end, towards the vertex
   template <class Level_creases>
-  static auto& tangent_from(Level_creases& creases, const Crease_end& e)
+  static auto& tangent_from(Level_creases& creases, const Crease_halfedge& e)
   {
     return creases.edges[e.crease].tangent_from[1 - e.side];
   }
-  static const Vector& tangent_towards(const Creases<FT>& creases, const Crease_end& e)
+  static const Vector& tangent_towards(const Creases<FT>& creases, const Crease_halfedge& e)
   {
     return creases.edges[e.crease].tangent_from[e.side];
   }
@@ -278,8 +278,8 @@ private:
                        const Crease_curve_weights<FT>& weights, Creases<FT>& limits,
                        std::vector<Result>& results) const
   {
-    const Crease_end &from = creases.end(star, 0), &to = creases.end(star, 1);
-    const auto neighbor = [&](const Crease_end& e) {
+    const Crease_halfedge &from = creases.end(star, 0), &to = creases.end(star, 1);
+    const auto neighbor = [&](const Crease_halfedge& e) {
       return point_of(level.values[level.level.source(creases.halfedge(e))]);
     };
     Crease_limit limit;
@@ -307,7 +307,7 @@ private:
     tangent_from(limits, to) = limit.tangents[0];
   }
 
-  // of a linear scheme, which has the rules of a border in a wedge
+  // the normals of a linear scheme, which has the rules of a border in a wedge
   void evaluate_normals(const Level& level, const Creases<FT>& creases, unsigned next_round,
                         std::vector<Result>& results)
   {
@@ -325,9 +325,10 @@ private:
   }
 
   // the normals of the wedge that lies behind one end and before the other one, if there is one
-  static void add_wedge(const Level& level, const Creases<FT>& creases, const Crease_end& behind,
-                        const Crease_end& before, bool is_reversed,
-                        [[maybe_unused]] Crease_limit& limit, std::vector<Index>& slot_ids)
+  static void add_wedge(const Level& level, const Creases<FT>& creases,
+                        const Crease_halfedge& behind, const Crease_halfedge& before,
+                        bool is_reversed, [[maybe_unused]] Crease_limit& limit,
+                        std::vector<Index>& slot_ids)
   {
     const Crease_edge<FT>&first = creases.edge(behind), &last = creases.edge(before);
     if (!first.has_after(behind.side)) return;
@@ -348,7 +349,7 @@ private:
   void evaluate_dart(const Level& level, const Creases<FT>& creases, const Crease_star& star,
                      Creases<FT>& limits, Index whole_vertex, unsigned depth, Result& result)
   {
-    const Crease_end& e = creases.end(star, 0);
+    const Crease_halfedge& e = creases.end(star, 0);
     std::vector<Index> places;
     Vertex_ring::append(level.level, star.vertex, 1, places);
     const bool is_first = star.is_border && places[1] == level.level.source(creases.halfedge(e));
@@ -359,7 +360,7 @@ private:
     limit.far_tangent = tangent_towards(creases, e);
     // the differences fall by 1/4 at least, as the square of the ring
     Convergence<FT> steps(demand_, !is_pn, 1. / 4);
-    decide(star, [&] { result.value = limit.evaluate(dart, steps); });
+    name_undecided(star, [&] { result.value = limit.evaluate(dart, steps); });
     result.error = steps.error();
     result.depth = depth + steps.depth();
     const auto of_limits =

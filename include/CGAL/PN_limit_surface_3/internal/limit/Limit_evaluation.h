@@ -43,8 +43,8 @@ struct Valued_level
 };
 
 // the level that a round makes
-template <class One_round, class Value>
-Valued_level<Value> level_of_round(const One_round& round, const std::vector<Value>& old,
+template <class Plain_round, class Value>
+Valued_level<Value> level_of_round(const Plain_round& round, const std::vector<Value>& old,
                                    const For_chunks& for_chunks)
 {
   using Index = Level_connectivity::Index;
@@ -85,7 +85,7 @@ public:
     , rules_cache_(rules_cache ? std::move(rules_cache) : std::make_shared<Rules_cache>(scheme))
   {}
 
-  // of all vertices, in the round that is next, or of some, whose results have the places that they have among all
+  // the limits of all vertices, by the rules of the next round, or of some vertices, which keep their places among all
   std::vector<Result> operator()(const Level& level, const No_creases&, unsigned next_round,
                                  const std::vector<Index>* some = nullptr)
   {
@@ -94,22 +94,21 @@ public:
   std::vector<Result> operator()(const Level& level, unsigned next_round,
                                  const std::vector<Index>* some = nullptr);
 
-  // of some vertices, in their order
+  // the limits of some vertices, in their order
   void operator()(const Level& level, unsigned next_round, const std::vector<Index>& vertices,
                   std::vector<Result>& results);
 
-  // Sets result_of(i), of vertices[i], where the neighborhood is settled, or will be after one round; of the
-  // other vertices returns the positions. A level that is cut open along creases may be given, without the vertices on
-  // these.
+  // Sets result_of(i), of vertices[i], where the neighborhood is settled, or will be after one round; returns the
+  // positions of the other vertices. A level that is cut open along creases may be given, without vertices on creases.
   std::vector<Index> evaluate_settled(const Level& level, const std::vector<Index>& vertices,
                                       unsigned next_round, unsigned depth, Result_of result_of);
 
-  // after so many rounds about vertices that are not settled
+  // called after `depth` rounds about vertices that are not settled
   void require_depth(unsigned depth, unsigned next_round) const;
 
 private:
   using Average = typename Limits_of_rings::Average;
-  using One_round = Round<Scheme, Average>;
+  using Plain_round = Round<Scheme, Average>;
 
   using Limits = Ring_limits_by_kind<Scheme, FT, points_alone>;
   using Rings = Gathered_rings<Value, typename Limits::Vertex>;
@@ -126,7 +125,7 @@ private:
   // rings of the next round that are made at once
   static constexpr Index batch = 128;
 
-  // result places[i] is that of vertices[i]
+  // result places[i] belongs to vertices[i]
   void evaluate(const Level& level, const std::vector<Index>& vertices, unsigned next_round,
                 unsigned depth, Result* results, const Index* places)
   {
@@ -165,7 +164,7 @@ private:
   void evaluate_in_next_ring(const Level& level, const Vertices& vertices, unsigned number) const
   {
     if constexpr (Has_final_rules<Scheme>::may_have_next_ring) {
-      const One_round round(scheme_, level.level, number);
+      const Plain_round round(scheme_, level.level, number);
       with_limits(vertices.size(), [&](Limits& limits, Index begin, Index end) {
         std::vector<Index> rings;
         std::vector<Value> values;
@@ -202,7 +201,7 @@ private:
   Level refined_about(const Level& level, std::vector<Index>& vertices, unsigned round) const
   {
     constexpr bool is_sqrt3 = std::is_same_v<typename Scheme::Host, Sqrt3_host>;
-    // the same rows whichever vertices are asked for
+    // a vertex has the same rows whichever vertices are asked for
     const Sub_level cut(level.level, vertices, cut_rings(scheme_), Sub_level::Keeps::walks);
     std::vector<Value> values = values_of_part(level.values, cut.vertices);
     vertices = cut.centers;
@@ -210,9 +209,9 @@ private:
       if (Sqrt3_host::refines_border(round)) {
         Level_connectivity closed = cut.level;
         close_rim(level.level, cut, closed, values);
-        return level_of_round(One_round(scheme_, closed, round), values, for_chunks_);
+        return level_of_round(Plain_round(scheme_, closed, round), values, for_chunks_);
       }
-    return level_of_round(One_round(scheme_, cut.level, round), values, for_chunks_);
+    return level_of_round(Plain_round(scheme_, cut.level, round), values, for_chunks_);
   }
   // A round that refines the border would take the rim for it.
   static void close_rim(const Level_connectivity& whole, const Sub_level& cut,

@@ -59,7 +59,7 @@ template <class FT>
 class Limit_row
 {
 public:
-  // of a matrix whose powers converge, so that there is exactly one such row
+  // the row of a matrix whose powers converge, so that there is exactly one such row
   explicit Limit_row(const Ring_matrix<FT>& matrix)
     : places_(places(matrix))
     , rows_(places_.size())
@@ -150,7 +150,7 @@ private:
 
   FT inverse(std::size_t i, std::size_t j) const { return FT(static_cast<double>(inverse_[i][j])); }
 
-  // what x leaves of the equations, times the inverse
+  // the residual of the equations at x, times the inverse
   Vector correction(const Vector& x) const
   {
     Vector rest(x);

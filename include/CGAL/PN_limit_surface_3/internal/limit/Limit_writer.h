@@ -98,8 +98,8 @@ void write_limits(const Access& access, Point_map points, Normal_map normals,
       if (puts_normals)
         new_normals.set_vector(v, limit_normal<Scheme>(results[v], surface_normals));
   }
-  new_points.keep();
-  new_normals.keep();
+  new_points.commit();
+  new_normals.commit();
 }
 
 // A map of limits that writes what the call has maps for: points, normals and errors.
@@ -144,7 +144,7 @@ auto undoable_map_of_vertices(const Access& access, [[maybe_unused]] const Named
     return Undoable_map<Access, No_normal_map, Vertex_of_mesh>(access, No_normal_map());
 }
 
-// The same for a mesh that is moved to its limit: what is written is taken back, in maps that can be read, unless it is kept.
+// The writer for a mesh that is moved to its limit: values in maps that can be read are taken back, unless commit() is called.
 template <class Access, class Kernel, class NamedParameters>
 class Limit_maps_writer
 {
@@ -180,11 +180,11 @@ public:
         put(maps, access_.vertex(v), to_limit_point<Limit_point<Kernel>>(results[v]));
     }
   }
-  void keep()
+  void commit()
   {
-    points_.keep();
-    normals_.keep();
-    errors_.keep();
+    points_.commit();
+    normals_.commit();
+    errors_.commit();
   }
 
 private:

@@ -97,7 +97,7 @@ public:
 private:
   static constexpr int max_steps = 3000;
 
-  // what the sums over a large ring may be off by
+  // the possible error of sums over a large ring
   Real rounding() const { return 1e-18L * (1 + static_cast<Real>(matrix_.size()) / 16); }
 
   Vector times_matrix(const Vector& x) const

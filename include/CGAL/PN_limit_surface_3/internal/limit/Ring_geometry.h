@@ -67,7 +67,7 @@ struct Curvatures
   FT gaussian, mean;
 };
 
-// of the surface (u, z) with the normal on the side that z points to; mean curvature is positive where
+// the curvatures of the surface (u, z) with the normal on the side that z points to; mean curvature is positive where
 // the surface bends away from it
 template <class FT>
 Curvatures<FT> curvatures(const Jet_2<FT>& x, const Jet_2<FT>& y, const Jet_2<FT>& z)
@@ -214,7 +214,7 @@ public:
   // whether the ring has a tangent plane: it has not collapsed to a line or a point
   bool is_regular() const { return is_regular_; }
 
-  // of what the masks make of the ring, in the direction in which that is shortest
+  // the length of what the masks make of the ring, in the direction where it is the shortest
   double size() const
   {
     const auto [a, b] = size_;
@@ -222,7 +222,7 @@ public:
            std::sqrt(a[0] * a[0] + a[1] * a[1] + b[0] * b[0] + b[1] * b[1]);
   }
 
-  // what the ring alone tells of the error of the normal, as Ring_lanes::error
+  // the error of the normal as far as the ring alone tells it, as Ring_lanes::error
   // \pre is_regular()
   double error() const
   {
@@ -280,7 +280,7 @@ public:
   }
 
 private:
-  // of the height in the frame: aa, ab, bb
+  // the second derivatives of the height in the frame: aa, ab, bb
   std::array<double, 3> second_derivatives(double share) const
   {
     std::array<Pair<double>, 2> h;

@@ -83,7 +83,7 @@ private:
     set_side(fan);
   }
 
-  // that of Local_frame
+  // sets the frame of Local_frame
   BOOST_FORCEINLINE void set_frame()
   {
     for (std::size_t l = 0; l < lanes; ++l) {
@@ -106,7 +106,7 @@ private:
     }
   }
 
-  // what the tangent masks make of the ring: coordinates in the frame, heights, and the arcs' part of these
+  // sets the sums of the tangent masks over the ring: coordinates in the frame, heights, and the arcs' part of the heights
   BOOST_FORCEINLINE void set_sums(const Masks& tangents)
   {
     // local, so that compilers see that nothing overlaps

@@ -98,7 +98,7 @@ public:
   void evaluate()
   {
     if (count_ == 0) return;
-    // what is not used has to be finite, no more
+    // unused copies have to be finite, no more
     for (std::size_t c = count_; c < copies_; ++c)
       for (std::size_t p = 0; p < rules_.size(); ++p) rings_[p * copies_ + c] = rings_[p * copies_];
     std::size_t left = count_;
@@ -125,7 +125,7 @@ private:
 
   // the error of a curvature at an extraordinary vertex falls by lambda^2 a round, from some percent
   static constexpr unsigned curvature_depth = 8;
-  // in smaller rings than those of so many rounds second differences are those of rounding
+  // in the small rings after more rounds than these, second differences are rounding
   static constexpr unsigned most_curvature_depth = 12;
 
   struct State
@@ -146,7 +146,7 @@ private:
     return j <= n ? j : 1 + n + (j - n) % n;
   }
 
-  // of the refined rings
+  // transfers curvature in the refined rings
   void transfer_curvature()
   {
     if (!transfer_) return;
@@ -160,7 +160,7 @@ private:
     }
   }
 
-  // of the coordinates of ring c, see relative()
+  // the origin of the coordinates of ring c, see relative()
   Coordinates<FT, 3> origin(std::size_t c) const
   {
     if constexpr (std::is_floating_point_v<FT>)
@@ -275,7 +275,7 @@ private:
     result.has_curvature = true;
   }
 
-  // what will still be transferred in the ring of `planes_`
+  // the part that will still be transferred in the ring of `planes_`
   std::optional<Quadratic_part<double>>
   remaining_part([[maybe_unused]] const Vector& origin_of_ring) const
   {
@@ -289,7 +289,7 @@ private:
     return std::nullopt;
   }
 
-  // of the ring of `planes_`, whose neighbors are in front of its diagonal vertices
+  // the curvatures of the ring of `planes_`, whose neighbors are in front of its diagonal vertices
   Curvatures<double> spline_curvatures(double roundness) const
   {
     using Index = Level_connectivity::Index;
@@ -332,7 +332,7 @@ public:
     : demand_(demand)
   {}
 
-  // of a vertex whose ring is given by value(place)
+  // adds a vertex whose ring is given by value(place)
   template <class Value_of>
   void add(const Vertex& vertex, bool is_spline, const Value_of& value)
   {
@@ -354,7 +354,7 @@ public:
   }
 
 private:
-  // of number types that may not decide a comparison one ring is refined at once
+  // with number types that may not decide a comparison one ring is refined at once
   static void evaluate(Limits& limits, [[maybe_unused]] Index v)
   {
     if constexpr (std::is_floating_point_v<FT>)

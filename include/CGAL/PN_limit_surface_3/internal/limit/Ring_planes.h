@@ -95,7 +95,7 @@ void orient_normals(Results& results, const For_chunks& for_chunks, const Is_aga
     }
   });
 }
-// of the faces at vertices, whose corners are point(v); result i is that of vertex(i)
+// by the faces at vertices, whose corners are point(v); result i belongs to vertex(i)
 template <class Results, class Point_of, class Vertex_of>
 void orient_normals(const Level_connectivity& level, Results& results, const For_chunks& for_chunks,
                     const Point_of& point, const Vertex_of& vertex)
@@ -106,7 +106,7 @@ void orient_normals(const Level_connectivity& level, Results& results, const For
     return !level.is_isolated(v) && is_against_faces(level, v, point, normal);
   });
 }
-// of all limits, or of some, whose neighbors have none: these go by the points of the level
+// all limits, or some limits, whose neighbors have none: some limits go by the points of the level
 template <class Level, class Results>
 void orient_normals(const Level& level, Results& results, const For_chunks& for_chunks,
                     bool are_all)
@@ -139,7 +139,7 @@ public:
     bool exists = false;
     Vector normal{};
     double rounding = 0; // of the normal: small rings have that of large coordinates
-    // what the ring alone tells of the error of the normal
+    // the error of the normal as far as the ring alone tells it
     double error = std::numeric_limits<double>::infinity();
     bool is_against_faces = false; // the faces around the vertex at place 0
   };
@@ -174,7 +174,7 @@ public:
     return Ring_geometry(ring_, limit, rules_.tangents(), rules_.roundness_at(limits[c]));
   }
   const std::vector<Point_normal<double, 3>>& ring() const { return ring_; }
-  // of the power of two by which `ring()` is divided
+  // the exponent of the power of two by which `ring()` is divided
   int exponent() const { return exponent_; }
   Vector divided(Vector v) const
   {
@@ -261,7 +261,7 @@ private:
   {
     return largest * close_double(machine_epsilon<FT>());
   }
-  // what the rounding of the coordinates may turn a normal by in a ring of some size
+  // how far the rounding of the coordinates may turn a normal in a ring of some size
   static double rounding_of_normal(double rounding, double size)
   {
     return 4 * (rounding / size + std::numeric_limits<double>::epsilon());

@@ -177,7 +177,7 @@ public:
 
   bool is_valid() const { return is_valid_; }
   std::size_t size() const { return size_; }
-  // in any of the rounds
+  // the largest size of the ring in any round
   std::size_t largest_size() const { return largest_size_; }
   // how many rounds make a step
   unsigned rounds() const { return static_cast<unsigned>(points_.rows.size()); }
@@ -205,10 +205,10 @@ public:
   double largest_other() const { return largest_other_; }
   bool is_at_border() const { return is_at_border_; }
   bool has_own_normals() const { return has_normal_rows_; }
-  // of a vertex, which is at place 0; 0 about faces
+  // the neighbors of the vertex at place 0; 0 about faces
   std::size_t number_of_neighbors() const { return number_of_neighbors_; }
 
-  // at a limit
+  // the roundness at a limit
   static double roundness_at([[maybe_unused]] const Value& limit)
   {
     if constexpr (is_pn_v<Scheme>)
@@ -247,7 +247,7 @@ public:
 private:
   static constexpr bool may_have_normal_rows = Has_normal_mask<Scheme>::value;
 
-  // of points, or of normals
+  // the weights of points, or of normals
   struct Weights
   {
     std::vector<Ring_rows<FT>> rows; // of each round

@@ -65,8 +65,7 @@ CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Linear_of_triangles)
 CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Linear_of_sqrt3)
 #endif
 
-// The level of a mesh with points and, for PN schemes, control normals: the user's, or estimated ones
-// if there is no map of them.
+// The level of a mesh with points and, for PN schemes, control normals, which are estimated if their map is missing.
 template <class Scheme, class FT, class Access, class Point_map, class Normal_map>
 auto read_limit_level(const Access& access, const Scheme& scheme, Point_map points,
                       Normal_map normals)
@@ -114,8 +113,8 @@ template <class FT, class Access>
 void require_sharp_for_ever(const Access&, No_creases, unsigned)
 {}
 
-// Calls sink(level, creases, creases of the mesh) with a mesh as its maps tell of it. So many rounds may be made before
-// anything that is sharp has to be so forever.
+// Calls sink(level, creases, values of the mesh) with the level of a mesh as its maps tell. `rounds` rounds may be made
+// before every sharp element has to be infinitely sharp.
 template <class FT, class Access, class Scheme, class Point_map, class Normal_map, class Edge_map,
           class Vertex_map, class Sink>
 void with_slot_level(const Access& access, const Scheme& scheme, Point_map points,
@@ -138,8 +137,8 @@ void with_slot_level(const Access& access, const Scheme& scheme, Point_map point
   }
 }
 
-// The limits at the slots of a level, which are its vertices if there are no creases. These get the tangents of the
-// limit. If only some vertices are asked for, which are sorted, the others have no results.
+// The limits at the slots of a level, which are its vertices if there are no creases. The creases get the tangents of
+// the limit. If only some vertices are asked for, which are sorted, other vertices have no results.
 template <class FT, bool points_alone = false, class Scheme, class Level, class Level_creases>
 auto limits_at_slots(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
                      Level& level, Level_creases& creases, unsigned next_round,
@@ -151,7 +150,7 @@ auto limits_at_slots(const Scheme& scheme, const Limit_demand& demand, const For
   return limits(level, creases, next_round, some);
 }
 
-// At vertices with several wedges: the mean of the normals of these.
+// Puts, at vertices with several wedges, the mean of the wedges' normals.
 template <class Scheme, class FT, class Result>
 void put_mean_normals(const Creases<FT>& creases, std::vector<Result>& results)
 {
@@ -166,7 +165,7 @@ void put_mean_normals(const Creases<FT>& creases, std::vector<Result>& results)
       add_multiple<double, 3>(mean.surface_normal, 1, other.surface_normal);
     }
     if constexpr (is_pn_v<Scheme>)
-      decided<FT>(
+      name_undecided<FT>(
         [&] {
           mean.value.normal = unit_or_zero<FT, 3>(mean.value.normal, FT(star.number_of_wedges));
         },
@@ -244,7 +243,7 @@ public:
 private:
   using Rules = Ring_rules<Scheme, FT>;
 
-  // from a level of one face: its new vertices are the corners in their order
+  // made from a level of one face: its new vertices are the corners in their order
   std::unique_ptr<Rules> make(Index degree) const
   {
     const Level_connectivity level = single_face(degree);
@@ -288,7 +287,7 @@ Limit_report vertex_limits(Mesh& mesh, const Scheme& scheme, Point_map points,
       const auto evaluate = [&](auto& level, auto& creases, auto& of_mesh) {
         const Limit_demand demand = limit_demand<FT>(options, box_size(level));
         auto results = limits_at_slots<FT, asks_for_points_alone<NamedParameters>()>(
-          rules_of(s), demand, For_chunks::with(Concurrency_tag()), level, creases,
+          scheme_of_rounds(s), demand, For_chunks::with(Concurrency_tag()), level, creases,
           options.rounds_done + 1);
         std::decay_t<decltype(level.values)>().swap(level.values);
         check_limits<FT>(results, [&](std::size_t v) {
@@ -333,9 +332,9 @@ void put_limits(const Access& access, const Limits& limits, Of_mesh& of_mesh, Po
   of_mesh.put_tangents(limits.creases, limits.level.size());
   limits.results.resize(limits.level.number_of_vertices());
   write_limits<Scheme>(access, points, Writers::vertex_map(normals), limits.results, options);
-  of_limits.keep();
-  corners.keep();
-  of_mesh.keep();
+  of_limits.commit();
+  corners.commit();
+  of_mesh.commit();
 }
 
 template <class Concurrency_tag, class Parameters, class Mesh, class Scheme, class NamedParameters>

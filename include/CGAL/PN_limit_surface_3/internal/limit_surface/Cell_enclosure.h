@@ -84,7 +84,7 @@ private:
   double gamma_, sigma2_, d0_;
 };
 
-// what computing with the points of a net adds to a bound, per unit of the largest coordinate
+// the error that computing with the points of a net adds to a bound, per unit of the largest coordinate
 constexpr double rounding_of_bound = 64 * std::numeric_limits<double>::epsilon();
 
 // The faces round the corners of a cell, on whose vertices the linear limit of its face depends.

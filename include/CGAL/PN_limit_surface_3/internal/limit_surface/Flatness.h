@@ -17,9 +17,9 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// by which estimates are multiplied
+// the factors of estimates
 constexpr double tessellation_safety = 1.1, safety_at_curves = 1.25;
-// what the length of a diagonal counts where heights over it are about equal
+// the weight of the length of a diagonal where the heights over both diagonals are about equal
 constexpr double weight_of_length = 1. / 1024;
 
 // How far a surface is from triangles between its points, told from the normals at these.
@@ -66,8 +66,8 @@ inline double distance(const Corner& a, const Corner& b)
 class Section
 {
 public:
-  // If one of the normals is not known, it is an arc. Where they are opposite there is no plane of it, of which rounding
-  // would have the say.
+  // If one of the normals is not known, the section is an arc. Where normals are opposite the section has no plane, which
+  // rounding would decide.
   Section(const Corner& a, const Corner& b)
     : a_(a.point)
     , chord_(difference(b.point, a.point))
@@ -82,9 +82,9 @@ public:
   const Vector& normal() const { return normal_; }
 
   double height(double t) const { return 2 * t * (1 - t) * (start_ * (1 - t) + end_ * t); }
-  // in the middle
+  // the height in the middle
   double sagitta() const { return height(0.5); }
-  // the largest one
+  // the largest height
   double bulge() const
   {
     return (std::max)({std::abs(height(0.25)), std::abs(height(0.5)), std::abs(height(0.75))});
@@ -104,7 +104,7 @@ private:
     const Vector sum = {m[0] + n[0], m[1] + n[1], m[2] + n[2]};
     return dot(sum, sum) > 0x1p-40 ? unit(sum) : Vector{};
   }
-  // by the plane between the ends
+  // a normal mirrored in the plane between the ends
   Vector mirrored(Vector n) const
   {
     const double square = dot(chord_, chord_);
@@ -118,7 +118,7 @@ private:
     if (!(square > 0)) return 0.5;
     return (std::min)(1., (std::max)(0., dot(difference(p, a_), chord_) / square));
   }
-  // of the stereographic image of a normal, along the chord; steep where it is opposite
+  // the slope of the stereographic image of a normal, along the chord; steep where the normal is opposite
   double slope(const Vector& n) const
   {
     constexpr double least = 1. / 64;
@@ -158,7 +158,7 @@ inline double over_triangle(const Corner& a, const Corner& b, const Corner& c)
   return over_triangle(height(Section(a, b)), height(Section(b, c)), height(Section(c, a)));
 }
 
-// over both triangles, with the diagonal from a to c, and with that from b to d
+// the heights over both triangles, with the diagonal from a to c, and with the diagonal from b to d
 inline std::array<double, 2> over_quadrilateral(const Corner& a, const Corner& b, const Corner& c,
                                                 const Corner& d)
 {

@@ -52,7 +52,7 @@ struct Jet
             a.uv * b.value + a.u * b.v + a.v * b.u + a.value * b.uv,
             a.vv * b.value + 2 * a.v * b.v + a.value * b.vv};
   }
-  // f of it, whose value and first two derivatives are given
+  // the jet of f(x); given are the value of f and its first two derivatives
   Jet mapped(double f, double f1, double f2) const
   {
     return {f, f1 * u, f1 * v, f1 * uu + f2 * u * u, f1 * uv + f2 * u * v, f1 * vv + f2 * v * v};
@@ -139,7 +139,7 @@ struct Jet_average
     for (std::size_t c = 0; c < 3; ++c) point[c].value += origin[c];
   }
 
-  // of the surface that it describes, or else of the average
+  // the normal of the surface that the jet describes, or else of the average
   std::array<double, 3> unit_normal() const
   {
     std::array<double, 3> u{point[0].u, point[1].u, point[2].u},

@@ -111,7 +111,7 @@ public:
   }
 
   // What a round makes of a cell: child(i) is the face at corner i, child(3) of a triangle the one in the middle. Frames are
-  // parallel to that of the cell (of the middle triangle opposite), but in a polygon, where that of each child begins at its corner.
+  // parallel to the frame of the cell (of the middle triangle opposite); in a polygon the frame of each child begins at its corner.
   class Round
   {
   public:
@@ -185,7 +185,7 @@ public:
       Index steps =
         0; // from the half-edge of the face, which the cut exchanges, as it may the base
       for (Index h = level.halfedge_of_face(face); h != cell.base; h = level.next(h)) ++steps;
-      Level_cut<FT> cut(level, cell.creases);
+      Cut_in_place<FT> cut(level, cell.creases);
       Index base = level.halfedge_of_face(face);
       for (; steps > 0; --steps) base = level.next(base);
       kinds(base, is_corner);

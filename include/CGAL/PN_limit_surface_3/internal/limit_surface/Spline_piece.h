@@ -68,8 +68,8 @@ public:
     return result;
   }
 
-  // calls f(point, sides) with the Bezier points, whose convex hull contains the piece, and bit i for that of the side from corner
-  // i on; point(v): of a vertex. \pre no vertex is extrapolated
+  // calls f(point, sides) with the Bezier points, whose convex hull contains the piece; bit i of `sides`: the point belongs to
+  // the side from corner i on. point(v): of a vertex. \pre no vertex is extrapolated
   template <class Point_of, class Function>
   void for_each_bezier_point(const Point_of& point, const Function& f) const
   {
@@ -239,7 +239,7 @@ private:
                                 : beyond(c, x, controls_[after]);
   }
 
-  // of the quartic box spline with the directions of the edges, twice each
+  // the weights of the quartic box spline with the directions of the edges, twice each
   static std::array<Jet, 16> triangle_weights(double u, double v)
   {
     const Jet x = Jet::of_u(u), y = Jet::of_v(v);

@@ -64,7 +64,7 @@ public:
 
   virtual const Level_connectivity& level() const = 0;
   virtual bool splits_triangles() const = 0;
-  // all of one face; in a polygon that is split in quadrilaterals, of the piece at the corner
+  // evaluates queries that are all in one face; in a polygon that is split in quadrilaterals, in the piece at the corner
   virtual Queries evaluate(Index face, Index corner, Queries queries,
                            const Surface_demand& demand) const = 0;
   virtual Surface_box enclosure(Index face, unsigned rounds, bool is_proven,
@@ -120,7 +120,7 @@ private:
   static constexpr Index degree = Scheme::Host::refined_degree;
   static constexpr bool is_pn = is_pn_v<Scheme>;
 
-  // what one call does
+  // the work of one call
   class Evaluations
   {
   public:
@@ -148,7 +148,7 @@ private:
     Queries done;
 
   private:
-    // which child, whose parameters the query gets
+    // the child that a query is in, whose parameters the query gets
     static Index into_quad(Surface_query& q)
     {
       constexpr Index of_halves[] = {0, 1, 3, 2};

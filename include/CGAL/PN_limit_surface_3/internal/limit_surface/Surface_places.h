@@ -38,7 +38,7 @@ struct Query_triangle
   Face face;
   std::size_t piece;
   std::array<Query_corner, 3> corners;
-  // by estimate: of the surface from it, of sides of the piece from its sides, and of its corners from the surface
+  // estimates: how far the surface is from the triangle, sides of the piece beside its sides, and its corners off the surface
   double distance, beside, error;
 
   Simple_cartesian<double>::Triangle_3 triangle() const
@@ -93,7 +93,7 @@ public:
     return surface_.evaluate(p.face, 2. * double(p.piece) + p.u, p.v);
   }
 
-  // where the corners of a triangle have these weights, but a little inside
+  // the place where the corners of a triangle have these weights, but a little inside
   Place start(const Triangle& t, const std::array<double, 3>& weights) const
   {
     Place place{t.face, t.piece, 0, 0, {}};
@@ -150,7 +150,7 @@ public:
   }
 
   // \name Triangles
-  // those of a piece, whose sides are divided
+  // adds the triangles of a piece whose sides are divided
   void add_triangles(Face face, std::size_t piece, unsigned divisions,
                      std::vector<Triangle>& all) const
   {

@@ -222,7 +222,7 @@ template <class Host>
 class Global_levels
 {
 public:
-  // the first level, the number of its round, and that of the last one
+  // the first level, the number of its round, and the number of the last round
   Global_levels(const Level_connectivity& base, unsigned base_round, unsigned last_round)
     : base_round_(base_round)
   {
@@ -232,7 +232,7 @@ public:
                          Face_corners<std::uint64_t>(Host::refined_degree)});
   }
 
-  // after round k
+  // the level after round k
   const Global_level& operator[](unsigned k) const { return levels_[k - base_round_]; }
   const Global_level& back() const { return levels_.back(); }
 
@@ -266,7 +266,7 @@ public:
   Abstract_pieces& operator=(const Abstract_pieces&) = delete;
   virtual ~Abstract_pieces() = default;
 
-  // after all rounds
+  // the level after all rounds
   virtual const Global_level& result() const = 0;
   // the level that is divided
   virtual const Level_connectivity& base() const = 0;

@@ -32,7 +32,7 @@ public:
   using Index = Level_connectivity::Index;
   using Limit = Limit_result<Average>;
 
-  // that of Abstract_pieces, with what the rounds have given besides
+  // the output of Abstract_pieces, with the values that the rounds have given besides
   struct Limit_output
   {
     Function_ref<void(Level_connectivity&, Global_ids&, Global_ids&)> begin;
@@ -42,7 +42,7 @@ public:
   };
 
   virtual ~Pieces_at_limit() = default;
-  // what is reached at the vertices that are owned
+  // returns what limits have been reached at the vertices that are owned
   virtual Limit_report refine_to_limit(std::size_t piece, unsigned rings, const Limit_demand&,
                                        const Limit_output&) const = 0;
 };
@@ -93,11 +93,11 @@ public:
   }
 
 private:
-  // one about the vertices that are kept, whose limits tell on which side their normals are; one more that is kept, and
-  // one that where a limit is sought by itself the rim of the piece is not that of the part about it
+  // one ring about the vertices that are kept, whose limits tell on which side normals are; one more ring that is kept;
+  // and one, so that where a limit is sought by itself the rim of the piece is not the rim of the part about the vertex
   static constexpr unsigned more_rings = 3;
 
-  // in increasing order
+  // the vertices in increasing order
   static std::vector<Index> vertices_of(const Level_connectivity& level,
                                         const Piece_elements& elements, bool has_isolated,
                                         unsigned rings)
@@ -127,7 +127,7 @@ private:
     return limit_report(owned, demand);
   }
 
-  // for all pieces: rules of large valences take long to make
+  // one cache for all pieces: rules of large valences take long to make
   const std::shared_ptr<Ring_rules_cache<Scheme, FT>> rules_cache_ =
     std::make_shared<Ring_rules_cache<Scheme, FT>>(this->scheme());
 };

@@ -57,7 +57,7 @@ public:
   using Host = typename Scheme::Host;
   using Index = Level_connectivity::Index;
   using Refiner = Level_refiner<Scheme, Average, Level_creases>;
-  using One_round = typename Refiner::One_round;
+  using Level_round = typename Refiner::Level_round;
   using FT = typename Average::FT;
   using Value = typename Refiner::Value;
   using Values = typename Refiner::Values;
@@ -143,7 +143,7 @@ protected:
     Attribute_rounds attributes;
   };
 
-  // after all rounds
+  // the part after all rounds
   Part last_part(std::size_t piece, bool has_isolated) const
   {
     Part part = first_part(piece, has_isolated);
@@ -160,7 +160,7 @@ private:
   // away its roundness.
   static constexpr unsigned more_rings = is_pn_v<Scheme> ? 2 : 1;
 
-  // what stands for the control level where less than a round is left belongs to the whole of it
+  // Creases::without_fractions belongs to the whole control level, which is then not divided
   static unsigned least_base_round(unsigned round, unsigned rounds,
                                    [[maybe_unused]] const Level_creases& creases)
   {
@@ -242,7 +242,7 @@ private:
     return rings_ + more;
   }
 
-  // what is owned, and the rings around it
+  // the elements that are owned, and the rings around them
   Part with_rings(const Refiner& level, const Attribute_rounds& attributes,
                   const Piece_elements& elements, bool has_isolated) const
   {
@@ -284,7 +284,7 @@ private:
     Piece_elements elements;
     if constexpr (is_creased) elements = children(Host(level.level(), round)); // is cut open next
     part.attributes.before_cut(level);
-    One_round one = level.next_round();
+    Level_round one = level.next_round();
     if constexpr (!is_creased) elements = children(one.host());
     part.elements = Piece_elements();
     part.attributes.refine(scheme_, level, one);
@@ -303,16 +303,16 @@ private:
       const Last_level last_level =
         put_connectivity(Host(level.level(), rounds_),
                          Refined_creases<FT>(level.creases(), level.level(), vertices).creases);
-      One_round one = level.next_round();
+      Level_round one = level.next_round();
       put_values(level, one.round(), last_level, out);
       last_level.put_on_creases(one.crease_values(for_chunks_), vertices, out);
     } else {
-      One_round one = level.next_round();
+      Level_round one = level.next_round();
       put_values(level, one, put_connectivity(one.host(), one.refined_creases()), out);
     }
   }
 
-  void put_values(const Refiner& level, const typename Refiner::Rows& rows,
+  void put_values(const Refiner& level, const typename Refiner::Plain_round& rows,
                   const Last_level& last_level, const Output& out) const
   {
     const auto& vertices = last_level.vertices();
@@ -345,7 +345,7 @@ private:
                       Optional_attribute_rounds<FT, Host, false>(), out);
   }
 
-  // without a round
+  // puts a part without a round
   static void put(const Part& part, bool has_isolated, unsigned rings, const Output& out)
   {
     const Last_level last_level(part.level, part.elements, part.creases, has_isolated, rings,
@@ -370,7 +370,7 @@ private:
   Refiner base_;
   Attribute_rounds attributes_;
   std::optional<Global_levels<Host>> wholes_;
-  // of the level that is divided
+  // the slots of the level that is divided
   Slots base_slots_;
   Chart_slots chart_slots_;
   std::optional<Divided_level> division_;

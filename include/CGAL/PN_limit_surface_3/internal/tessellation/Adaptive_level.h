@@ -33,8 +33,7 @@ struct Adaptive_face
 {
   using Index = Level_connectivity::Index;
 
-  // Of which face the middles have been seen: there are none of faces of the control mesh, nor of children of polygons,
-  // before a round is made of them.
+  // of which face the middles have been seen: none of control faces and children of polygons, before their first round
   enum class Seen : unsigned char { none, of_parent, of_itself };
 
   Index origin = 0;       // the face of the control mesh
@@ -43,7 +42,7 @@ struct Adaptive_face
   Seen seen = Seen::none;
   Index node = Level_connectivity::null, before = Level_connectivity::null;
   double measured = 0;    // how far the middles were from the triangles
-  double discrepancy = 0; // and from where they had been expected
+  double discrepancy = 0; // how far the middles were from where they had been expected
 };
 
 // The part of a level that is refined further: the faces that are wanted, with rings around them; their slots and edges
@@ -70,7 +69,7 @@ struct Face_bounds
 {
   virtual ~Face_bounds() = default;
   virtual void begin(const Adaptive_level<Value, Level_creases>& level) = 0;
-  // of the triangles between these corners; infinite beyond the tolerance
+  // the bound of the triangles between these corners; infinite beyond the tolerance
   virtual double operator()(Level_connectivity::Index face,
                             const std::array<flatness::Vector, 4>& corners,
                             double tolerance) const = 0;
@@ -115,7 +114,7 @@ public:
   using Index = Level_connectivity::Index;
   using Vector = flatness::Vector;
 
-  // of a face: two triangles, or one
+  // the estimate of a face: two triangles, or one
   struct Estimate
   {
     double error = 0;                // by the normals

@@ -108,14 +108,14 @@ private:
     return limits_(level.level, creases, rounds_ + 1, some);
   }
 
-  // at the slots that are new
+  // sets the limits at the slots that are new
   void set_limits(const Level& level, const Results& results, Index first_new)
   {
     for (std::size_t s = 0; s < results.size(); ++s)
       if (level.slot_ids[s] != null && level.slot_ids[s] >= first_new)
         set_slot(level.slot_ids[s], results[s]);
   }
-  // at the slots of some vertices
+  // sets the limits at the slots of some vertices
   void set_limits_of(Level& level, const std::vector<Index>& vertices, Index first_new)
   {
     if constexpr (is_creased)
@@ -192,7 +192,7 @@ private:
     return faces;
   }
 
-  // one round; false if there is nothing to refine
+  // makes one round; false if there is nothing to refine
   bool refine(Level& level)
   {
     const bool is_control = rounds_ == 0;
@@ -268,8 +268,8 @@ private:
   Level refined(Level& level) const
   {
     const Value* const values = level.level.values.data();
-    typename Refiner::One_round round(scheme_, level.level.level, level.creases, values,
-                                      rounds_ + 1);
+    typename Refiner::Level_round round(scheme_, level.level.level, level.creases, values,
+                                        rounds_ + 1);
     Level next{{}, Level_creases(), {}, {}, {}};
     next.level.values.resize(round.refined_creases().number_of_slots);
     evaluate_round(round, values, for_chunks_, next.level.values);
@@ -348,7 +348,7 @@ private:
     }
   }
 
-  // what is known of the faces, to their children
+  // hands what is known of the faces down to their children
   void hand_down(const Level& level, Level& next)
   {
     const Host host(level.level.level, rounds_);

@@ -70,7 +70,7 @@ public:
   double tolerance() const { return tolerance_; }
   Obstacle obstacle() const { return obstacle_; }
   std::deque<Tessellation_node>& nodes() { return nodes_; }
-  // of each node, if there are any
+  // the corners of each node, if there are any
   const std::vector<std::vector<double>>& corners_of_nodes() const { return corners_of_nodes_; }
 
   // whether a face may be a leaf, as a triangle or a quadrilateral

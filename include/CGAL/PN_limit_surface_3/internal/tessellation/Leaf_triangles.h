@@ -135,8 +135,8 @@ private:
     return true;
   }
 
-  // Each division has a triangle about the middle of the polygon, none of whose sides has more than half of the places
-  // beyond it, and one of them a third.
+  // Each division has a triangle about the middle of the polygon: none of its sides has more than half of the places
+  // beyond it, and one side has a third.
   bool may_be_flat()
   {
     const std::size_t n = polygon_.size();
@@ -255,7 +255,7 @@ private:
     return divide(origin);
   }
 
-  // of the places as they are now; each is found when it is asked for
+  // forgets the chords of the places as they were; a chord is found when it is asked for
   void forget_chords()
   {
     const std::size_t n = (std::min)(polygon_.size(), most_places);
@@ -271,7 +271,7 @@ private:
     return c;
   }
 
-  // of each side, how many places are not on it
+  // for each side, the number of places that are not on it
   std::array<std::size_t, 4> places_off_sides() const
   {
     std::array<std::size_t, 4> off{};
@@ -346,7 +346,7 @@ private:
     return cost > 2 * most ? cost : cost + cost_of_turn * turns(a, b, c);
   }
 
-  // what lies between the places i to k and the half-edge that leads from k to i
+  // adds the part between the places i to k and the half-edge that leads from k to i
   void add_part(Index origin, std::size_t i, std::size_t k, Index back)
   {
     if (k == i + 1) return;

@@ -59,7 +59,7 @@ public:
 private:
   static constexpr Index degree = Cells::degree;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  // of look-ahead: in regular faces, whose bound falls by a fourth a round, and where hulls shrink to a vertex
+  // rounds of look-ahead: in regular faces, whose bound falls by a fourth a round, and where hulls shrink to a vertex
   static constexpr unsigned most_rounds = 2, most_rounds_at_vertices = 16;
 
   struct Search
@@ -127,7 +127,7 @@ private:
     return is_regular;
   }
 
-  // what is no number is infinite
+  // raises `largest` to x; a NaN counts as infinite
   static void raise(double& largest, double x)
   {
     if (!(x <= largest)) largest = x < infinity ? x : infinity;
@@ -162,7 +162,7 @@ private:
                        distance_from_segment(p, c, a)});
   }
 
-  // from a to b, and from c to d
+  // the segments are from a to b, and from c to d
   static double distance_of_segments(const Vector& a, const Vector& b, const Vector& c,
                                      const Vector& d)
   {

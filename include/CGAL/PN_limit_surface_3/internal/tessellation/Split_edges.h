@@ -61,7 +61,7 @@ public:
   Index number_of_slots() const { return static_cast<Index>(slots_.size()); }
   Index number_of_edges() const { return static_cast<Index>(edges_.size()); }
 
-  // for so many more
+  // reserves memory for so many more elements
   void reserve(std::size_t vertices, std::size_t edges)
   {
     make_room(vertices, points_);
@@ -117,7 +117,7 @@ public:
       return place(points_[vertex]);
   }
 
-  // Those that are not used go; the others are renumbered in their order.
+  // Removes vertices that are not used, and renumbers the others in their order.
   void keep_vertices(const std::vector<bool>& used)
   {
     std::vector<Index> number(used.size(), null);

@@ -95,7 +95,7 @@ public:
     of_corners_ = m;
   }
 
-  // after so many rounds, of some vertices or all
+  // the limits after so many rounds, of some vertices or all
   Results limits(const Level& level, std::size_t plane, unsigned rounds,
                  const std::vector<Index>* some)
   {
@@ -109,7 +109,7 @@ public:
     if (of_plane.size() <= vertex) of_plane.resize(vertex + 1);
     of_plane[vertex] = point_of(result.value);
   }
-  // one round
+  // refines one round
   void refine(const Level& level, unsigned rounds, Level& next) const
   {
     for (const auto& plane : level.planes) {
@@ -337,7 +337,7 @@ private:
     data.corners = std::move(corners);
   }
 
-  // of each vertex of the result, where there are triangles
+  // sets the nearest control vertex of each vertex of the result, where there are triangles
   template <class Refinement, class FT>
   void set_nearest(const Refinement& refinement, const Leaf_triangles<FT>& triangles,
                    const Tessellation_data& data, std::vector<Index>& vertices) const
@@ -352,7 +352,7 @@ private:
       }
   }
 
-  // of several the first one
+  // the nearest corner; of several, the first one
   static Index nearest_corner(const Tessellation_data& data, Index face, const double* p)
   {
     constexpr double rounding = 1e-9;

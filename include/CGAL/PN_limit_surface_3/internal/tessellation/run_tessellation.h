@@ -65,7 +65,7 @@ public:
   }
 
 private:
-  // of the tolerance: what counts as straight
+  // the share of the tolerance that counts as straight
   static constexpr double straight = 1. / 1024;
 
   bool may_merge(const Tessellation_node& node) const
@@ -112,7 +112,7 @@ private:
     return result;
   }
 
-  // of the triangles of a leaf, by the normals and by the vertices that its children have besides
+  // the error of the triangles of a leaf, by the normals and by the vertices that its children have besides
   double error_of(const Tessellation_node& node)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -145,7 +145,7 @@ private:
     return true;
   }
 
-  // from the triangles on trial
+  // the distance from the triangles on trial
   double distance(const flatness::Vector& p) const
   {
     using Kernel = Simple_cartesian<double>;
@@ -169,7 +169,7 @@ private:
 };
 
 // The triangles of all leaves as a level of their own. They are joined along the half-edges that they have from the
-// edges of the levels, not by their vertices: two of these may have several edges.
+// edges of the levels, not by their vertices: two vertices may have several edges.
 template <class FT>
 class Tessellation_mesh
 {
@@ -201,7 +201,7 @@ public:
       for (std::size_t i = 0; i < 3; ++i)
         f(t.halfedges[i == 0 ? 2 : i - 1], all_.slot(t.slot_ids[i]).normal);
   }
-  // of the vertices, where there are several wedges the mean of these
+  // the normals of the vertices; where there are several wedges, their mean
   std::vector<Vector> normals() const
   {
     std::vector<Vector> sums(all_.number_of_vertices(), Vector{});
@@ -278,11 +278,11 @@ public:
     : most_(most)
   {}
 
-  // of the last run
+  // the nodes of the last run
   std::deque<Tessellation_node> take_nodes() { return std::move(nodes_); }
   unsigned number() const { return number_; }
 
-  // Those of the leaves, once splits that did not have to be are taken back.
+  // The triangles of the leaves, once needless splits are taken back.
   template <class Refinement>
   Leaf_triangles<FT> triangles(Refinement& refinement, std::size_t dimension_of_corners)
   {
@@ -349,7 +349,7 @@ private:
   std::deque<Tessellation_node> nodes_;
 };
 
-// by triangles
+// the vertices that triangles use
 template <class FT>
 std::vector<bool> used_vertices(const Split_edges<FT>& all, const Leaf_triangles<FT>& triangles)
 {

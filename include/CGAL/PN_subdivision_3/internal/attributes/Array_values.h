@@ -89,10 +89,10 @@ struct Copied_attributes
             !face_origins.empty() || !faces.empty()};
   }
 
-  void keep() noexcept
+  void commit() noexcept
   {
     for_each_list(*this, [](auto& list, const auto&) {
-      for (auto& values : list) values->keep();
+      for (auto& values : list) values->commit();
     });
   }
 };
@@ -104,11 +104,11 @@ struct Control_attributes : Copied_attributes
   List<Row_values<FT>> vertices;
   std::vector<Corner_attribute_values<FT>> corners;
 
-  void keep() noexcept
+  void commit() noexcept
   {
-    for (auto& values : vertices) values->keep();
-    for (auto& corner : corners) corner.values->keep();
-    Copied_attributes::keep();
+    for (auto& values : vertices) values->commit();
+    for (auto& corner : corners) corner.values->commit();
+    Copied_attributes::commit();
   }
 };
 
@@ -154,7 +154,7 @@ public:
       if (sources[i] != null)
         for (std::size_t c = 0; c < d; ++c) result_[i * d + c] = old_[sources[i] * d + c];
   }
-  void keep() noexcept override { array_.values.swap(result_); }
+  void commit() noexcept override { array_.values.swap(result_); }
   std::unique_ptr<Copied_values> part() const override
   {
     return std::make_unique<Copied_array>(*this, Of_part());
@@ -234,7 +234,7 @@ public:
         result_[i * dimension_ + c] = double(CGAL::to_double(old_[sources[i] * dimension_ + c]));
     if (array_.rule_of_vertices == Attribute_rule::direction) make_units(dimension_, result_);
   }
-  void keep() noexcept override { array_.values.swap(result_); }
+  void commit() noexcept override { array_.values.swap(result_); }
 
   std::unique_ptr<Row_values<FT>> part(const std::vector<Index>& sources) const override
   {
@@ -275,7 +275,7 @@ public:
 
   void begin(std::size_t number_of_elements) override { result_.resize(number_of_elements); }
   void set(Index element, const Control_element&, Index face) override { result_[element] = face; }
-  void keep() noexcept override { parents_.swap(result_); }
+  void commit() noexcept override { parents_.swap(result_); }
   std::unique_ptr<Origin_values> part() const override
   {
     return std::make_unique<Face_parent_array>();
@@ -310,7 +310,7 @@ public:
     else
       map_.set(element, static_cast<Value>(face));
   }
-  void keep() noexcept override { map_.keep(); }
+  void commit() noexcept override { map_.commit(); }
   std::unique_ptr<Origin_values> part() const override
   {
     return part_of_map<Access, Origin_values>(*this, Of_part());

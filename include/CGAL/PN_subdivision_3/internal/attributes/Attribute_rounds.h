@@ -68,12 +68,12 @@ public:
   Attribute_rounds(const Attribute_rounds&) = delete;
   Attribute_rounds& operator=(const Attribute_rounds&) = delete;
 
-  template <class Scheme, class One_round>
-  void begin_round(const Scheme& scheme, const One_round& round, const Level_connectivity& level,
+  template <class Scheme, class Plain_round>
+  void begin_round(const Scheme& scheme, const Plain_round& round, const Level_connectivity& level,
                    Kind_of_round kind);
   // `level` is the whole one; it stays until the round ends
-  template <class Scheme, class Crease_round>
-  void begin_creased_round(const Scheme& scheme, const Crease_round& round,
+  template <class Scheme, class Level_round>
+  void begin_creased_round(const Scheme& scheme, const Level_round& round,
                            Level_connectivity& level, const Creases<FT>& creases,
                            Kind_of_round kind);
 
@@ -92,8 +92,8 @@ public:
   void end_round();
 
   // where the elements of the last round come from
-  template <class One_round>
-  Rules rules(const One_round& last, const Level_connectivity& level) const
+  template <class Plain_round>
+  Rules rules(const Plain_round& last, const Level_connectivity& level) const
   {
     return {last.host(), level, origins_, last.number()};
   }
@@ -102,13 +102,13 @@ public:
   template <class Origin_of_element>
   void put(const Level_size& size, const Level_connectivity* refined,
            const Origin_of_element& rules);
-  void keep() noexcept { attributes_.keep(); }
+  void commit() noexcept { attributes_.commit(); }
 
   // puts the attributes of a part after all rounds; what has been put is taken from the result
   Control_attributes<FT>& put_part(const Level_part& part)
   {
     put(part.level.size(), &part.level, Own_origins{origins_});
-    keep();
+    commit();
     return attributes_;
   }
   // whether charts are cut, so that their rules look at more faces than the rules of the scheme
@@ -221,8 +221,8 @@ private:
     corner_kinds_.push_back({Corner_kind::by_rows, 0});
   }
 
-  template <class Scheme, class One_round, class Mask>
-  void begin([[maybe_unused]] const Scheme& scheme, const One_round& round,
+  template <class Scheme, class Plain_round, class Mask>
+  void begin([[maybe_unused]] const Scheme& scheme, const Plain_round& round,
              const Level_connectivity& level,
              [[maybe_unused]] const std::shared_ptr<const Mask>& smooth_mask,
              std::size_t number_of_values, Kind_of_round kind)
@@ -317,7 +317,7 @@ private:
   std::vector<Smooth_corners<FT>> smooth_;
   std::vector<Row_values<FT>*> linear_;
   std::vector<std::pair<Corner_kind, std::size_t>> corner_kinds_; // the rank in smooth_
-  // of the round
+  // the host and the level of the round
   const Host* host_ = nullptr;
   const Level_connectivity* level_ = nullptr;
   bool charts_take_rows_ = true;
@@ -398,8 +398,8 @@ Attribute_rounds<FT, Host>::Attribute_rounds(const Attribute_rounds& whole, cons
 }
 
 template <class FT, class Host>
-template <class Scheme, class One_round>
-void Attribute_rounds<FT, Host>::begin_round(const Scheme& scheme, const One_round& round,
+template <class Scheme, class Plain_round>
+void Attribute_rounds<FT, Host>::begin_round(const Scheme& scheme, const Plain_round& round,
                                              const Level_connectivity& level, Kind_of_round kind)
 {
   using Mask = std::decay_t<decltype(round.mask())>;
@@ -408,9 +408,8 @@ void Attribute_rounds<FT, Host>::begin_round(const Scheme& scheme, const One_rou
 }
 
 template <class FT, class Host>
-template <class Scheme, class Crease_round>
-void Attribute_rounds<FT, Host>::begin_creased_round(const Scheme& scheme,
-                                                     const Crease_round& round,
+template <class Scheme, class Level_round>
+void Attribute_rounds<FT, Host>::begin_creased_round(const Scheme& scheme, const Level_round& round,
                                                      Level_connectivity& level,
                                                      const Creases<FT>& creases, Kind_of_round kind)
 {

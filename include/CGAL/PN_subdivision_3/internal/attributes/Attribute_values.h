@@ -30,7 +30,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// What the elements of the refined mesh get. Values that are put can be taken back until they are kept.
+// What the elements of the refined mesh get. Values that are put can be taken back until commit().
 class Kept_values
 {
 public:
@@ -42,7 +42,7 @@ public:
   Kept_values& operator=(const Kept_values&) = delete;
   virtual ~Kept_values() = default;
 
-  virtual void keep() noexcept = 0;
+  virtual void commit() noexcept = 0;
   // where the values of a part have been put: an Attribute_array, or a Map_of_numbers
   virtual std::any kept_of_part() { return {}; }
 };
@@ -60,7 +60,7 @@ public:
 class Copied_values : public Put_values
 {
 public:
-  // the same for the elements of a part; this must stay
+  // the values for the elements of a part; this object must stay
   virtual std::unique_ptr<Copied_values> part() const = 0;
 };
 
@@ -327,7 +327,7 @@ public:
     for (const Index i : sources) nearest.push_back(i == null ? null : old_[i].nearest());
     copied_->put(nearest);
   }
-  void keep() noexcept override { copied_->keep(); }
+  void commit() noexcept override { copied_->commit(); }
 
   std::unique_ptr<Row_values<FT>> part(const std::vector<Index>& sources) const override
   {

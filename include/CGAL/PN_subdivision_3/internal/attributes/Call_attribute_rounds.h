@@ -55,8 +55,8 @@ public:
     if constexpr (are_creases_v<Creases_of<Refiner>>)
       if (rounds_) whole_.emplace(refiner.level());
   }
-  template <class Scheme, class Refiner, class One_round>
-  void begin_round(const Scheme& scheme, const Refiner& refiner, const One_round& round,
+  template <class Scheme, class Refiner, class Level_round>
+  void begin_round(const Scheme& scheme, const Refiner& refiner, const Level_round& round,
                    Kind_of_round kind)
   {
     if (!rounds_) return;
@@ -68,8 +68,8 @@ public:
   const typename Rounds::Rows_sink* rows() const { return rounds_ ? rounds_->rows() : nullptr; }
 
   // a round before the last one, which has been made
-  template <class Scheme, class Refiner, class One_round>
-  void refine(const Scheme& scheme, Refiner& refiner, One_round& round)
+  template <class Scheme, class Refiner, class Level_round>
+  void refine(const Scheme& scheme, Refiner& refiner, Level_round& round)
   {
     begin_round(scheme, refiner, round, Kind_of_round::inner);
     refiner.refine(round, rows(), rounds_ ? rounds_->child() : nullptr);
@@ -97,9 +97,9 @@ public:
     rounds_->put(last.refined_size(), refined ? &*refined : nullptr,
                  rounds_->rules(last, refiner.level()));
   }
-  void keep() noexcept
+  void commit() noexcept
   {
-    if (rounds_) rounds_->keep();
+    if (rounds_) rounds_->commit();
   }
 
   // The attributes of a part of the level, given its slots in the level.
@@ -140,15 +140,15 @@ public:
   template <class... Arguments>
   void put(const Arguments&...) const
   {}
-  void keep() const noexcept {}
+  void commit() const noexcept {}
   static constexpr std::nullptr_t rows() { return nullptr; }
   template <class Scheme, class Refiner>
   void refine(const Scheme&, Refiner& refiner) const
   {
     refiner.refine();
   }
-  template <class Scheme, class Refiner, class One_round>
-  void refine(const Scheme&, Refiner& refiner, One_round& round) const
+  template <class Scheme, class Refiner, class Level_round>
+  void refine(const Scheme&, Refiner& refiner, Level_round& round) const
   {
     refiner.refine(round);
   }

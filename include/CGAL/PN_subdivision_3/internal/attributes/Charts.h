@@ -32,8 +32,8 @@ struct Chart_span
 };
 
 // The rules of vertices where charts have bounds: seams, and the border. They need border edges to be
-// creases. What stays is found out on the control level, see Find_kept_spans, and kept by the half-edges that begin
-// spans at their vertices; parts of these on refined levels have their side.
+// creases. The spans that stay are found on the control level, see Find_kept_spans, and kept by the half-edges that
+// begin spans at their vertices; parts of these half-edges on refined levels have the same side.
 class Chart_rules
 {
 public:
@@ -48,7 +48,7 @@ public:
 
   Corner_rule corner_rule() const { return rule_; }
   bool has_straight_bounds() const { return rule_ == Corner_rule::boundaries; }
-  // both charts at a vertex with two are smooth, or none
+  // at a vertex with two charts both are smooth, or none is
   bool are_charts_alike() const
   {
     return rule_ == Corner_rule::corners_plus1 || rule_ == Corner_rule::corners_plus2;
@@ -67,7 +67,7 @@ public:
   template <class FT>
   bool is_on_seam(const Creases<FT>& creases, const Crease_star& star) const
   {
-    for (const Crease_end& e : creases.ends_of(star))
+    for (const Crease_halfedge& e : creases.ends_of(star))
       if (is_seam(creases.edge(e))) return true;
     return false;
   }
@@ -95,7 +95,7 @@ public:
     const Index first = are_charts_alike() ? 0 : (span.first + 1) % k;
     const Index end = are_charts_alike() ? k : first + (span.last + k - first) % k;
     for (Index i = first; i < end; ++i) {
-      const Crease_end& e = creases.end(star, i % k);
+      const Crease_halfedge& e = creases.end(star, i % k);
       if (!is_bound(creases.edge(e)) && remains(e)) return Vertex_rule::corner;
     }
     return Vertex_rule::crease;
@@ -125,7 +125,7 @@ private:
   static std::size_t control_halfedge(const Creases<FT>& creases, const Crease_star& star,
                                       Index end)
   {
-    const Crease_end& e = creases.end(star, end);
+    const Crease_halfedge& e = creases.end(star, end);
     return 2 * std::size_t(creases.edge(e).control_edge) + e.side;
   }
 
@@ -176,7 +176,7 @@ private:
   {
     spans_.clear();
     for (Index i = 0; i < star.number_of_ends; ++i) {
-      const Crease_end& e = creases_.end(star, i);
+      const Crease_halfedge& e = creases_.end(star, i);
       if (!rules.is_bound(creases_.edge(e)) || !creases_.edge(e).has_after(e.side)) continue;
       const Chart_span bounds = rules.span(creases_, star, i);
       spans_.push_back({bounds, creases_.halfedge(e), number_of_faces(star, bounds),

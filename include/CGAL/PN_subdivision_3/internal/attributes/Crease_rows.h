@@ -36,7 +36,7 @@ public:
   using Row = Entry_row<FT>;
   using Entry = typename Row::Entry;
 
-  // `mask` is that of the cut level, `smooth_mask` that of the uncut one, or null if no rule needs it. `charts` are
+  // `mask` is the mask of the cut level, `smooth_mask` of the uncut level, or null if no rule needs it. `charts` are
   // the rules of charts, or null if the values have none.
   Crease_rows(const Level_connectivity& level, const Cut_copy<FT>& cut, const Creases<FT>& creases,
               const Refined_creases<FT>& refined, const Mask& mask, const Mask* smooth_mask,
@@ -69,19 +69,19 @@ private:
   {
     const Crease_star& star = creases_.stars[i];
     const bool is_on_seam = charts_ != nullptr && charts_->is_on_seam(creases_, star);
-    const Wedge_join join =
-      join_wedges(creases_, star, [&](const Crease_end& e) { return remains(e); });
+    const Wedge_merge merge =
+      merge_wedges(creases_, star, [&](const Crease_halfedge& e) { return remains(e); });
     const Index new_star = refined_.star[i];
     const Index wedges = new_star == null ? 1 : refined_.creases.stars[new_star].number_of_wedges;
     for (Index w = 0; w < wedges; ++w) {
-      const auto old = std::find(join.wedge.begin(), join.wedge.end(), w);
-      const auto wedge = static_cast<Index>(old - join.wedge.begin());
+      const auto old = std::find(merge.wedge.begin(), merge.wedge.end(), w);
+      const auto wedge = static_cast<Index>(old - merge.wedge.begin());
       if (is_on_rim(star))
         vertex_row(star, star.slot(wedge), Vertex_rule::corner);
       else if (is_on_seam)
         vertex_on_seam(star, wedge);
       else
-        vertex(star, star.slot(wedge), join, w);
+        vertex(star, star.slot(wedge), merge, w);
       f(new_star == null ? star.vertex : refined_.creases.stars[new_star].slot(w), row_);
     }
   }
@@ -93,19 +93,19 @@ private:
            (k < 2 || creases_.is_inner(creases_.end(star, 0)) ||
             creases_.is_inner(creases_.end(star, k - 1)));
   }
-  bool remains(const Crease_end& e) const { return refined_.rank[e.crease] != null; }
+  bool remains(const Crease_halfedge& e) const { return refined_.rank[e.crease] != null; }
 
-  void vertex(const Crease_star& star, Index slot, const Wedge_join& join, Index wedge)
+  void vertex(const Crease_star& star, Index slot, const Wedge_merge& merge, Index wedge)
   {
     const bool is_kept =
       charts_ != nullptr && star.is_border && charts_->is_kept(creases_, star, 0);
     const Vertex_rule parent = is_kept ? Vertex_rule::corner : creases_.rule(star);
     const Vertex_rule child = is_kept
                                 ? Vertex_rule::corner
-                                : vertex_rule(refined_sharpness(star.sharpness), join.ends.size(),
-                                              star.is_border && join.has_inner_end);
+                                : vertex_rule(refined_sharpness(star.sharpness), merge.ends.size(),
+                                              star.is_border && merge.has_inner_end);
     vertex_row(star, slot, parent);
-    blend_rules(star, parent, child, [&] { child_row(star, slot, child, join, wedge); });
+    blend_rules(star, parent, child, [&] { child_row(star, slot, child, merge, wedge); });
   }
   void vertex_row(const Crease_star& star, Index slot, Vertex_rule rule)
   {
@@ -122,10 +122,10 @@ private:
   {
     const Index slot = star.slot(wedge);
     const Chart_span span = charts_->span(creases_, star, wedge);
-    const Vertex_rule parent =
-      charts_->rule(creases_, star, span, star.sharpness, [](const Crease_end&) { return true; });
+    const Vertex_rule parent = charts_->rule(creases_, star, span, star.sharpness,
+                                             [](const Crease_halfedge&) { return true; });
     const Vertex_rule child = charts_->rule(creases_, star, span, refined_sharpness(star.sharpness),
-                                            [&](const Crease_end& e) { return remains(e); });
+                                            [&](const Crease_halfedge& e) { return remains(e); });
     vertex_row(star, slot, parent);
     blend_rules(star, parent, child, [&] {
       along_crease(star, slot, creases_.far_after(creases_.end(star, span.first)),
@@ -146,17 +146,17 @@ private:
     blend(FT(part));
   }
 
-  // as if only the ends of `join` existed
-  void child_row(const Crease_star& star, Index slot, Vertex_rule rule, const Wedge_join& join,
+  // the row as if only the ends of `merge` existed
+  void child_row(const Crease_star& star, Index slot, Vertex_rule rule, const Wedge_merge& merge,
                  Index wedge)
   {
-    if (rule != Vertex_rule::crease || join.ends.size() == star.number_of_ends)
+    if (rule != Vertex_rule::crease || merge.ends.size() == star.number_of_ends)
       return vertex_row(star, slot, rule);
-    const std::array<Crease_end, 2> ends{creases_.end(star, join.ends[0]),
-                                         creases_.end(star, join.ends[1])};
+    const std::array<Crease_halfedge, 2> ends{creases_.end(star, merge.ends[0]),
+                                              creases_.end(star, merge.ends[1])};
     const Crease_edge<FT>& first = creases_.edge(ends[0]);
     const bool is_behind_first =
-      first.has_after(ends[0].side) && join.wedge[star.wedge(first.after[ends[0].side])] == wedge;
+      first.has_after(ends[0].side) && merge.wedge[star.wedge(first.after[ends[0].side])] == wedge;
     along_crease(star, slot,
                  is_behind_first ? creases_.far_after(ends[0]) : creases_.far_before(ends[0]),
                  is_behind_first ? creases_.far_before(ends[1]) : creases_.far_after(ends[1]));

@@ -27,8 +27,8 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// A round of the values of corners linearly inside faces, in a host that splits edges: old corners keep theirs,
-// new ones get the mean of an edge or a face. Values are those of half-edges.
+// A round of the values of corners linearly inside faces, in a host that splits edges: old corners keep their values,
+// new corners get the mean of an edge or a face. Values belong to half-edges.
 template <class FT, class Host>
 class Linear_corners
 {
@@ -159,9 +159,9 @@ public:
     }
   }
 
-  // Ends a round. `smooth_mask` is that of the uncut level; null if nothing there is less than infinitely sharp.
-  template <class Scheme, class One_round, class Mask>
-  void end_round(const Scheme& scheme, const One_round& round, const Level_connectivity& level,
+  // Ends a round. `smooth_mask` is the mask of the uncut level; null if nothing there is less than infinitely sharp.
+  template <class Scheme, class Plain_round, class Mask>
+  void end_round(const Scheme& scheme, const Plain_round& round, const Level_connectivity& level,
                  const Mask* smooth_mask, const For_chunks& for_chunks)
   {
     const Cut_copy<FT> cut(level, creases_);

@@ -50,7 +50,7 @@ struct Map_of_numbers
   friend void put(const Map_of_numbers& m, key_type i, const T& x) { (*m.list)[i] = x; }
   std::shared_ptr<List> list = std::make_shared<List>();
 };
-// before the first of `number` new values is set
+// called before the first of `number` new values is set
 template <class Access, class Map, class Keys>
 void begin_map(Undoable_map<Access, Map, Keys>& map, std::size_t /*number*/)
 {
@@ -98,7 +98,7 @@ public:
     for (Index i = 0; i < sources.size(); ++i)
       map_.set(i, sources[i] == null ? T() : T(old_[sources[i]]));
   }
-  void keep() noexcept override { map_.keep(); }
+  void commit() noexcept override { map_.commit(); }
   std::unique_ptr<Copied_values> part() const override
   {
     return part_of_map<Access, Copied_values>(*this, Of_part());
@@ -200,7 +200,7 @@ public:
     for (Index i = 0; i < sources.size(); ++i)
       if (sources[i] != Row_values<FT>::null) map_.set(i, to_value(old_[sources[i]]));
   }
-  void keep() noexcept override { map_.keep(); }
+  void commit() noexcept override { map_.commit(); }
 
   std::unique_ptr<Row_values<FT>> part(const std::vector<Index>& sources) const override
   {

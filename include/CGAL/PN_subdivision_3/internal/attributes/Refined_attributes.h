@@ -70,7 +70,7 @@ public:
     }
   }
 
-  // Begins to refine the attributes of a control mesh for parts of it. The function that is returned takes the attributes of a
+  // Begins to refine the attributes of a control mesh for parts of the mesh. The returned function takes the attributes of a
   // part whose values have been put, and keeps the values of the mesh.
   template <class FT, class Host, class Access, class Level_creases, class Attributes>
   static auto for_pieces(const Access& access, const Level_connectivity& level,
@@ -142,7 +142,7 @@ private:
     attribute_rounds.begin_round(scheme, refiner, last, Kind_of_round::last_put_later);
     refiner.refined_values(last, attribute_rounds.rows());
     attribute_rounds.put(refiner, last.round(), for_chunks);
-    attribute_rounds.keep();
+    attribute_rounds.commit();
   }
 
   template <class FT>
@@ -197,7 +197,7 @@ private:
   {
     return std::apply(
       [&](const Items&... items) {
-        // from left to right
+        // items are read from left to right
         return attributes_of(std::tuple{read_item(access, level, refined_size, items)...});
       },
       attributes.items);

@@ -53,7 +53,7 @@ inline std::array<FT, dimension> difference(std::array<FT, dimension> a,
   return a;
 }
 
-// of intervals: whether they are the same number
+// whether two vectors, also of intervals, are the same numbers
 template <class FT, std::size_t dimension>
 bool are_certainly_equal(const std::array<FT, dimension>& a, const std::array<FT, dimension>& b)
 {

@@ -45,10 +45,10 @@ class Mesh_subdivision
   using Host = typename Scheme::Host;
   using Average = Average_of_scheme<Scheme, FT>;
   using Value = typename Average::Value;
-  using Rules = Rules_of<Scheme>;
-  using One_round = Round<Rules, Average>;
-  using Transfers = typename One_round::Transfers;
-  using Rows_sink = typename One_round::Rows_sink;
+  using Round_scheme = Scheme_of_rounds<Scheme>;
+  using Plain_round = Round<Round_scheme, Average>;
+  using Transfers = typename Plain_round::Transfers;
+  using Rows_sink = typename Plain_round::Rows_sink;
 
 public:
   using Round_done = Function_ref<void(unsigned, std::size_t)>;
@@ -104,8 +104,7 @@ private:
     });
   }
 
-  // The last values, put by put(), and what the mesh has not yet of edges and faces; with one thread
-  // these come when the old values are gone.
+  // Puts the last values, by put(), and missing edges and faces; with one thread these come when the old values are gone.
   template <class Writer, class Access, class Refiner, class Put>
   static void put_and_grow(Access& access, const Level_size& size, Refiner& refiner, const Put& put)
   {
@@ -118,7 +117,7 @@ private:
   }
 
   template <class Refiner, class Writer>
-  static void put_values(const Refiner& refiner, const One_round& last, Writer& writer,
+  static void put_values(const Refiner& refiner, const Plain_round& last, Writer& writer,
                          const Rows_sink* rows = nullptr)
   {
     const auto new_vertices = static_cast<Index>(last.refined_size().vertices);
@@ -130,7 +129,7 @@ private:
   }
 
   template <class Refiner, class Writer>
-  static void put_range(const Refiner& refiner, const One_round& last, const Transfers& transfers,
+  static void put_range(const Refiner& refiner, const Plain_round& last, const Transfers& transfers,
                         Index begin, Index end, const Writer& writer, const Rows_sink* rows)
   {
     if constexpr (Writer::has_own_maps || !is_parallel_v<Concurrency_tag>)
@@ -186,26 +185,27 @@ private:
     typename Writers::Corner_writer corners(access, level, normals);
     auto attribute_rounds =
       attribute_rounds_of_call<FT, Host>(attributes, access, level, creases, of_mesh, for_chunks_);
-    const Rules& rules = rules_of(scheme_);
-    Level_refiner<Rules, Average, decltype(creases)> refiner(
-      rules, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
+    const Round_scheme& round_scheme = scheme_of_rounds(scheme_);
+    Level_refiner<Round_scheme, Average, decltype(creases)> refiner(
+      round_scheme, std::move(level), std::move(creases), {values.begin(), values.end()},
+      for_chunks_);
     std::vector<Value>().swap(values);
 
     grow_and_refine<Writer>(access, size, refiner, rounds,
-                            [&] { attribute_rounds.refine(rules, refiner); });
+                            [&] { attribute_rounds.refine(round_scheme, refiner); });
     attribute_rounds.before_cut(refiner);
     auto last = refiner.next_round();
-    attribute_rounds.begin_round(rules, refiner, last, Kind_of_round::last_put_at_once);
+    attribute_rounds.begin_round(round_scheme, refiner, last, Kind_of_round::last_put_at_once);
     put_last_round(access, size, refiner, last, writer, corners, attribute_rounds.rows());
     attribute_rounds.put(refiner, last.round(), for_chunks_);
     of_mesh.put_sharpness(last.refined_creases(), size, rounds);
     of_mesh.put_tangents(last.refined_creases(), size);
     report_last_round(round_done_, rounds, rounds_, size);
     put_connectivity(last.round(), access, for_chunks_, [&] {
-      writer.keep();
-      corners.keep();
-      of_mesh.keep();
-      attribute_rounds.keep();
+      writer.commit();
+      corners.commit();
+      of_mesh.commit();
+      attribute_rounds.commit();
     });
     if constexpr (Attributes::visited.any())
       attributes.visit(access, size, attribute_rounds->rules(last.round(), refiner.level()));

@@ -101,7 +101,7 @@ constexpr bool is_limit_point_v<
   std::void_t<decltype(std::declval<T>().point), decltype(std::declval<T>().control_normal),
               decltype(std::declval<T>().surface_normal)>> = true;
 
-// what a function does with a map
+// how a function uses a map
 using Readable = boost::readable_property_map_tag;
 using Writable = boost::writable_property_map_tag;
 
@@ -197,7 +197,7 @@ constexpr bool check_sharpness()
            typename Parameters::Vertex_constraint_map, Mesh, Parameters, Readable>();
 }
 
-// the same, and how round it is
+// the maps of a call that say what is sharp, and how round it is
 template <class Mesh, class Parameters>
 constexpr bool check_sharpness_and_roundness()
 {
@@ -284,7 +284,7 @@ constexpr bool check_attributes()
 
 // \name Meshes
 
-// of what is no graph, such as a soup, boost::graph_traits is an error, and views have no such function
+// for a type that is no graph, such as a soup, boost::graph_traits is an error, and views have no such function
 template <class Mesh, class = void>
 constexpr bool has_add_edge_v = false;
 template <class Mesh>

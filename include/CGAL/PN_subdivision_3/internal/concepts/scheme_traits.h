@@ -32,8 +32,8 @@ class Scheme_on_host;
 template <class Scheme>
 struct Scheme_with_border;
 
-// What the type of a scheme says of it. Of a scheme that is chosen at run time the type says what may be, and
-// the functions below what is.
+// What the type of a scheme says of the scheme. If the scheme is chosen at run time the type says what it may have, and
+// the functions below what it has.
 
 template <template <class...> class Template, class T>
 struct Is_instance : std::false_type
@@ -139,7 +139,7 @@ constexpr auto outermost(const Scheme& scheme)
 template <template <class> class Is_of_kind, class Scheme>
 using Outermost = decltype(outermost<Is_of_kind>(std::declval<const Scheme&>()));
 
-// whether its rules, or those of what it adapts, are chosen at run time
+// whether the rules of a scheme, or of a scheme that it adapts, are chosen at run time
 template <class Scheme>
 constexpr bool is_chosen_at_run_time()
 {
@@ -176,7 +176,7 @@ using Has_face_parts = boost::is_detected<Face_part_of, Mask>;
 
 // What a scheme tells of itself: in its type or, if it was chosen at run time, as data.
 
-// f of what is adapted; what the schemes of points and of normals say is joined
+// f of the adapted scheme; what the schemes of points and of normals say is joined
 template <class Scheme, class Function, class Join>
 auto of_adapted(const Scheme& scheme, const Function& f, [[maybe_unused]] const Join& join)
 {
@@ -296,7 +296,7 @@ double dense_row_entries([[maybe_unused]] const Scheme& scheme,
     return 0;
 }
 
-// as it is called in messages
+// the name of a scheme in messages
 template <class Scheme>
 std::string name_in_message([[maybe_unused]] const Scheme& scheme)
 {

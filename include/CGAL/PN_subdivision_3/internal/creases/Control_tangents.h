@@ -40,7 +40,7 @@ void strip_direction(Coordinates<FT, 3>& x, const Coordinates<FT, 3>& original,
   add_multiple(x, FT(-(f * dot(original, u))), u);
 }
 
-// x without its part in the span of a and b; continuous also where these become parallel
+// x without its part in the span of a and b; continuous also where a and b become parallel
 template <class FT>
 Coordinates<FT, 3> strip(const Coordinates<FT, 3>& x, const Coordinates<FT, 3>& a,
                          const Coordinates<FT, 3>& b)
@@ -62,8 +62,7 @@ Coordinates<FT, 3> strip(const Coordinates<FT, 3>& x, const Coordinates<FT, 3>& 
   return result;
 }
 
-// The tangents of the creases of a control level, where they are zero, from its points and the normals
-// that are given.
+// The tangents of the creases of a control level, where they are zero, from its points and the normals that are given.
 template <class FT>
 class Control_tangents
 {
@@ -88,12 +87,12 @@ public:
   {
     for (const Crease_star& star : creases_.stars)
       if (creases_.rule(star) == Vertex_rule::crease)
-        decided<FT>([&] { make_crease_tangents(star); }, Name{star});
+        name_undecided<FT>([&] { make_crease_tangents(star); }, Name{star});
     turn_at_joints();
     for (const Crease_star& star : creases_.stars)
       if (creases_.rule(star) != Vertex_rule::crease)
-        for (const Crease_end& e : creases_.ends_of(star))
-          if (!is_given(e)) decided<FT>([&] { make_end_tangent(e); }, Name{star});
+        for (const Crease_halfedge& e : creases_.ends_of(star))
+          if (!is_given(e)) name_undecided<FT>([&] { make_end_tangent(e); }, Name{star});
     if (creases_.has_fixed_border)
       for (Crease_edge<FT>& e : creases_.edges)
         if (e.is_border()) e.tangent_from = {zero_vector<FT, 3>(), zero_vector<FT, 3>()};
@@ -109,8 +108,8 @@ private:
     const Crease_star& star;
   };
 
-  // from the vertex of the end to the other end of the edge
-  Vector along(const Crease_end& e) const
+  // the vector from the vertex of the end to the other end of the edge
+  Vector along(const Crease_halfedge& e) const
   {
     const Index h = creases_.halfedge(e);
     return difference(values_[level_.source(h)].point, values_[level_.target(h)].point);
@@ -120,14 +119,14 @@ private:
     return is_given_[slot] ? values_[slot].normal : zero_vector<FT, 3>();
   }
   bool has_joint(Index slot) const { return has_joints_ && !is_given_[slot]; }
-  bool is_given(const Crease_end& e) const
+  bool is_given(const Crease_halfedge& e) const
   {
     return !are_certainly_equal(creases_.tangent_from(e), zero_vector<FT, 3>());
   }
 
   void make_crease_tangents(const Crease_star& star)
   {
-    const Crease_end &to_a = creases_.end(star, 0), &to_b = creases_.end(star, 1);
+    const Crease_halfedge &to_a = creases_.end(star, 0), &to_b = creases_.end(star, 1);
     Vector &a = creases_.tangent_from(to_a), &b = creases_.tangent_from(to_b);
     if (is_given(to_a) && is_given(to_b))
       make_opposite_vectors<FT>(a, b);
@@ -140,16 +139,16 @@ private:
       }
       a = opposite_vector(b);
     }
-    for (const Crease_end& e : {to_a, to_b}) is_at_crease_vertex_[e.crease][1 - e.side] = true;
+    for (const Crease_halfedge& e : {to_a, to_b}) is_at_crease_vertex_[e.crease][1 - e.side] = true;
   }
 
-  // Where a line joins an arc the tangent is that of the longer edge, and not of the circle through
-  // three points. The neighbors tell it.
+  // Where a line joins an arc the tangent has the direction of the longer edge, not of the circle through
+  // three points. The tangents of the neighbors tell where.
   void turn_at_joints()
   {
     std::vector<Vector> tangents;
     for (const Crease_star* star : free_)
-      decided<FT>([&] { tangents.push_back(joint_tangent(*star)); }, Name{*star});
+      name_undecided<FT>([&] { tangents.push_back(joint_tangent(*star)); }, Name{*star});
     for (std::size_t i = 0; i < free_.size(); ++i) {
       creases_.tangent_from(creases_.end(*free_[i], 0)) = opposite_vector(tangents[i]);
       creases_.tangent_from(creases_.end(*free_[i], 1)) = tangents[i];
@@ -158,7 +157,7 @@ private:
 
   Vector joint_tangent(const Crease_star& star)
   {
-    const Crease_end &to_a = creases_.end(star, 0), &to_b = creases_.end(star, 1);
+    const Crease_halfedge &to_a = creases_.end(star, 0), &to_b = creases_.end(star, 1);
     const Vector circle = creases_.tangent_from(to_b), x = along(to_b), y = along(to_a);
     const FT x_length = length_of(x), y_length = length_of(y);
     if (is_zero_not_unit(circle) || x_length == FT(0) || y_length == FT(0)) return circle;
@@ -184,9 +183,8 @@ private:
     return t;
   }
 
-  // of two tangents at the vertex of an end to that at the other end of its edge, if it has one, both
-  // mirrored in the plane between the ends
-  void add_mismatch(Curvature_mismatch& m, const Crease_end& e, const Vector& first,
+  // adds two tangents at the vertex of an end, mirrored to the other end of the edge, against the tangent there, if known
+  void add_mismatch(Curvature_mismatch& m, const Crease_halfedge& e, const Vector& first,
                     const Vector& second, const FT& sign, const FT& relative_length) const
   {
     if (!is_at_crease_vertex_[e.crease][e.side]) return;
@@ -206,7 +204,7 @@ private:
     m.add(square_of_difference(first), square_of_difference(second), 1 / (l * l));
   }
 
-  bool may_turn(const Crease_end& e) const
+  bool may_turn(const Crease_halfedge& e) const
   {
     const Crease_edge<FT>& crease = creases_.edge(e);
     return (!crease.has_after(e.side) || has_joint(crease.after[e.side])) &&
@@ -225,7 +223,7 @@ private:
     add_multiple(t, factor, x);
   }
 
-  // of the circle from y through 0 to x, there; (x/|x|^2 - y/|y|^2) / (1/|x| + 1/|y|)
+  // the tangent at 0 of the circle from y through 0 to x: (x/|x|^2 - y/|y|^2) / (1/|x| + 1/|y|)
   static Vector arc_tangent(Vector y, Vector x)
   {
     const FT x_length = length_of(x), y_length = length_of(y);
@@ -243,8 +241,8 @@ private:
     return t;
   }
 
-  // at a corner or the end of a dart: on one arc with the tangent at the other end of the edge
-  void make_end_tangent(const Crease_end& e)
+  // the tangent at a corner or dart: of the arc that has the tangent at the other end of the edge
+  void make_end_tangent(const Crease_halfedge& e)
   {
     Vector u = along(e);
     const FT length = length_of(u);
@@ -264,8 +262,8 @@ private:
     creases_.tangent_from(e) = made_certain(t0, e);
   }
 
-  // made orthogonal to the given normals beside the edge, of length 1 unless that leaves too little
-  Vector made_certain(const Vector& t0, const Crease_end& e) const
+  // t0 made orthogonal to the given normals beside the edge, of length 1 unless too little of t0 is left
+  Vector made_certain(const Vector& t0, const Crease_halfedge& e) const
   {
     const Crease_edge<FT>& crease = creases_.edge(e);
     Vector n1 = zero_vector<FT, 3>(), n2 = n1;
@@ -295,7 +293,7 @@ private:
   const std::vector<Value>& values_;
   const std::vector<bool>& is_given_;
   const bool has_joints_;
-  std::vector<const Crease_star*> free_;                 // whose tangents may turn
+  std::vector<const Crease_star*> free_;                 // stars whose tangents may turn
   std::vector<std::array<bool, 2>> is_at_crease_vertex_; // indexed as Crease_edge::tangent_from
 };
 

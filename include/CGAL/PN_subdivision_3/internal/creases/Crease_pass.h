@@ -34,8 +34,7 @@ Coordinates<FT, 3> mixed(Coordinates<FT, 3> a, const Coordinates<FT, 3>& b, cons
   return a;
 }
 
-// The new values on the creases of a round, for all slots of a new vertex together, and the tangents
-// of the refined creases.
+// The new values on the creases of a round, for all slots of a new vertex together, and the refined creases' tangents.
 template <class Scheme, class Average>
 class Crease_pass
 {
@@ -61,11 +60,11 @@ public:
     for_chunks.in_precision<FT>(stars, [&](Index begin, Index end) {
       Rules rules(data_);
       for (Index i = begin; i < end; ++i)
-        decided(data_.creases.stars[i].vertex, [&] { star(rules, i); });
+        name_undecided(data_.creases.stars[i].vertex, [&] { star(rules, i); });
     });
     for_chunks.in_precision<FT>(edges, [&](Index begin, Index end) {
       Rules rules(data_);
-      for (Index i = begin; i < end; ++i) decided(new_vertex(i), [&] { edge(rules, i); });
+      for (Index i = begin; i < end; ++i) name_undecided(new_vertex(i), [&] { edge(rules, i); });
     });
     return std::move(results_);
   }
@@ -104,11 +103,10 @@ private:
     return rank == null ? null : refined_.first_edge_star + rank;
   }
 
-  // names the vertex at which the precision of the number type does not suffice
   template <class Function>
-  void decided(Index vertex, const Function& f) const
+  void name_undecided(Index vertex, const Function& f) const
   {
-    internal::decided<FT>(f, [&] {
+    internal::name_undecided<FT>(f, [&] {
       return "the rule of vertex " + std::to_string(vertex) + " on a crease in round " +
              std::to_string(data_.round.number());
     });
@@ -119,45 +117,47 @@ private:
   {
     const Creases<FT>& creases = data_.creases;
     const Crease_star& star = creases.stars[i];
-    const Wedge_join all = join_wedges(creases, star, [](const Crease_end&) { return true; });
-    const Wedge_join join = join_wedges(
-      creases, star, [&](const Crease_end& e) { return refined_.rank[e.crease] != null; });
+    const Wedge_merge all =
+      merge_wedges(creases, star, [](const Crease_halfedge&) { return true; });
+    const Wedge_merge merge = merge_wedges(
+      creases, star, [&](const Crease_halfedge& e) { return refined_.rank[e.crease] != null; });
     const Vertex_rule parent = creases.rule(star);
-    const Vertex_rule child = vertex_rule(refined_sharpness(star.sharpness), join.ends.size(),
-                                          star.is_border && join.has_inner_end);
+    const Vertex_rule child = vertex_rule(refined_sharpness(star.sharpness), merge.ends.size(),
+                                          star.is_border && merge.has_inner_end);
     Rule_value value = rules.vertex(star, parent, all);
-    keep_tangents(join, value);
+    keep_tangents(merge, value);
     if constexpr (is_pn) {
       // a corner that becomes a crease vertex passes on one direction of travel
       if (parent == Vertex_rule::corner && child == Vertex_rule::crease)
         make_opposite_vectors<FT>(value.tangents[0], value.tangents[1]);
-      value.normals = join_normals<FT>(value.normals, join);
-      join_roundness(join, value.roundness);
+      value.normals = merge_normals<FT>(value.normals, merge);
+      merge_roundness(merge, value.roundness);
     } else if (!is_same_rule(parent, child)) {
       const FT f(weight_of_parent_rule(creases, star));
-      if (f < FT(1)) value.point = mixed<FT>(value.point, rules.vertex(star, child, join).point, f);
+      if (f < FT(1))
+        value.point = mixed<FT>(value.point, rules.vertex(star, child, merge).point, f);
     }
     put(i, refined_.star[i], star.vertex, value, [](Index w) { return w; });
-    for (std::size_t j = 0; j < join.ends.size(); ++j) {
-      const Crease_end& e = creases.end(star, join.ends[j]);
+    for (std::size_t j = 0; j < merge.ends.size(); ++j) {
+      const Crease_halfedge& e = creases.end(star, merge.ends[j]);
       const Index half = refined_.second_half(refined_.rank[e.crease], e.side);
       refined_.creases.edges[half].tangent_from[1 - e.side] = value.tangents[j];
     }
   }
 
-  // a joined wedge gets the roundness 0 later, so that the roundness of any of its old wedges will do here
-  static void join_roundness(const Wedge_join& join, std::vector<FT>& roundness)
+  // a merged wedge gets the roundness 0 later, so that the roundness of any of its old wedges will do here
+  static void merge_roundness(const Wedge_merge& merge, std::vector<FT>& roundness)
   {
-    if (roundness.size() == join.number_of_wedges) return;
-    std::vector<FT> joined(join.number_of_wedges, FT(0));
-    for (std::size_t w = 0; w < roundness.size(); ++w) joined[join.wedge[w]] = roundness[w];
-    roundness = joined;
+    if (roundness.size() == merge.number_of_wedges) return;
+    std::vector<FT> merged(merge.number_of_wedges, FT(0));
+    for (std::size_t w = 0; w < roundness.size(); ++w) merged[merge.wedge[w]] = roundness[w];
+    roundness = merged;
   }
 
-  static void keep_tangents(const Wedge_join& join, Rule_value& value)
+  static void keep_tangents(const Wedge_merge& merge, Rule_value& value)
   {
     std::vector<Vector> kept;
-    for (const Index i : join.ends) kept.push_back(value.tangents[i]);
+    for (const Index i : merge.ends) kept.push_back(value.tangents[i]);
     value.tangents = kept;
   }
 
@@ -171,9 +171,9 @@ private:
         value.point = mixed<FT>(value.point, rules.smooth_edge(e).point, FT(e.sharpness));
     const Index rank = refined_.rank[i];
     if (rank == null) {
-      Wedge_join join;
-      join.wedge = {0, 0};
-      if constexpr (is_pn) value.normals = join_normals<FT>(value.normals, join);
+      Wedge_merge merge;
+      merge.wedge = {0, 0};
+      if constexpr (is_pn) value.normals = merge_normals<FT>(value.normals, merge);
     }
     const Index first_side = e.has_after(0) ? 0 : 1;
     put(static_cast<Index>(data_.creases.stars.size()) + i, star_of_edge(i), new_vertex(i), value,

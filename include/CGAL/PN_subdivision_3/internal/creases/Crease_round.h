@@ -29,14 +29,14 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// the new vertices that are listed, as their rows have them
-template <class One_round>
-std::vector<typename One_round::Value>
-values_of_rows(const One_round& round, const std::vector<Level_connectivity::Index>& vertices,
-               const typename One_round::Value* old, const For_chunks& for_chunks)
+// the values of the listed new vertices, by their rows
+template <class Plain_round>
+std::vector<typename Plain_round::Value>
+values_of_rows(const Plain_round& round, const std::vector<Level_connectivity::Index>& vertices,
+               const typename Plain_round::Value* old, const For_chunks& for_chunks)
 {
   using Index = Level_connectivity::Index;
-  using Value = typename One_round::Value;
+  using Value = typename Plain_round::Value;
   std::vector<Value> values(vertices.size());
   evaluate_rows(round, vertices.data(), static_cast<Index>(vertices.size()), old, for_chunks,
                 [&](const Index* first, const Value* v, Index n) {
@@ -54,7 +54,7 @@ class Round_without_fractions;
 // ordinary round, over slots. For new vertices on creases the crease pass replaces their values by the
 // values of all slots.
 //
-// With point-normal schemes edges that end in the round join their wedges, and the faces of the refined level that touch
+// With point-normal schemes edges that end in the round merge their wedges, and the faces of the refined level that touch
 // these edges get the roundness 0. Edges of the sharpness 0 < s < 1 are sharp in this round as a whole. Another round is made
 // without them, and rows that reach them are blended, see Round_without_fractions.
 //
@@ -63,7 +63,7 @@ template <class Scheme, class Average, class Level_creases>
 class Crease_round
 {
 public:
-  using One_round = Round<Scheme, Average>;
+  using Plain_round = Round<Scheme, Average>;
   using FT = typename Average::FT;
   using Index = Level_connectivity::Index;
   using Value = typename Average::Value;
@@ -80,7 +80,7 @@ public:
   void read(const Value* old) { old_ = old; }
 
   // the round of all new vertices; its values do not hold where crease_values() has others
-  const One_round& round() const { return *round_; }
+  const Plain_round& round() const { return *round_; }
   Index number_of_vertices() const { return static_cast<Index>(refined_size_.vertices); }
 
   const Refined_creases<FT>& refined() const { return refined_; }
@@ -154,7 +154,7 @@ private:
                         std::back_inserter(others_));
   }
 
-  // in the order of the vertices; the slots of a vertex follow one another
+  // on_creases and the values of others_, in the order of the vertices; the slots of a vertex follow one another
   std::vector<Slot_value> with_others(const std::vector<Slot_value>& on_creases,
                                       const std::vector<Value>& values) const
   {
@@ -177,7 +177,7 @@ private:
     return r == Vertex_rule::smooth || r == Vertex_rule::dart;
   }
 
-  // before the round or, without normals, after it
+  // whether a vertex has a smooth rule before the round or, without normals, after it
   bool has_smooth_rule(const Crease_star& star, bool rules_fade = !is_pn) const
   {
     if (!rules_fade) return is_smooth(creases_.rule(star));
@@ -186,11 +186,11 @@ private:
            is_smooth(refined_.creases.rule(refined_.creases.stars[child]));
   }
 
-  // from the mask of the whole level
+  // made from the mask of the whole level
   void make_smooth_rows(unsigned number)
   {
     count_valences(level_, creases_);
-    const One_round smooth(scheme_, level_, number);
+    const Plain_round smooth(scheme_, level_, number);
     const Corner_slots<FT> slot_of(level_, creases_);
     const auto needs_row = [this](const Crease_star& s) { return has_smooth_rule(s); };
     smooth_rows_.emplace(level_, creases_, slot_of, smooth.mask(), needs_row);
@@ -206,8 +206,8 @@ private:
   const Level_size refined_size_;
   Refined_creases<FT> refined_;
   std::optional<Smooth_rows<FT>> smooth_rows_, smooth_normal_rows_;
-  std::optional<Level_cut<FT>> cut_;
-  std::optional<One_round> round_;
+  std::optional<Cut_in_place<FT>> cut_;
+  std::optional<Plain_round> round_;
   std::vector<Index> ended_;  // new slots that are not round, by their numbers
   std::vector<Index> others_; // new vertices, by their numbers
   std::conditional_t<may_end, std::unique_ptr<Round_without_fractions<Scheme, Average>>,
@@ -264,21 +264,21 @@ template <class Scheme, class Average>
 class Crease_round<Scheme, Average, No_creases> : public Round<Scheme, Average>
 {
 public:
-  using One_round = Round<Scheme, Average>;
+  using Plain_round = Round<Scheme, Average>;
   using Index = Level_connectivity::Index;
   using Value = typename Average::Value;
   using Slot_value = std::pair<Index, Value>;
 
   Crease_round(const Scheme& scheme, const Level_connectivity& level, No_creases, const Value*,
                unsigned number)
-    : One_round(scheme, level, number)
+    : Plain_round(scheme, level, number)
     , refined_creases_(number_of_vertices())
   {}
   Crease_round(const Crease_round&) = delete;
   Crease_round& operator=(const Crease_round&) = delete;
 
   void read(const Value*) {}
-  const One_round& round() const { return *this; }
+  const Plain_round& round() const { return *this; }
   Index number_of_vertices() const { return static_cast<Index>(this->refined_size().vertices); }
   std::vector<Slot_value> crease_values(const For_chunks&) const { return {}; }
   void close() {}

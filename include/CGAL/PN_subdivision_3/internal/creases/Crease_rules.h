@@ -28,7 +28,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// Of the row of a vertex on a crease: of the neighbors along it, in their order, and of the vertex itself.
+// The weights in the row of a vertex on a crease: of both neighbors on the crease, in their order, and of the vertex.
 template <class FT>
 std::array<FT, 3> crease_weights(const Entry_row<FT>& row, Level_connectivity::Index v)
 {
@@ -49,17 +49,17 @@ public:
   using FT = typename Average::FT;
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<FT, 3>;
-  using One_round = Round<Scheme, Average>;
+  using Plain_round = Round<Scheme, Average>;
 
   // What the rules of a round read: the level cut open, its creases and the values of the slots.
   struct Data
   {
     const Level_connectivity& cut;
     const Creases<FT>& creases;
-    const One_round& round; // its mask is that of the cut level
+    const Plain_round& round; // with the mask of the cut level
     const Smooth_rows<FT>* smooth_rows;
     const Smooth_rows<FT>* smooth_normal_rows; // of a normal mask
-    const typename One_round::Value* old;
+    const typename Plain_round::Value* old;
   };
   // A new point at a vertex or edge, its normal in each wedge, and the tangents from it: along the ends
   // of a star, or in the direction of travel along an edge.
@@ -110,15 +110,15 @@ public:
     return smooth([i](const Smooth_rows<FT>& rows) { return rows.of_edge(i); });
   }
 
-  // the vertex by a rule; without normals as if only the ends of `join` existed
-  Value vertex(const Crease_star& star, Vertex_rule rule, const Wedge_join& join)
+  // the new point of a vertex by a rule; without normals as if only the ends of `merge` existed
+  Value vertex(const Crease_star& star, Vertex_rule rule, const Wedge_merge& merge)
   {
     if (rule == Vertex_rule::corner) return corner(star);
-    if (rule == Vertex_rule::crease) return crease(star, join);
+    if (rule == Vertex_rule::crease) return crease(star, merge);
     const auto star_index = std::size_t(&star - data_.creases.stars.data());
     Value result =
       smooth([star_index](const Smooth_rows<FT>& rows) { return rows.of_star(star_index); });
-    for (const Index i : join.ends) {
+    for (const Index i : merge.ends) {
       Vector t = data_.creases.tangent_from(data_.creases.end(star, i));
       if constexpr (is_pn) {
         const FT length = root_of_square<FT>(dot(t, t));
@@ -163,7 +163,7 @@ private:
     return internal::averaged_roundness(entries,
                                         [&](std::size_t j) { return roundness(slot_ids[j]); });
   }
-  // the roundness of the crease: a circle between a plane and what is not round is round
+  // the roundness of the crease: a circle between a plane and a wedge that is not round is round
   FT largest(const std::vector<FT>& of_wedges) const
   {
     if (of_wedges.empty()) return FT(1);
@@ -183,15 +183,15 @@ private:
         result.normals.push_back(normal(star.slot(w)));
         result.roundness.push_back(roundness(star.slot(w)));
       }
-    for (const Crease_end& e : data_.creases.ends_of(star))
+    for (const Crease_halfedge& e : data_.creases.ends_of(star))
       result.tangents.push_back(data_.creases.tangent_from(e));
     return result;
   }
 
-  Value crease(const Crease_star& star, const Wedge_join& join)
+  Value crease(const Crease_star& star, const Wedge_merge& merge)
   {
-    const Crease_end& to_a = data_.creases.end(star, join.ends[0]);
-    const Crease_end& to_b = data_.creases.end(star, join.ends[1]);
+    const Crease_halfedge& to_a = data_.creases.end(star, merge.ends[0]);
+    const Crease_halfedge& to_b = data_.creases.end(star, merge.ends[1]);
     const std::array<FT, 3> weights = crease_weights(star.vertex);
     const Vector to_last = opposite_vector(data_.creases.tangent_towards(to_b));
     const Index a = data_.cut.source(data_.creases.halfedge(to_a));
@@ -222,11 +222,11 @@ private:
 
   // calls f(wedge, its slots at a, b and the vertex)
   template <class Function>
-  void for_each_wedge(const Crease_star& star, const Crease_end& to_a, const Crease_end& to_b,
-                      const Function& f) const
+  void for_each_wedge(const Crease_star& star, const Crease_halfedge& to_a,
+                      const Crease_halfedge& to_b, const Function& f) const
   {
     for (const bool is_reversed : {false, true}) {
-      const Crease_end &first = is_reversed ? to_b : to_a, &last = is_reversed ? to_a : to_b;
+      const Crease_halfedge &first = is_reversed ? to_b : to_a, &last = is_reversed ? to_a : to_b;
       const Crease_edge<FT>& crease = data_.creases.edge(first);
       if (!crease.has_after(first.side)) continue;
       const Index slot = crease.after[first.side];

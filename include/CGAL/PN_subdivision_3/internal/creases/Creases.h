@@ -30,7 +30,7 @@ namespace CGAL::PN_subdivision_3::internal {
 
 constexpr double infinite_sharpness = std::numeric_limits<double>::infinity();
 
-// after a round
+// the sharpness that is left after a round
 inline double refined_sharpness(double s)
 {
   return s > 1 ? s - 1 : 0;
@@ -47,12 +47,12 @@ struct Crease_edge
   using Index = Level_connectivity::Index;
 
   Index edge;
-  Index control_edge; // the one that the edge is a part of
+  Index control_edge; // the control edge that this edge is a part of
   double sharpness;
   Index border_side = no_side;   // of the half-edge that has no face
   std::array<Index, 2> after{};  // the slot of the end in the face of the half-edge
-  std::array<Index, 2> before{}; // and in the face of its opposite
-  std::array<Coordinates<FT, 3>, 2> tangent_from{}; // at the other end, along the half-edge
+  std::array<Index, 2> before{}; // the slot of the end in the face of the opposite half-edge
+  std::array<Coordinates<FT, 3>, 2> tangent_from{}; // at the source of the half-edge, along it
 
   static constexpr Index no_side = 2;
 
@@ -62,8 +62,7 @@ struct Crease_edge
   Index halfedge(Index side) const { return 2 * edge + side; }
 };
 
-// Makes the tangents of both ways along a crease opposite, unless they are: the second tangent becomes
-// the direction of their difference.
+// Makes the tangents a and b of both directions along a crease opposite, unless they are: b becomes the direction of b - a.
 template <class FT>
 void make_opposite_vectors(Coordinates<FT, 3>& a, Coordinates<FT, 3>& b)
 {
@@ -72,8 +71,8 @@ void make_opposite_vectors(Coordinates<FT, 3>& a, Coordinates<FT, 3>& b)
   a = opposite_vector(b);
 }
 
-// A half-edge of a crease edge that leads to a vertex.
-struct Crease_end
+// An end of a crease edge at a vertex: the half-edge of the edge that leads to the vertex.
+struct Crease_halfedge
 {
   using Index = Level_connectivity::Index;
 
@@ -83,7 +82,7 @@ struct Crease_end
 
 enum class Vertex_rule { smooth, dart, crease, corner };
 
-// A vertex with crease edges or a sharpness of its own.
+// The star of a vertex with crease edges or a sharpness of its own: the vertex, the ends of these edges there, its wedges.
 struct Crease_star
 {
   using Index = Level_connectivity::Index;
@@ -118,11 +117,11 @@ struct Creases
   using Index = Level_connectivity::Index;
 
   std::vector<Crease_edge<FT>> edges; // in the order of the edges
-  std::vector<Crease_end> ends;
+  std::vector<Crease_halfedge> ends;
   std::vector<Crease_star> stars;
   Index number_of_slots = 0;
   bool has_fixed_border = false; // all vertices of border creases are corners
-  // of a control level without normals of corners
+  // null but for a control level that has fractions and no normals of corners
   std::shared_ptr<const Control_without_fractions<FT>> without_fractions;
 
   explicit Creases(Index number_of_vertices = 0)
@@ -131,44 +130,47 @@ struct Creases
 
   bool empty() const { return edges.empty() && stars.empty(); }
 
-  const Crease_end& end(const Crease_star& star, Index i) const { return ends[star.first_end + i]; }
-  // all of a star, clockwise
+  const Crease_halfedge& end(const Crease_star& star, Index i) const
+  {
+    return ends[star.first_end + i];
+  }
+  // all ends of a star, clockwise
   auto ends_of(const Crease_star& star) const
   {
     const auto first = ends.begin() + star.first_end;
     return CGAL::make_range(first, first + star.number_of_ends);
   }
-  const Crease_edge<FT>& edge(const Crease_end& e) const { return edges[e.crease]; }
-  Index halfedge(const Crease_end& e) const { return edge(e).halfedge(e.side); }
-  bool is_inner(const Crease_end& e) const { return !edge(e).is_border(); }
+  const Crease_edge<FT>& edge(const Crease_halfedge& e) const { return edges[e.crease]; }
+  Index halfedge(const Crease_halfedge& e) const { return edge(e).halfedge(e.side); }
+  bool is_inner(const Crease_halfedge& e) const { return !edge(e).is_border(); }
   // of an edge and a vertex of the level; null if they are not sharp
   const Crease_edge<FT>* edge_at(Index e) const { return find(edges, e, &Crease_edge<FT>::edge); }
   const Crease_star* star_at(Index v) const { return find(stars, v, &Crease_star::vertex); }
-  // in the direction of travel from the star along the edge, and the one that arrives at the other end backwards
-  Coordinates<FT, 3>& tangent_from(const Crease_end& e)
+  // the tangent at the star, along the edge to its other end; tangent_towards() is at the other end, along the edge to the star
+  Coordinates<FT, 3>& tangent_from(const Crease_halfedge& e)
   {
     return edges[e.crease].tangent_from[1 - e.side];
   }
-  const Coordinates<FT, 3>& tangent_from(const Crease_end& e) const
+  const Coordinates<FT, 3>& tangent_from(const Crease_halfedge& e) const
   {
     return edge(e).tangent_from[1 - e.side];
   }
-  const Coordinates<FT, 3>& tangent_towards(const Crease_end& e) const
+  const Coordinates<FT, 3>& tangent_towards(const Crease_halfedge& e) const
   {
     return edge(e).tangent_from[e.side];
   }
-  // the slot of the other end of the edge, behind it and before it
-  Index far_after(const Crease_end& e) const { return edge(e).before[1 - e.side]; }
-  Index far_before(const Crease_end& e) const { return edge(e).after[1 - e.side]; }
+  // the slots of the other end of the edge, in the faces after and before this end
+  Index far_after(const Crease_halfedge& e) const { return edge(e).before[1 - e.side]; }
+  Index far_before(const Crease_halfedge& e) const { return edge(e).after[1 - e.side]; }
 
   Vertex_rule rule(const Crease_star& star) const
   {
     bool has_inner = false;
-    for (const Crease_end& e : ends_of(star)) has_inner = has_inner || is_inner(e);
+    for (const Crease_halfedge& e : ends_of(star)) has_inner = has_inner || is_inner(e);
     return vertex_rule(star.sharpness, star.number_of_ends, star.is_border && has_inner);
   }
 
-  // adds a star whose ends are the last ones, and numbers its wedges: the first wedge begins behind
+  // adds a star, to which the ends from first_end on belong, and numbers its wedges: the first wedge begins behind
   // the first end, or at the border
   void add_star(Crease_star star, Index first_end)
   {
@@ -178,7 +180,7 @@ struct Creases
     const Index k = star.number_of_ends;
     Index wedge = star.is_border || k == 0 ? 0 : k - 1;
     for (Index i = 0; i < k; ++i) {
-      const Crease_end& e = ends[first_end + i];
+      const Crease_halfedge& e = ends[first_end + i];
       Crease_edge<FT>& crease = edges[e.crease];
       if (crease.has_before(e.side)) crease.before[e.side] = star.slot(wedge);
       if (crease.has_before(e.side) && crease.has_after(e.side))
@@ -204,7 +206,7 @@ template <class FT>
 struct Control_without_fractions
 {
   Creases<FT> creases;
-  std::vector<Point_normal<FT, 3>> values; // of their slots
+  std::vector<Point_normal<FT, 3>> values; // of the slots of these creases
 };
 
 // The creases of a level where nothing can be sharp, which is known when the call is compiled.
@@ -224,7 +226,7 @@ struct No_creases
 template <class Level_creases>
 constexpr bool are_creases_v = !std::is_same_v<Level_creases, No_creases>;
 
-// Whether something is sharp, but not forever.
+// Whether an edge or vertex is sharp, but not infinitely.
 template <class FT>
 bool is_anything_ending(const Creases<FT>& creases)
 {
@@ -239,7 +241,7 @@ inline bool is_anything_ending(No_creases)
   return false;
 }
 
-// The vertices of the slots behind all vertices.
+// The vertex of each slot that is numbered behind the vertices.
 template <class FT>
 std::vector<Level_connectivity::Index> vertices_of_extra_slots(const Creases<FT>& creases,
                                                                Level_connectivity::Index vertices)
@@ -257,7 +259,7 @@ inline std::vector<Level_connectivity::Index> vertices_of_extra_slots(No_creases
   return {};
 }
 
-// Calls f(half-edge, slot) for corners whose slot is not that of their vertex: the corners at one star, or of a level.
+// Calls f(half-edge, slot) for the corners, at one star or of a level, whose slot is not the first slot of their vertex.
 template <class FT, class Function>
 void for_each_extra_corner(const Level_connectivity& level, const Creases<FT>& creases,
                            const Crease_star& star, const Function& f)
@@ -265,7 +267,7 @@ void for_each_extra_corner(const Level_connectivity& level, const Creases<FT>& c
   using Index = Level_connectivity::Index;
   if (star.number_of_wedges == 1) return;
   for (Index i = 0; i < star.number_of_ends; ++i) {
-    const Crease_end& e = creases.end(star, i);
+    const Crease_halfedge& e = creases.end(star, i);
     const Crease_edge<FT>& crease = creases.edge(e);
     if (!crease.has_after(e.side) || crease.after[e.side] == star.vertex) continue;
     // clockwise up to the next crease or the border
@@ -284,8 +286,7 @@ void for_each_extra_corner(const Level_connectivity& level, const Creases<FT>& c
   for (const Crease_star& star : creases.stars) for_each_extra_corner(level, creases, star, f);
 }
 
-// The creases of the refined level, without their tangents, and the new places of the creases of the
-// old level.
+// The creases of the refined level, without their tangents, and where the creases of the old level are among them.
 template <class FT>
 struct Refined_creases
 {
@@ -294,9 +295,9 @@ struct Refined_creases
 
   Creases<FT> creases;
   std::vector<Index> rank;   // of an old crease edge among the edges that remain, or null
-  std::vector<Index> star;   // of an old star, or null where it is smooth now
-  Index number_of_edges = 0; // that remain
-  Index first_edge_star = 0; // the stars of new vertices on edges, by their rank
+  std::vector<Index> star;   // the new star of an old star, or null where nothing is sharp any more
+  Index number_of_edges = 0; // old crease edges that remain
+  Index first_edge_star = 0; // from here on the stars of new vertices on edges, by the edges' rank
 
   Refined_creases(const Creases<FT>& old, const Level_connectivity& level, Index refined_vertices)
     : creases(refined_vertices)
@@ -314,7 +315,7 @@ struct Refined_creases
       if (rank[i] != null) add_edge_star(old.edges[i], rank[i], split);
   }
 
-  // the crease edge that begins at the source of the half-edge of that side, or ends at its target
+  // the halves of the edge of rank r: at the source of its half-edge of this side, and at the target
   Index first_half(Index r, Index side) const { return side == 0 ? r : number_of_edges + r; }
   Index second_half(Index r, Index side) const { return first_half(r, 1 - side); }
 
@@ -332,7 +333,7 @@ private:
   void refine_star(const Creases<FT>& old, const Crease_star& s)
   {
     const auto first_end = static_cast<Index>(creases.ends.size());
-    for (const Crease_end& e : old.ends_of(s))
+    for (const Crease_halfedge& e : old.ends_of(s))
       if (rank[e.crease] != null)
         creases.ends.push_back({second_half(rank[e.crease], e.side), e.side});
     const double sharpness = refined_sharpness(s.sharpness);
@@ -374,8 +375,8 @@ void for_each_crease_vertex(
       if constexpr (has_normals) add_multiple(value.normal, FT(1), slot_values[i].second.normal);
     if constexpr (has_normals)
       if (wedges > 1)
-        decided<FT>([&] { value.normal = unit_or_zero(value.normal, FT(wedges)); },
-                    [&] { return "the mean normal of vertex " + std::to_string(v); });
+        name_undecided<FT>([&] { value.normal = unit_or_zero(value.normal, FT(wedges)); },
+                           [&] { return "the mean normal of vertex " + std::to_string(v); });
     f(first, v, value);
   }
 }

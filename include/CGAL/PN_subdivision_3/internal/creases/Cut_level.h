@@ -51,12 +51,12 @@ inline Level_size size_when_cut(const Level_size& size, No_creases)
 // edges, with the face that was at its half-edge of side 1. The cut takes the time of the tagged part
 // of the level if this has room for it.
 template <class FT>
-class Level_cut
+class Cut_in_place
 {
 public:
   using Index = Level_connectivity::Index;
 
-  Level_cut(Level_connectivity& level, const Creases<FT>& creases)
+  Cut_in_place(Level_connectivity& level, const Creases<FT>& creases)
     : level_(level)
     , creases_(creases)
     , old_size_(level.size())
@@ -66,7 +66,7 @@ public:
     std::vector<Level_connectivity::Counted_valence> counted;
     for (const Crease_star& star : creases.stars) {
       const Index ends = star.number_of_ends;
-      // these are not cut off: a dart counts by its valence, a corner inside a smooth surface not
+      // darts and corners inside a smooth surface are not cut off: a dart counts by its valence, a corner not
       if (!star.is_border && ends <= 1) {
         const bool is_dart = creases.rule(star) == Vertex_rule::dart;
         counted.push_back({star.vertex, is_dart ? level.valence(star.vertex) : 0});
@@ -75,8 +75,8 @@ public:
     }
     level_.set_counted_valences(std::move(counted));
   }
-  Level_cut(const Level_cut&) = delete;
-  Level_cut& operator=(const Level_cut&) = delete;
+  Cut_in_place(const Cut_in_place&) = delete;
+  Cut_in_place& operator=(const Cut_in_place&) = delete;
 
   // makes the level whole again
   void close()
@@ -87,7 +87,7 @@ public:
     level_.set_counted_valences({});
   }
 
-  // of the inner crease edges the second copies, with the face of the half-edge of side 1
+  // the second copies of the inner crease edges, which have the faces of the half-edges of side 1
   const std::vector<Index>& second_copies() const { return copy_; }
 
 private:
@@ -128,14 +128,14 @@ private:
     }
   }
 
-  // what has become of the half-edge of a crease edge that has a face, or of a plain border edge
+  // the half-edge that has now the face of a half-edge of a crease edge; a border edge keeps its half-edges
   Index moved(Index crease, Index side) const
   {
     const Crease_edge<FT>& e = creases_.edges[crease];
     return side == 0 || e.is_border() ? e.halfedge(side) : 2 * copy_[crease] + 1;
   }
 
-  // the half-edges of every wedge lead to its slot; the border passes from its last edge to its first
+  // makes the half-edges of every wedge lead to its slot; the border passes from the wedge's last edge to its first
   void cut(const Crease_star& star)
   {
     const Index k = star.number_of_ends;
@@ -144,7 +144,7 @@ private:
     if (star.is_border && !creases_.edge(creases_.end(star, 0)).is_border())
       cut_wedge(star.slot(0), level_.next_around_target(border), creases_.end(star, 0));
     for (Index i = 0; i < k; ++i) {
-      const Crease_end& e = creases_.end(star, i);
+      const Crease_halfedge& e = creases_.end(star, i);
       const Crease_edge<FT>& crease = creases_.edge(e);
       if (!crease.has_after(e.side)) continue;
       const Index first = moved(e.crease, e.side), slot = crease.after[e.side];
@@ -156,7 +156,7 @@ private:
     }
   }
 
-  void cut_wedge(Index slot, Index first, const Crease_end& last)
+  void cut_wedge(Index slot, Index first, const Crease_halfedge& last)
   {
     cut_wedge(slot, first, Level_connectivity::opposite(creases_.halfedge(last)),
               moved(last.crease, 1 - last.side));
@@ -196,11 +196,11 @@ public:
     : cut_(level, size_when_cut(level.size(), creases))
   {
     cut_.set_size(level.size());
-    second_copies_ = Level_cut<FT>(cut_, creases).second_copies();
+    second_copies_ = Cut_in_place<FT>(cut_, creases).second_copies();
   }
 
   const Level_connectivity& connectivity() const { return cut_; }
-  // of an inner crease edge
+  // the second copy of an inner crease edge
   Level_connectivity::Index second_copy(Level_connectivity::Index crease) const
   {
     return second_copies_[crease];
@@ -211,14 +211,14 @@ private:
   std::vector<Level_connectivity::Index> second_copies_;
 };
 
-// Calls f(half-edge, slot) for every corner of the level: that of the half-edge's face at its target.
+// Calls f(half-edge, slot) for every corner of the level: the corner of the half-edge's face at its target.
 template <class Function>
 void for_each_corner(const Level_connectivity& level, const Level_connectivity& cut,
                      const Function& f)
 {
   using Index = Level_connectivity::Index;
   for (Index face = 0; face < level.number_of_faces(); ++face) {
-    Index g = cut.halfedge_of_face(face); // the same one, and so on
+    Index g = cut.halfedge_of_face(face); // g is at the corner of h
     for (const Index h : halfedges_around_face(level, level.halfedge_of_face(face))) {
       f(h, cut.target(g));
       g = cut.next(g);

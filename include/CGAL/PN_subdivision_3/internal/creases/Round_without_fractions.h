@@ -32,18 +32,18 @@ namespace CGAL::PN_subdivision_3::internal {
 
 // The other half of a round with edges of which less than a round is left, 0 < s < 1: the round in which they are smooth.
 //
-// The result of the round is phi times that in which they are sharp and 1 - phi times this one, normals then unit. An edge's
-// own point has phi = s, a vertex on such edges the mean of their s, and any other new vertex the least s of such edges at
-// the faces that its row touches: 1 almost everywhere.
+// The result is phi times the result of the round in which these edges are sharp, and 1 - phi times the result of this round,
+// normals then unit. The new point of such an edge has phi = s, a vertex on such edges the mean of their s, and any other new
+// vertex the least s of such edges at the faces that its row touches: 1 almost everywhere.
 template <class Scheme, class Average>
 class Round_without_fractions
 {
 public:
-  using One_round = Crease_round<Scheme, Average, Creases<typename Average::FT>>;
+  using Level_round = Crease_round<Scheme, Average, Creases<typename Average::FT>>;
   using FT = typename Average::FT;
   using Index = Level_connectivity::Index;
   using Value = typename Average::Value;
-  using Slot_value = typename One_round::Slot_value;
+  using Slot_value = typename Level_round::Slot_value;
 
   // `level` is whole; it is copied
   Round_without_fractions(const Scheme& scheme, const Level_connectivity& level,
@@ -82,11 +82,12 @@ public:
       if (share == share_.end()) continue;
       const auto other = std::lower_bound(smooth.begin(), smooth.end(), value.first,
                                           [](const Slot_value& v, Index s) { return v.first < s; });
-      decide(share->first, [&] { mix(value.second, other->second, FT(share->second)); });
+      name_undecided(share->first, [&] { mix(value.second, other->second, FT(share->second)); });
     }
     for (const Crease_star& star : refined.creases.stars)
       if ((share = share_.find(star.vertex)) != share_.end())
-        decide(star.vertex, [&] { mix_tangents(star, FT(share->second), refined.creases); });
+        name_undecided(star.vertex,
+                       [&] { mix_tangents(star, FT(share->second), refined.creases); });
   }
 
 private:
@@ -181,8 +182,8 @@ private:
         creases_.creases.edges[i].tangent_from = without->creases.edges[i].tangent_from;
     } else {
       creases_.take_tangents(creases);
-      decide(Level_connectivity::null, [&] {
-        values = creases_.template joined<Value>(creases, [&](Index slot) { return old[slot]; });
+      name_undecided(Level_connectivity::null, [&] {
+        values = creases_.template merged<Value>(creases, [&](Index slot) { return old[slot]; });
       });
     }
     round_->read(values.data());
@@ -205,16 +206,16 @@ private:
   void mix_tangents(const Crease_star& star, const FT& share, Creases<FT>& refined) const
   {
     const Creases<FT>& smooth = round_->refined().creases;
-    for (const Crease_end& e : refined.ends_of(star)) {
+    for (const Crease_halfedge& e : refined.ends_of(star)) {
       Coordinates<FT, 3>& t = refined.tangent_from(e);
       t = unit_or_zero(mixed<FT>(t, smooth.tangent_from(e), share), FT(1));
     }
   }
 
   template <class Function>
-  static void decide(Index vertex, const Function& f)
+  static void name_undecided(Index vertex, const Function& f)
   {
-    decided<FT>(f, [&] {
+    internal::name_undecided<FT>(f, [&] {
       return vertex == Level_connectivity::null
                ? std::string("whether the normals of wedges that are joined cancel")
                : "the normal of vertex " + std::to_string(vertex) + " where a crease ends";
@@ -223,7 +224,7 @@ private:
 
   Creases_without_fractions<FT> creases_;
   Level_connectivity level_; // cut open
-  std::optional<One_round> round_;
+  std::optional<Level_round> round_;
   std::map<Index, double> share_;
   std::vector<Index> rows_; // blended vertices whose values in round_ come from their rows
 };

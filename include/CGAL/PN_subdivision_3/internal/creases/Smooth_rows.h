@@ -23,7 +23,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// The slots of the corners of a whole level. Those of further wedges are stored, star by star.
+// The slots of the corners of a whole level. Slots of further wedges are stored, star by star.
 template <class FT>
 class Corner_slots
 {
@@ -44,7 +44,7 @@ public:
     begin_.push_back(corners_.size());
   }
 
-  // of the corner at the target of h in the face of h
+  // the slot of the corner at the target of h in the face of h
   Index operator()(Index h) const
   {
     const Index v = level_.target(h);
@@ -126,13 +126,13 @@ private:
   {
     Index vertex, slot;
     FT part;
-    bool takes_rest; // of what no face has as such
+    bool takes_rest; // of the weight that is no part of a face
   };
 
   template <class Takes_rest>
   void add_face(Index h, const FT& part, const Takes_rest& takes_rest)
   {
-    // from the same corner on, whatever h is
+    // corners come from the same one on, whatever h is
     for (const Index g : halfedges_around_face(level_, level_.halfedge_of_face(level_.face(h))))
       corners_.push_back({level_.target(g), slots_(g), part, takes_rest(g)});
   }
@@ -204,7 +204,7 @@ public:
   using Entry = typename Entry_row<FT>::Entry;
   using Range = std::pair<const Entry*, const Entry*>;
 
-  // needs_row(star) says where
+  // needs_row(star): whether the vertex of the star has a smooth rule
   template <class Mask, class Needs_row>
   Smooth_rows(const Level_connectivity& level, const Creases<FT>& creases,
               const Corner_slots<FT>& slot_of, const Mask& mask, const Needs_row& needs_row)
@@ -220,7 +220,7 @@ public:
     }
   }
 
-  // of the star or crease edge at this position
+  // the row of the star or crease edge at this position
   Range of_star(std::size_t i) const { return range(i == 0 ? 0 : star_end_[i - 1], star_end_[i]); }
   Range of_edge(std::size_t i) const
   {

@@ -27,7 +27,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// few in general
+// for few elements in general
 template <class T>
 using Short_vector = boost::container::small_vector<T, 4>;
 
@@ -40,7 +40,7 @@ inline bool is_same_rule(Vertex_rule a, Vertex_rule b)
   return smooth(a) == smooth(b);
 }
 
-// Of the sharpness of a star and its edges, as far as it counts(s) as less than a round; 1 if none does.
+// The mean of each sharpness s of a star and of its edges for which counts(s) is true; 1 if there is none.
 template <class FT, class Counts>
 double mean_sharpness(const Creases<FT>& creases, const Crease_star& star, const Counts& counts)
 {
@@ -52,12 +52,11 @@ double mean_sharpness(const Creases<FT>& creases, const Crease_star& star, const
     ++number;
   };
   add(star.sharpness);
-  for (const Crease_end& e : creases.ends_of(star)) add(creases.edge(e).sharpness);
+  for (const Crease_halfedge& e : creases.ends_of(star)) add(creases.edge(e).sharpness);
   return number == 0 ? 1 : sum / number;
 }
 
-// the weight of a vertex's rule before the round beside that after it: the mean sharpness of what is sharp no
-// more after the round, at most 1
+// the weight of a vertex's rule before the round, beside the rule after it: the mean sharpness of what the round makes smooth
 template <class FT>
 double weight_of_parent_rule(const Creases<FT>& creases, const Crease_star& star)
 {
@@ -65,67 +64,68 @@ double weight_of_parent_rule(const Creases<FT>& creases, const Crease_star& star
                         [](double s) { return s > 0 && !(refined_sharpness(s) > 0); });
 }
 
-// Which ends of a star remain, and how the others join its wedges.
-struct Wedge_join
+// Which ends of a star remain, and how its wedges are merged where other ends were.
+struct Wedge_merge
 {
   using Index = Level_connectivity::Index;
 
   Short_vector<Index> ends;  // positions among the ends of the star
-  Short_vector<Index> wedge; // for every wedge of the star the joined one
+  Short_vector<Index> wedge; // for every wedge of the star the merged wedge
   Index number_of_wedges = 1;
   bool has_inner_end = false;
 };
 
-// numbers the wedges as Creases::add_star() does for the ends that remain(end)
+// numbers the merged wedges as Creases::add_star() does, for the ends with remains(end)
 template <class FT, class Remains>
-Wedge_join join_wedges(const Creases<FT>& creases, const Crease_star& star, const Remains& remains)
+Wedge_merge merge_wedges(const Creases<FT>& creases, const Crease_star& star,
+                         const Remains& remains)
 {
   using Index = Level_connectivity::Index;
-  Wedge_join join;
+  Wedge_merge merge;
   Index inner = 0;
   for (Index i = 0; i < star.number_of_ends; ++i)
     if (remains(creases.end(star, i))) {
-      join.ends.push_back(i);
+      merge.ends.push_back(i);
       if (creases.is_inner(creases.end(star, i))) ++inner;
     }
-  join.has_inner_end = inner != 0;
+  merge.has_inner_end = inner != 0;
   if (star.is_border)
-    join.number_of_wedges = inner + 1;
+    merge.number_of_wedges = inner + 1;
   else if (inner != 0)
-    join.number_of_wedges = inner;
-  join.wedge.assign(star.number_of_wedges, 0);
-  // the wedges before the first end that remains end there
-  Index wedge = star.is_border ? 0 : join.number_of_wedges - 1, rank = 0;
-  for (const Crease_end& e : creases.ends_of(star)) {
+    merge.number_of_wedges = inner;
+  merge.wedge.assign(star.number_of_wedges, 0);
+  // the wedges before the first remaining end belong to the merged wedge that ends there
+  Index wedge = star.is_border ? 0 : merge.number_of_wedges - 1, rank = 0;
+  for (const Crease_halfedge& e : creases.ends_of(star)) {
     const Crease_edge<FT>& crease = creases.edge(e);
     if (crease.is_border()) continue;
     if (remains(e)) {
       wedge = star.is_border ? wedge + 1 : rank;
       ++rank;
     }
-    join.wedge[star.wedge(crease.after[e.side])] = wedge;
+    merge.wedge[star.wedge(crease.after[e.side])] = wedge;
   }
-  return join;
+  return merge;
 }
 
-// The normals of the joined wedges: the unit vectors of their sums. One alone stays as it is.
+// The normals of the merged wedges: unit vectors of sums of normals. A wedge that merges with no other keeps its normal.
 template <class FT>
-std::vector<Coordinates<FT, 3>> join_normals(const std::vector<Coordinates<FT, 3>>& normals,
-                                             const Wedge_join& join)
+std::vector<Coordinates<FT, 3>> merge_normals(const std::vector<Coordinates<FT, 3>>& normals,
+                                              const Wedge_merge& merge)
 {
-  if (join.number_of_wedges == normals.size()) return normals;
-  std::vector<Coordinates<FT, 3>> result(join.number_of_wedges, zero_vector<FT, 3>());
-  Short_vector<int> count(join.number_of_wedges, 0);
+  if (merge.number_of_wedges == normals.size()) return normals;
+  std::vector<Coordinates<FT, 3>> result(merge.number_of_wedges, zero_vector<FT, 3>());
+  Short_vector<int> count(merge.number_of_wedges, 0);
   for (std::size_t w = 0; w < normals.size(); ++w) {
-    add_multiple(result[join.wedge[w]], FT(1), normals[w]);
-    ++count[join.wedge[w]];
+    add_multiple(result[merge.wedge[w]], FT(1), normals[w]);
+    ++count[merge.wedge[w]];
   }
   for (std::size_t w = 0; w < result.size(); ++w)
     if (count[w] > 1) result[w] = unit_or_zero(result[w], FT(count[w]));
   return result;
 }
 
-// whether less than a round is left
+// whether the sharpness s lasts for less than a round
 inline bool is_fraction(double s)
 {
   return s > 0 && s < 1;
@@ -155,36 +155,36 @@ void for_each_corner_of_star(const Level_connectivity& level, const Creases<FT>&
   Index wedge = 0, i = 0;
   for (const Index h : halfedges_around_target(level, first)) {
     if (i < star.number_of_ends && creases.halfedge(creases.end(star, i)) == h) {
-      const Crease_end& e = creases.end(star, i++);
+      const Crease_halfedge& e = creases.end(star, i++);
       if (creases.edge(e).has_after(e.side)) wedge = star.wedge(creases.edge(e).after[e.side]);
     }
     if (!level.is_border(h)) f(h, wedge);
   }
 }
 
-// Calls f(half-edge, joined wedge, s) for the corners of wedges that are joined over edges of a star that end, in faces that
+// Calls f(half-edge, merged wedge, s) for the corners of wedges that are merged over edges of a star that end, in faces that
 // touch such an edge. s is the least sharpness of these edges.
 template <class FT, class Ends, class Function>
 void for_each_corner_at_ended(const Level_connectivity& level, const Creases<FT>& creases,
                               const Crease_star& star, const Ends& ends, const Function& f)
 {
   using Index = Level_connectivity::Index;
-  const auto is_ended = [&](const Crease_end& e) {
+  const auto is_ended = [&](const Crease_halfedge& e) {
     return creases.is_inner(e) && ends(creases.edge(e).sharpness);
   };
-  const Wedge_join join =
-    join_wedges(creases, star, [&](const Crease_end& e) { return !is_ended(e); });
-  if (join.ends.size() == star.number_of_ends) return;
-  Short_vector<double> least(join.number_of_wedges, infinite_sharpness);
-  for (const Crease_end& e : creases.ends_of(star)) {
+  const Wedge_merge merge =
+    merge_wedges(creases, star, [&](const Crease_halfedge& e) { return !is_ended(e); });
+  if (merge.ends.size() == star.number_of_ends) return;
+  Short_vector<double> least(merge.number_of_wedges, infinite_sharpness);
+  for (const Crease_halfedge& e : creases.ends_of(star)) {
     const Crease_edge<FT>& crease = creases.edge(e);
     if (!is_ended(e)) continue;
-    double& s = least[join.wedge[star.wedge(crease.after[e.side])]];
+    double& s = least[merge.wedge[star.wedge(crease.after[e.side])]];
     s = (std::min)(s, crease.sharpness);
   }
   for_each_corner_of_star(level, creases, star, [&](Index h, Index wedge) {
-    const Index joined = join.wedge[wedge];
-    if (least[joined] != infinite_sharpness) f(h, joined, least[joined]);
+    const Index merged = merge.wedge[wedge];
+    if (least[merged] != infinite_sharpness) f(h, merged, least[merged]);
   });
 }
 
@@ -263,25 +263,25 @@ struct Creases_without_fractions
     }
   }
 
-  // The values of its slots: the wedges between which an edge is gone are joined, and the faces that touch it are not
-  // round.
+  // The values of the slots of these creases: wedges are merged where the edge between them is gone, and the faces that
+  // touch such an edge are not round.
   template <class Value, class Old_value>
-  std::vector<Value> joined(const Creases<FT>& old, const Old_value& old_value) const
+  std::vector<Value> merged(const Creases<FT>& old, const Old_value& old_value) const
   {
     std::vector<Value> values(creases.number_of_slots);
     const auto n = static_cast<Index>(old.number_of_slots - extra_slots(old));
     for (Index v = 0; v < n; ++v) values[v] = old_value(v);
     for (std::size_t i = 0; i < star_.size(); ++i) {
       const Crease_star& star = old.stars[i];
-      const Wedge_join join = remaining(old, star);
+      const Wedge_merge merge = remaining(old, star);
       std::vector<Coordinates<FT, 3>> normals;
       for (Index w = 0; w < star.number_of_wedges; ++w) {
         const Value value = old_value(star.slot(w));
-        values[slot(star, i, join.wedge[w])] = value;
+        values[slot(star, i, merge.wedge[w])] = value;
         normals.push_back(value.normal);
       }
-      normals = join_normals<FT>(normals, join);
-      for (Index w = 0; w < join.number_of_wedges; ++w)
+      normals = merge_normals<FT>(normals, merge);
+      for (Index w = 0; w < merge.number_of_wedges; ++w)
         values[slot(star, i, w)].normal = normals[w];
     }
     for (std::size_t s = 0; s < values.size(); ++s)
@@ -290,10 +290,10 @@ struct Creases_without_fractions
   }
 
 private:
-  static Wedge_join remaining(const Creases<FT>& old, const Crease_star& star)
+  static Wedge_merge remaining(const Creases<FT>& old, const Crease_star& star)
   {
-    return join_wedges(old, star,
-                       [&](const Crease_end& e) { return !is_fraction(old.edge(e).sharpness); });
+    return merge_wedges(
+      old, star, [&](const Crease_halfedge& e) { return !is_fraction(old.edge(e).sharpness); });
   }
   static std::size_t extra_slots(const Creases<FT>& old)
   {
@@ -309,7 +309,7 @@ private:
   void add_star(const Creases<FT>& old, const Crease_star& star)
   {
     const auto first_end = static_cast<Index>(creases.ends.size());
-    for (const Crease_end& e : old.ends_of(star))
+    for (const Crease_halfedge& e : old.ends_of(star))
       if (!is_fraction(old.edge(e).sharpness)) creases.ends.push_back({rank_[e.crease], e.side});
     const double sharpness = is_fraction(star.sharpness) ? 0 : star.sharpness;
     if (creases.ends.size() == first_end && !(sharpness > 0))
@@ -333,8 +333,8 @@ private:
   std::vector<Index> star_; // of the old stars, or null
 };
 
-// Keeps with control creases the level without edges and vertices whose sharpness is less than 1: values(creases) are the
-// values of its slots, and complete its creases.
+// Keeps with control creases the level without edges and vertices whose sharpness is less than 1: values(c) returns the
+// values of its slots, and completes its creases c.
 template <class FT>
 void keep_without_fractions(const Level_connectivity& level, Creases<FT>& creases,
                             Function_ref<std::vector<Point_normal<FT, 3>>(Creases<FT>&)> values)

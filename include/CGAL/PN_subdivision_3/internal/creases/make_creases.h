@@ -44,7 +44,7 @@ public:
     creases_.has_fixed_border = border == Border::fixed;
   }
 
-  // of edges and of vertices, numbers >= 0
+  // the sharpness of an edge or of a vertex, at least 0
   using Sharpness = Function_ref<double(Index)>;
   Creases<FT> operator()(Sharpness edge_sharpness, Sharpness vertex_sharpness);
 
@@ -52,7 +52,7 @@ private:
   struct Sorted_end
   {
     Index halfedge;
-    Crease_end end;
+    Crease_halfedge end;
   };
 
   void add_edge(Index e, double sharpness)
@@ -77,7 +77,7 @@ private:
     return is_kept ? infinite_sharpness : sharpness;
   }
 
-  // by their vertices, and there by the half-edges
+  // sorts the ends by their vertices, and those at a vertex by their half-edges
   void collect_ends()
   {
     for (std::size_t i = 0; i < creases_.edges.size(); ++i)

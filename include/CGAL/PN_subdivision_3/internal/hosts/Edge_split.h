@@ -57,8 +57,8 @@ private:
   Index vertices_, edges_;
 };
 
-// What the primal quadrisections share: every edge is split by a new vertex. Half-edges of its halves
-// have the direction, and so the last bit, of the half-edge that they are parts of.
+// What the primal quadrisections share: every edge is split by a new vertex. Half-edges of the halves
+// have the direction, and so the last bit, of the old half-edge of which they are a part.
 class Edge_split
 {
 public:

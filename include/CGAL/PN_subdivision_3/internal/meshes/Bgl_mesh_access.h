@@ -188,7 +188,7 @@ public:
       remove_beyond(old_size_);
   }
   // Removes the elements that the result does not use and, if the user's maps follow, all that were
-  // removed before. Where the memory for the latter is lacking they stay: the result is right, and
+  // removed before. Where memory is lacking the elements removed before stay: the result is right, and
   // nothing may fail any more.
   void trim(const Level_size& size, bool collect)
   {

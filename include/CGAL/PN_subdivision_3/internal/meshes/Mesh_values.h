@@ -11,8 +11,8 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Wedge_estimation.h>
 #include <CGAL/PN_subdivision_3/internal/creases/ended_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
@@ -54,7 +54,7 @@ void refuse_sharp_elements(const Scheme& scheme, const Access& access,
     if (vertices.sharpness(v) > 0) refuse(access.vertex_name(v));
 }
 
-// for what knows surfaces without creases only
+// refuses creases at the border for functions that know surfaces without creases only
 template <class Scheme, class Access>
 void refuse_crease_borders(const Scheme& scheme, const Access& access,
                            const Level_connectivity& level, const std::string& what)
@@ -112,7 +112,7 @@ void require_crease_rules([[maybe_unused]] const Scheme& scheme,
   }
 }
 
-// Points, normals and creases of a mesh. Maps of creases are written for the refined elements, and put back unless keep()
+// Points, normals and creases of a mesh. Maps of creases are written for the refined elements, and put back unless commit()
 // is called. If nothing can be sharp, there are No_creases.
 template <class Scheme, class FT, class Access, class Edge_map, class Vertex_map, bool may_have_any>
 class Mesh_values
@@ -131,7 +131,7 @@ public:
     , tangents_(access, level, tangent_map(scheme))
   {}
 
-  // without their tangents
+  // the creases of a level, without their tangents
   Creases<FT> creases(const Level_connectivity& level) const
   {
     return Make_creases<FT>(level, Border_of<Scheme>::get(scheme_))(
@@ -188,11 +188,11 @@ public:
   {
     tangents_.put_refined(creases, static_cast<Index>(size.edges));
   }
-  void keep()
+  void commit()
   {
-    edges_.keep();
-    vertices_.keep();
-    tangents_.keep();
+    edges_.commit();
+    vertices_.commit();
+    tangents_.commit();
   }
 
 private:
@@ -250,7 +250,7 @@ private:
         for (Index v = 0; v < n; ++v)
           if (is_given[v]) values[v].normal = given[v].normal;
       }
-      make_control_creases<FT>(level, creases, values, is_given, normal_estimate(scheme_));
+      estimate_wedges<FT>(level, creases, values, is_given, normal_estimate(scheme_));
       if constexpr (!goes_with_roundness_v<Normal_map>)
         put_given_roundness(scheme_, n, values, &is_given, extra);
     }
@@ -293,7 +293,7 @@ public:
   Control_sharpness sharpness(const Level_connectivity&) const { return {}; }
   void put_sharpness(No_creases, const Level_size&, unsigned) {}
   void put_tangents(No_creases, const Level_size&) {}
-  void keep() {}
+  void commit() {}
 
 private:
   const Scheme& scheme_;

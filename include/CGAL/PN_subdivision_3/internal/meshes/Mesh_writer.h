@@ -29,8 +29,8 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// Lets a mesh grow and puts points, normals and roundness of its new vertices. Unless keep() is called, the mesh
-// and its maps get back what they had.
+// Lets a mesh grow and puts points, normals and roundness of its new vertices. Unless commit() is called, the mesh
+// and its maps get back their old values.
 template <class Value, class Access, class Point_map, class Normal_map,
           class Roundness_map = No_roundness>
 class Mesh_writer
@@ -41,7 +41,7 @@ class Mesh_writer
 public:
   using Index = Level_connectivity::Index;
 
-  // the maps are those of a Surface_mesh
+  // whether the maps belong to a Surface_mesh
   static constexpr bool has_own_maps =
     has_concurrent_put_v<Point_map> && (!has_normal_map || has_concurrent_put_v<Normal_map>)&&(
                                          !has_roundness_map || has_concurrent_put_v<Roundness_map>);
@@ -64,12 +64,12 @@ public:
     normals_.begin();
     roundness_.begin();
   }
-  void keep()
+  void commit()
   {
-    growth_.keep();
-    points_.keep();
-    normals_.keep();
-    roundness_.keep();
+    growth_.commit();
+    points_.commit();
+    normals_.commit();
+    roundness_.commit();
   }
 
   // values of the vertices from `first` on
@@ -98,15 +98,15 @@ private:
   Undoable_map<Access, Roundness_map, Vertex_of_mesh> roundness_;
 };
 
-// Writes what the last round makes of the connectivity. keep() is called where nothing may fail any more. Threads
+// Writes what the last round makes of the connectivity. commit() is called where nothing may fail any more. Threads
 // may; then one alone repeats what they have begun.
 template <class Round, class Access>
 void put_connectivity(const Round& last, Access& access, const For_chunks& for_chunks,
-                      Function_ref<void()> keep)
+                      Function_ref<void()> commit)
 {
   std::optional<Level_connectivity> child;
   if (!access.is_child_of_hosts()) child = child_level(last, for_chunks);
-  keep();
+  commit();
   const auto write = [&](const For_chunks& in_chunks) {
     if (child) return access.write(*child, in_chunks);
     if constexpr (Access::may_be_child_of_hosts) last.host().connect(access, in_chunks);
@@ -143,7 +143,7 @@ void build_mesh(Access& access, const Level_connectivity& level, Point_map point
   }
   put_others();
   access.write(level, For_chunks());
-  growth.keep();
+  growth.commit();
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -23,7 +23,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// The kinds of elements: the keys of maps of a mesh, how many there are, the key of an index, and how it is called.
+// The kinds of elements of a mesh: their keys in maps, their number, the key of an index, and the name of an element.
 struct Vertex_of_mesh
 {
   using Index = Level_connectivity::Index;
@@ -79,7 +79,7 @@ inline std::vector<Level_connectivity::Index> corners_of(const Level_connectivit
 }
 
 // \name Maps
-// what stands for a map that is not given can neither be read nor written
+// the placeholder of a map that is not given can be neither read nor written
 
 template <class Map, class Tag, class = void>
 constexpr bool has_category_v = false;
@@ -92,7 +92,7 @@ constexpr bool is_readable_v = has_category_v<Map, boost::readable_property_map_
 template <class Map>
 constexpr bool is_writable_map_v = has_category_v<Map, boost::writable_property_map_tag>;
 
-// what a map has of a key, see get_whole()
+// the type of the value that a map has for a key, see get_whole()
 template <class Map, bool has_more = is_of_estimate_v<Map>, class = void>
 struct Whole_of_map
 {
@@ -110,8 +110,8 @@ struct Whole_of_map<Map, true>
     decltype(get_whole(std::declval<const Map&>(), std::declval<typename Map::key_type>()));
 };
 
-// A map of a user's, and what it had for elements that are there already: unless the new values are kept, it gets that
-// back. A map that cannot be read had nothing.
+// A user's map, and its old values for elements that are there already: unless commit() is called, the map gets the old
+// values back. A map that cannot be read has no old values.
 template <class Access, class Map, class Element>
 class Undoable_map
 {
@@ -119,7 +119,7 @@ public:
   using Index = Level_connectivity::Index;
   using Value = typename Whole_of_map<Map>::type;
 
-  // what the first elements have
+  // remembers the values of the first elements
   Undoable_map(const Access& access, Map map, [[maybe_unused]] std::size_t number = 0)
     : access_(access)
     , map_(map)
@@ -129,7 +129,7 @@ public:
       for (Index i = 0; i < number; ++i) old_.push_back(get_whole(map_, Element::at(access_, i)));
     }
   }
-  // what some elements have
+  // remembers the values of some elements
   Undoable_map(const Access& access, Map map, [[maybe_unused]] const std::vector<Index>& elements)
     : access_(access)
     , map_(map)
@@ -146,7 +146,7 @@ public:
       for (Index i = 0; is_changed_ && i < old_.size(); ++i) try {
           put_whole(map_, Element::at(access_, elements_.empty() ? i : elements_[i]),
                     Value(old_[i]));
-        } catch (...) { // keeps what it has
+        } catch (...) { // the element keeps the new value
         }
   }
   Undoable_map(const Undoable_map&) = delete;
@@ -154,10 +154,10 @@ public:
 
   const Access& access() const { return access_; }
   const Map& map() const { return map_; }
-  // by their positions, which are the numbers of the elements if these are the first ones
+  // the old values by their positions: the numbers of the elements if these are the first elements
   const std::vector<Value>& old() const { return old_; }
 
-  // before the first of these elements is set
+  // to be called before the first element is set
   void begin() { is_changed_ = true; }
   template <class T>
   void set(Index i, const T& value) const
@@ -169,7 +169,7 @@ public:
   {
     set(i, typename boost::property_traits<Map>::value_type(v[0], v[1], v[2]));
   }
-  // sets one more element, of which it remembers what it had
+  // sets one more element, and remembers its old value
   template <class Vector>
   void change_vector(Index i, const Vector& v)
   {
@@ -177,7 +177,7 @@ public:
     begin();
     set_vector(i, v);
   }
-  void keep() noexcept { is_changed_ = false; }
+  void commit() noexcept { is_changed_ = false; }
 
 private:
   void remember(Index i)
@@ -187,13 +187,13 @@ private:
   }
 
   const Access& access_;
-  mutable Map map_;             // there are maps of which put() is not const
-  std::vector<Index> elements_; // empty if they are the first ones
+  mutable Map map_;             // put() of some maps is not const
+  std::vector<Index> elements_; // empty if these are the first elements
   std::vector<Value> old_;
   bool is_changed_ = false;
 };
 
-// Removes what a mesh gets, unless it is kept.
+// Removes the elements that a mesh gets, unless commit() is called.
 template <class Access>
 class Growth
 {
@@ -203,15 +203,15 @@ public:
   {}
   ~Growth()
   {
-    if (!is_kept_) access_.shrink();
+    if (!is_committed_) access_.shrink();
   }
   Growth(const Growth&) = delete;
   Growth& operator=(const Growth&) = delete;
-  void keep() { is_kept_ = true; }
+  void commit() { is_committed_ = true; }
 
 private:
   Access& access_;
-  bool is_kept_ = false;
+  bool is_committed_ = false;
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -16,7 +16,7 @@
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Wedge_estimation.h>
 #include <CGAL/PN_subdivision_3/internal/creases/ended_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
@@ -28,7 +28,7 @@
 
 #include <vector>
 
-// The schemes as rules_of() makes them, for which the libraries have what is computed of levels.
+// The schemes as scheme_of_rounds() makes them, for which the libraries have what is computed of levels.
 namespace CGAL::PN_subdivision_3::internal::compiled_once {
 
 using Any_of_quads = With_roundness<Scheme_on_host<PQQ_host, double>, double>;
@@ -55,9 +55,9 @@ using Value = typename Average<Scheme>::Value;
   EXTERN template void make_control_tangents(const Level_connectivity&, Creases<double>&,          \
                                              const std::vector<Point_normal<double, 3>>&,          \
                                              const std::vector<bool>&, bool);                      \
-  EXTERN template void make_control_creases(const Level_connectivity&, Creases<double>&,           \
-                                            std::vector<Point_normal<double, 3>>&,                 \
-                                            std::vector<bool>, Control_normal_estimate);           \
+  EXTERN template void estimate_wedges(const Level_connectivity&, Creases<double>&,                \
+                                       std::vector<Point_normal<double, 3>>&, std::vector<bool>,   \
+                                       Control_normal_estimate);                                   \
   EXTERN template void keep_without_fractions<double>(                                             \
     const Level_connectivity&, Creases<double>&,                                                   \
     Function_ref<std::vector<Point_normal<double, 3>>(Creases<double>&)>);

@@ -35,7 +35,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// of a value of a map of constraints: true is infinitely sharp, and so is the largest integer
+// the sharpness by a value of a map of constraints: true is infinitely sharp, and so is the largest integer
 template <class Value>
 double sharpness_of(const Value& value)
 {
@@ -47,7 +47,7 @@ double sharpness_of(const Value& value)
     return double(CGAL::to_double(value));
 }
 
-// of a key of such a map
+// the sharpness of a key of such a map
 template <class Map, class Key>
 double sharpness_in(const Map& map, const Key& key)
 {
@@ -77,7 +77,7 @@ double checked_sharpness(double s, const Name& name)
 }
 
 // The constraints of the edges or vertices of a mesh: read before the first round, written for the
-// refined elements if the map can be written, and put back unless they are kept.
+// refined elements if the map can be written, and put back without commit().
 template <class Access, class Map, class Element>
 class Constraints
 {
@@ -100,7 +100,7 @@ public:
   }
 
   // Puts the constraints of `number` refined elements. `constraints` has some of them, in the order of
-  // the elements: (element, (old element that it is a part of, sharpness)). All others are smooth.
+  // the elements: (element, (old element that it is a part of, sharpness)). All other elements are smooth.
   void put_refined(
     [[maybe_unused]] Index number,
     [[maybe_unused]] const std::vector<std::pair<Index, std::pair<Index, double>>>& constraints)
@@ -118,13 +118,13 @@ public:
     }
   }
 
-  void keep() { map_.keep(); }
+  void commit() { map_.commit(); }
 
 private:
   using Undoable = Undoable_map<Access, Map, Element>;
   using Value = typename Undoable::Value;
 
-  // what is sharp forever keeps its value, and so does what is beyond the integers that `double` knows
+  // an infinitely sharp element keeps its value, and so does a value beyond the integers that `double` knows
   static Value value(double sharpness, const Value& old)
   {
     if (sharpness == infinite_sharpness) return old;
@@ -133,7 +133,7 @@ private:
     return Value(sharpness);
   }
 
-  // before anything is put
+  // asked before anything is put
   bool are_new_ones_smooth([[maybe_unused]] Index number) const
   {
     if constexpr (has_one_new_value_v<Map>)
@@ -160,7 +160,7 @@ template <class Access, class Map>
 using Vertex_constraints = Constraints<Access, Map, Vertex_of_mesh>;
 
 // The tangents of creases in a map of half-edges: read before the first round, written for the refined
-// half-edges if the map can be written, and put back unless they are kept.
+// half-edges if the map can be written, and put back without commit().
 template <class FT, class Access, class Map>
 class Crease_tangents
 {
@@ -179,7 +179,7 @@ public:
           e.tangent_from[side] = checked_tangent(e.halfedge(side));
   }
 
-  // of all half-edges; half-edges without a crease get zero
+  // puts the tangents of all half-edges; half-edges without a crease get zero
   void put_refined([[maybe_unused]] const Creases<FT>& creases,
                    [[maybe_unused]] Index number_of_edges)
   {
@@ -196,7 +196,7 @@ public:
     }
   }
 
-  void keep() { map_.keep(); }
+  void commit() { map_.commit(); }
 
 private:
   Coordinates<FT, 3> checked_tangent(Index h) const

@@ -69,11 +69,11 @@ void read_corner_normals(const Access& access, const Level_connectivity& level,
   });
   for (std::size_t slot = 0; slot < values.size(); ++slot)
     if (differ[slot])
-      decided<FT>([&] { values[slot].normal = unit_or_zero(sum[slot], FT(count[slot])); },
-                  [] { return "whether the normals of the corners of a wedge cancel"; });
+      name_undecided<FT>([&] { values[slot].normal = unit_or_zero(sum[slot], FT(count[slot])); },
+                         [] { return "whether the normals of the corners of a wedge cancel"; });
 }
 
-// Puts the normals of all corners of a level, and back what was there unless that is kept.
+// Puts the normals of all corners of a level, and puts the old normals back without commit().
 template <class Access, class Map>
 class Corner_normal_writer
 {
@@ -106,7 +106,7 @@ public:
       }
     });
   }
-  void keep() { map_.keep(); }
+  void commit() { map_.commit(); }
 
 private:
   Undoable_map<Access, Map, Halfedge_of_mesh> map_;
@@ -120,7 +120,7 @@ struct Nothing_of_corners
   template <class Access, class Map>
   Nothing_of_corners(const Access&, const Level_connectivity&, const Map&)
   {}
-  void keep() {}
+  void commit() {}
 };
 
 // the map of vertices that takes the normals of a map, and the object that takes the normals of its corners
@@ -184,7 +184,7 @@ auto normals_without_fractions(const Wedge_normals<Corner_map, Vertex_map>& n)
   return normals_without_fractions(n.corners);
 }
 
-// Lists the wedges; they are nobody's until keep() is called.
+// Lists the wedges; they are nobody's until commit() is called.
 template <class Access, class Map>
 class Wedge_normal_writer
 {
@@ -205,7 +205,7 @@ public:
     for (const Crease_star& star : creases.stars) {
       if (star.number_of_wedges == 1) continue;
       while (value->first != star.vertex) ++value;
-      for (const Crease_end& e : creases.ends_of(star)) {
+      for (const Crease_halfedge& e : creases.ends_of(star)) {
         if (!creases.edge(e).has_after(e.side)) continue;
         const auto wedge = star.wedge(creases.edge(e).after[e.side]);
         const auto& of_wedge = (value + std::ptrdiff_t(wedge))->second;
@@ -217,7 +217,7 @@ public:
       }
     }
   }
-  void keep() noexcept { map_.wedges->swap(wedges_); }
+  void commit() noexcept { map_.wedges->swap(wedges_); }
 
 private:
   const Access& access_;

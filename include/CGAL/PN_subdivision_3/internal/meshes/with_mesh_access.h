@@ -54,7 +54,7 @@ public:
   Index place(Index i) const { return i < places_.size() ? places_[i] : i + removed_; }
   std::uint64_t places_for(std::uint64_t n) const { return n + removed_; }
 
-  // from places to numbers; null for places of removed elements, or beyond the last
+  // maps places to numbers; null for places of removed elements, or beyond the last element
   class Inverse
   {
   public:
@@ -170,7 +170,7 @@ public:
   }
   void shrink() { resize(old_size_); }
   // Removes the elements that the result does not use and, if the user's maps follow, all that were
-  // removed before. Where the memory for the latter is lacking they stay: the result is right, and
+  // removed before. Where memory is lacking the elements removed before stay: the result is right, and
   // nothing may fail any more.
   void trim(const Level_size& size, bool collect)
   {

@@ -12,7 +12,7 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
-#include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Reciprocal_estimation.h>
 #include <CGAL/PN_subdivision_3/internal/normals/face_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/roundness.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -24,11 +24,11 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// Estimates normals and roundness of sectors. A closed fan has the reciprocal normal where that agrees
-// with the neighbors and the fan is not wide, the area normal where not; an open one that of
-// Normal_estimation. Round is what is not wide, or is regular; where arcs miss each other, only if it
-// does not dip far, is not at a bend beside what is not round, nor lifted off a plane, nor at faces over
-// which arcs differ.
+// Estimates normals and roundness of sectors. A closed fan has the reciprocal normal where this agrees with
+// the neighbors and the fan is not wide, the area normal elsewhere; an open fan has the normal of
+// Reciprocal_estimation. A sector is round if its fan is not wide, or is regular. Where arcs miss each other it
+// is so only if its edges do not dip far, it is not at a bend beside a sector that is not round, is not
+// lifted off a plane, and has no faces over which arcs differ.
 template <class FT, class Sectors, class Point_of>
 class Coherent_estimation
 {
@@ -46,8 +46,8 @@ public:
     , estimates_(reciprocal_.estimates())
   {}
 
-  // given(s) points to the given normal of a sector or is null; set_normal(s, n) and
-  // set_roundness(s, w) get all others; what the latter gets last counts
+  // given(s) points to the given normal of a sector or is null; set_normal(s, n) and set_roundness(s, w)
+  // are called for all other sectors, where the last call of set_roundness() for a sector counts
   template <class Given, class Set_normal, class Set_roundness>
   void operator()(const Given& given, const Set_normal& set_normal,
                   const Set_roundness& set_roundness)
@@ -61,19 +61,19 @@ public:
       if (e.kind == Kind::closed)
         estimate_closed(s, set_normal);
       else if (e.kind == Kind::open)
-        e.weight = roundness_of(e, regularity_of(s));
-      are_round = are_round && e.weight == 1 && !(e.is_estimated() && e.dips.share() < 1) &&
+        e.roundness = roundness_of(e, regularity_of(s));
+      are_round = are_round && e.roundness == 1 && !(e.is_estimated() && e.dips.share() < 1) &&
                   share_of_arcs(s, std::sqrt(e.largest_squared_arc_error())) == 1;
-      if (e.is_estimated()) set_roundness(s, e.weight);
+      if (e.is_estimated()) set_roundness(s, e.roundness);
     }
     if (are_round && !is_uneven_) return;
     const std::vector<double> misses = largest_misses();
-    std::vector<double> shares(estimates_.size(), 1); // what arcs that miss each other leave
+    std::vector<double> shares(estimates_.size(), 1); // the factors where arcs miss each other
     for (Index s = 0; s < estimates_.size(); ++s)
       if (estimates_[s].is_estimated())
         shares[s] = estimates_[s].dips.share() * share_of_arcs(s, misses[s]);
     const auto roundness = [&](Index s) {
-      return estimates_[s].weight * (1 - share_of_miss(misses[s]) * (1 - shares[s]));
+      return estimates_[s].roundness * (1 - share_of_miss(misses[s]) * (1 - shares[s]));
     };
     std::vector<double> alone;
     for (Index s = 0; s < estimates_.size(); ++s) alone.push_back(roundness(s));
@@ -90,16 +90,16 @@ private:
   enum class Kind : char { given, empty, open, closed };
 
 public:
-  // Beside the normal, which is first the reciprocal one, and its weight, which is the roundness when
-  // all normals are estimated, but for what the neighbors do to it. New memory costs more than what is
-  // done with it here, so numbers take the places of others.
+  // What is kept of a sector beside its normal, which is first the reciprocal normal. Members serve for
+  // one number after the other: new memory costs more than what is computed here.
   struct More
   {
-    Area_sum area_sum; // then of length 1 or zero; before, what an open sector got for a normal
+    Area_sum area_sum; // the normal of an open sector, then the area, then of length 1 or zero
     Curvature_mismatch mismatch;
-    Dips dips; // below the tangent plane of the normal above
+    Dips dips;            // of the edges, below the tangent plane of the normal
+    double roundness = 1; // without regard to neighbors
     Kind kind = Kind::given;
-    bool is_reciprocal = false; // not the area normal in its place
+    bool is_reciprocal = false; // the normal is not the area normal
     bool has_normal = false;
     bool is_narrow = false; // turns little from the reciprocal normal
 
@@ -109,12 +109,12 @@ public:
     double& largest_squared_arc_error()
     {
       return area_sum.rounding;
-    } // when the area is of length 1
+    } // once the area is of length 1
   };
-  using Reciprocal_estimation = Normal_estimation<FT, Sectors, Point_of, More>;
+  using Reciprocal = Reciprocal_estimation<FT, Sectors, Point_of, More>;
 
 private:
-  using Estimate = typename Reciprocal_estimation::Estimate;
+  using Estimate = typename Reciprocal::Estimate;
 
   template <class Given, class Set_normal>
   void estimate_separately(const Given& given, const Set_normal& set_normal)
@@ -131,7 +131,7 @@ private:
                            Estimate& e = estimates_[s];
                            e.is_reciprocal = e.is_known;
                            e.is_narrow = is_narrow(e.normal, inverted);
-                           e.weight = e.is_narrow ? 1 : roundness_of_turn(e.normal, inverted);
+                           e.roundness = e.is_narrow ? 1 : roundness_of_turn(e.normal, inverted);
                            e.kind = Kind::closed;
                            return true;
                          });
@@ -139,7 +139,7 @@ private:
       estimates_[s].normal = std::exchange(estimates_[s].area(), Vector{0, 0, 0});
   }
 
-  // one normal in place of the other where that vanishes
+  // where the normal or the area normal vanishes, the other one takes its place
   void add_area_normals()
   {
     add_areas(level_, sectors_, difference_,
@@ -148,13 +148,12 @@ private:
       e.area() = e.area_sum.unit();
       e.largest_squared_arc_error() = 0;
       if (is_zero(e.area())) e.area() = e.normal;
-      if (e.kind != Kind::closed) e.weight = 1;
       if (e.kind == Kind::closed && !e.is_reciprocal) e.normal = e.area();
       e.has_normal = !is_zero(e.normal);
     }
   }
 
-  // f(s, t, e) for the sectors s and t at the ends of edges, e from s to t
+  // calls f(s, t, h) for the sectors s and t at the ends of every edge; the half-edge h leads from s to t
   template <class Function>
   void for_each_edge(const Function& f) const
   {
@@ -180,8 +179,8 @@ private:
       const auto dip_s = dot(s.normal, e), dip_t = dot(t.normal, e);
       s.dips.add(dip_s * dip_s, inverse);
       t.dips.add(dip_t * dip_t, inverse);
-      const double of_s = is_mirrored(i) ? dot(evidence(i), e) : dip_s;
-      const double of_t = is_mirrored(j) ? dot(evidence(j), e) : dip_t;
+      const double of_s = has_arc_normal(i) ? dot(evidence(i), e) : dip_s;
+      const double of_t = has_arc_normal(j) ? dot(evidence(j), e) : dip_t;
       add_mismatch(s, of_s + of_t, dot(s.area(), e) + of_t, inverse);
       add_mismatch(t, of_s + of_t, dot(t.area(), e) + of_s, inverse);
     });
@@ -189,23 +188,23 @@ private:
     is_uneven_ = may_lift(inverse_of_shortest);
   }
 
-  // The normal of a wedge is made to meet arcs: that it does tells nothing.
-  bool is_mirrored(Index s) const
+  // The normal of a wedge is made to meet arcs: that it meets them proves nothing.
+  bool has_arc_normal(Index s) const
   {
     return sectors_.is_at_crease(s) && estimates_[s].kind == Kind::open;
   }
   Vector evidence(Index s) const
   {
-    return is_mirrored(s) ? sectors_.own_normal(s) : estimates_[s].normal;
+    return has_arc_normal(s) ? sectors_.own_normal(s) : estimates_[s].normal;
   }
 
   double share_of_arcs(Index s, double miss) const
   {
-    return is_mirrored(s) ? share_of_wedge(miss) : 1;
+    return has_arc_normal(s) ? share_of_wedge(miss) : 1;
   }
 
-  // of the arcs of a sector, relative to their lengths; points that coincide miss by their normals. Wedges of a plane meet
-  // all arcs of normals that are orthogonal to creases: the misses of their neighbors count, too.
+  // The largest miss of the arcs of each sector, relative to their lengths; where points coincide, the difference of normals.
+  // Wedges of a plane meet all arcs to normals that are orthogonal to creases: the misses of their neighbors count, too.
   std::vector<double> largest_misses() const
   {
     std::vector<double> own(estimates_.size(), 0);
@@ -218,8 +217,8 @@ private:
     });
     std::vector<double> result = own;
     for_each_edge([&](Index i, Index j, Index) {
-      if (is_mirrored(i)) result[i] = (std::max)(result[i], own[j]);
-      if (is_mirrored(j)) result[j] = (std::max)(result[j], own[i]);
+      if (has_arc_normal(i)) result[i] = (std::max)(result[i], own[j]);
+      if (has_arc_normal(j)) result[j] = (std::max)(result[j], own[i]);
     });
     return result;
   }
@@ -243,28 +242,28 @@ private:
   {
     Estimate& e = estimates_[s];
     const double t = e.mismatch.share_of_first(vanishing_tolerance<FT>());
-    if (t >= 1 && e.weight >= 1 && e.is_reciprocal) {
+    if (t >= 1 && e.roundness >= 1 && e.is_reciprocal) {
       set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
       return;
     }
     const bool was_narrow = e.is_narrow;
     double regular = was_narrow ? 1 : regularity_of(s);
-    const double share = t * either(e.weight, regular);
+    const double share = t * either(e.roundness, regular);
     if (share >= 1 && e.is_reciprocal) {
       set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
-      e.weight = either(e.weight, regular);
+      e.roundness = either(e.roundness, regular);
     } else {
       const Vector n = mixed(share, e.normal, e.area());
       e.is_narrow = was_narrow && is_close(n, e.normal);
       if (was_narrow && !e.is_narrow) regular = regularity_of(s);
       e.normal = n;
       set_normal(s, reciprocal_.converted(n));
-      e.weight = roundness_of(e, regular);
+      e.roundness = roundness_of(e, regular);
       e.dips = dips(s);
     }
   }
 
-  // of a closed sector whose normal is no longer the reciprocal one
+  // the dips of a closed sector whose normal is no longer the reciprocal one
   Dips dips(Index s) const
   {
     Dips result;
@@ -276,7 +275,7 @@ private:
     return result;
   }
 
-  // of the fan at hand
+  // the roundness of the sector whose fan is inverted_
   double roundness_of(const Estimate& e, double regular) const
   {
     if (is_zero(e.normal)) return 0;
@@ -303,7 +302,7 @@ private:
   {
     const auto is_round = [&](Index s) { return alone[s] == 1; };
     if (std::all_of(alone.begin(), alone.end(), [](double w) { return w == 1; })) return;
-    std::vector<double> uneven, least(shares.size(), 1); // none is
+    std::vector<double> uneven, least(shares.size(), 1); // no sector is uneven
     if (is_uneven_) uneven = shares_of_uneven();
     for_each_edge([&](Index i, Index j, Index h) {
       const Estimate &s = estimates_[i], &t = estimates_[j];
@@ -313,7 +312,7 @@ private:
       const double miss = std::abs(dot(s.normal, e) + dot(t.normal, e));
       const auto beside = [&](Index own, Index k) {
         const double share = uneven.empty() ? 0 : uneven[k];
-        const bool is_evidence = e_length > 0 && !(is_mirrored(own) && !is_mirrored(k));
+        const bool is_evidence = e_length > 0 && !(has_arc_normal(own) && !has_arc_normal(k));
         const double error = is_evidence ? miss * inverse_width(k, share, e_length) : 1;
         return roundness_beside(alone[k], error);
       };
@@ -323,7 +322,7 @@ private:
     for (Index s = 0; s < shares.size(); ++s) shares[s] *= least[s];
   }
 
-  // what an arc to a sector may miss that by: one that is not round would bend its shortest edge
+  // one over the width for the miss of an arc to a sector: the arc's length, or where the sector is uneven its shortest edge
   double inverse_width(Index s, double uneven, double length) const
   {
     return (1 - uneven) / length + uneven * std::sqrt(estimates_[s].dips.of_shortest);
@@ -345,7 +344,7 @@ private:
   {
     for (Index s = 0; s < shares.size(); ++s) {
       const Estimate& e = estimates_[s];
-      if (e.kind == Kind::closed && e.weight * shares[s] > 0 && may_lift(e.dips.of_shortest))
+      if (e.kind == Kind::closed && e.roundness * shares[s] > 0 && may_lift(e.dips.of_shortest))
         shares[s] *= share_of_lift(s);
     }
   }
@@ -359,7 +358,7 @@ private:
       const auto halfedges = halfedges_around_face(level_, level_.halfedge_of_face(f));
       for (const Index h : halfedges) {
         const Index s = sectors_.at_target(h);
-        are_linear = are_linear && !(estimates_[s].weight * shares[s] > 0);
+        are_linear = are_linear && !(estimates_[s].roundness * shares[s] > 0);
         arcs_.add(edge(h), estimates_[s].normal);
       }
       const double share = are_linear ? 1 : arcs_.share();
@@ -386,10 +385,10 @@ private:
   const Sectors& sectors_;
   const Point_of& point_;
   const Scaled_differences<FT, Point_of> difference_;
-  Reciprocal_estimation reciprocal_;
-  std::vector<Estimate>& estimates_; // of this estimation
+  Reciprocal reciprocal_;
+  std::vector<Estimate>& estimates_; // of reciprocal_
   Inverted_fan<FT> inverted_;        // of the sector at hand
-  Lift_above_neighbors lift_;        // of the same
+  Lift_above_neighbors lift_;        // of the sector at hand
   Spread_of_arcs arcs_;              // of the face at hand
   double longest_squared_ = 0;       // of all edges
   bool is_uneven_ = false;           // some vertex may be lifted

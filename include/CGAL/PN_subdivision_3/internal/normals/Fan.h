@@ -285,8 +285,8 @@ struct Border_arc
 };
 
 // The sum of the squares of r_j = (n + n_j).u_j at a normal n(phi): half its first and second
-// derivative by phi. Where the arcs fit, r_j = 0, Newton's step is that of Gauss and Newton; where
-// they contradict each other, the latter runs to and fro.
+// derivative by phi. Where the arcs fit, r_j = 0, Newton's step is the step of Gauss and Newton; where
+// the arcs contradict each other, the step of Gauss and Newton runs to and fro.
 struct Border_arcs_sum
 {
   using Vector = Coordinates<double, 3>;
@@ -357,8 +357,8 @@ arc_border_normal(const Coordinates<double, 3>& open_normal, const Coordinates<d
 // What share a reciprocal or border normal n, a unit vector, has beside the angle-weighted one: all
 // if no corner of the fan with an area is turned more than 40 degrees away from n, nothing from 60
 // degrees on or if no corner has an area. A corner of nearly 180 degrees is turned far on a smooth
-// shape, too; that of a polygon, up to 60 degrees, is turned no more than the polygon is. (From there
-// to 90 degrees this fades out: reflex corners stay what they are.)
+// shape, too; a corner of a polygon, up to 60 degrees, counts as turned no more than the polygon. (From
+// 60 to 90 degrees this fades out: reflex corners stay what they are.)
 template <class FT, class Face_normal_of>
 double blend_weight(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan,
                     Face_normal_of& face_normal)

@@ -12,7 +12,7 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Coherent_estimation.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
-#include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Reciprocal_estimation.h>
 #include <CGAL/PN_subdivision_3/internal/normals/face_normals.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
@@ -22,7 +22,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// into the values of sectors
+// sets the roundness in the values of sectors
 template <class FT>
 struct Set_roundness_of_value
 {
@@ -55,11 +55,11 @@ void estimate_normals(const Level_connectivity& level, Control_normal_estimate e
     for (Index s = 0; s < sectors.number_of_sectors(); ++s)
       if (given(s) == nullptr) set_roundness(s, 1.);
   };
-  decided<FT>(estimate_all, [] { return "whether an estimated control normal vanishes"; });
+  name_undecided<FT>(estimate_all, [] { return "whether an estimated control normal vanishes"; });
 }
 
-// Estimates normals and roundness of the vertices of a level from the points in their values; where is_given is, the
-// normals of others stay.
+// Estimates normals and roundness of the vertices of a level from the points in their values; the normals of vertices
+// with is_given stay.
 template <class FT>
 void estimate_normals_of(const Level_connectivity& level, Control_normal_estimate estimate,
                          std::vector<Point_normal<FT, 3>>& values,

@@ -59,7 +59,7 @@ public:
     return d;
   }
 
-  // of differences to a point, at most of a size, by the rounding of the coordinates
+  // the rounding of differences to a point, of at most this size, by the rounding of the coordinates
   double rounding(Index origin, double size) const
   {
     constexpr double of_double = std::numeric_limits<double>::epsilon();
@@ -100,7 +100,7 @@ struct Area_sum
   double rounding = 0;
 };
 
-// into sum_of(s) of all sectors s
+// adds the areas of all faces to sum_of(s) of the sectors s at their corners
 template <class FT, class Point_of, class Sectors, class Sum_of>
 void add_areas(const Level_connectivity& level, const Sectors& sectors,
                const Scaled_differences<FT, Point_of>& difference, const Sum_of& sum_of)
@@ -125,7 +125,7 @@ void add_areas(const Level_connectivity& level, const Sectors& sectors,
 }
 
 // Sums, over the faces of each sector, of the corner's angle times the unit face normal. The area
-// vectors are those of the number type (float is widened); the factor angle/area, irrational
+// vectors are computed in the number type (float is widened); the factor angle/area, irrational
 // anyway, is a double, but in number types that round and have angles themselves.
 template <class FT, class Sectors>
 class Angle_weighted_normals
@@ -133,7 +133,7 @@ class Angle_weighted_normals
 public:
   using Index = Level_connectivity::Index;
   using T = At_least_double<FT>;
-  // of angles: double, unless the number type rounds and has angles of its own
+  // the type of angles: double, unless the number type rounds and has angles of its own
   static constexpr bool has_own_angles =
     !std::is_floating_point_v<T> && std::is_same_v<Rooted_number<T>, T> && Has_own_angle<T>::value;
   using Angle = std::conditional_t<has_own_angles, T, double>;
@@ -257,7 +257,7 @@ public:
     , point_(point)
   {}
 
-  // of the face of a half-edge; zero if it has no area or is a triangle, whose corners tell it
+  // the normal of the face of a half-edge; zero if it has no area or is a triangle, whose corners tell it
   Vector operator()(Index h)
   {
     if (level_.has_degree(h, 3)) return {0, 0, 0};

@@ -27,12 +27,12 @@ inline double smooth_window(double x, double low, double high)
   return smoothstep<double>((x - low) / (high - low));
 }
 
-// How much the reciprocal normal of a vertex, or the circle's tangent, counts beside another one: by the
-// squared curvatures that are missing along its edges to agree with its neighbors. They are zero for
-// the former on spheres, cylinders and circles.
+// How much the first of two vectors at a vertex, its reciprocal normal or the circle's tangent, counts beside
+// the second: by the squared curvatures that the edges would need for each vector to agree with the
+// neighbors. On spheres, cylinders and circles the first vector needs none.
 struct Curvature_mismatch
 {
-  // by what the ends of an edge miss, and 1/|e|^2
+  // the squares by which the first and the second vector miss along an edge e, and 1/|e|^2
   void add(double square_of_first, double square_of_second, double weight)
   {
     first += square_of_first * weight;
@@ -65,19 +65,19 @@ inline double share_of_arcs(double miss)
   return 1 - smooth_window(miss, 0.1, 0.3);
 }
 
-// as above, beside creases, of arcs with the area normal
+// the same beside creases, for arcs with the area normal
 inline double share_of_wedge(double miss)
 {
   return 1 - smooth_window(miss, 0.05, 0.2);
 }
 
-// the same for what only exact arcs prove; files have six digits
+// the same where only exact arcs prove roundness; files have six digits
 inline double share_of_exact_arcs(double miss)
 {
   return 1 - smooth_window(miss, 1e-4, 1e-3);
 }
 
-// 0 where no corner has an area
+// the roundness by the corner that is turned most from n; 0 where no corner has an area
 template <class FT>
 double roundness_of_turn(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan)
 {
@@ -97,7 +97,7 @@ double roundness_of_turn(const Coordinates<double, 3>& n, const Inverted_fan<FT>
 template <class FT>
 bool is_narrow(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan)
 {
-  constexpr double cosine = 0.8405; // over that of 36 degrees by more than close vectors differ
+  constexpr double cosine = 0.8405; // over cos_36 by more than close vectors differ
   bool has_area = false;
   for (const auto& corner : fan.corners()) {
     if (!corner.has_area) continue;
@@ -138,7 +138,7 @@ inline double regularity(double distance_of_normals, double largest_arc_error, d
 // tangent plane by several lengths of the shortest edge, and would bulge as much.
 struct Dips
 {
-  // by a squared dip, and 1/|e|^2
+  // the squared dip of an edge e, and 1/|e|^2
   void add(double squared_dip, double inverse)
   {
     largest = (std::max)(largest, squared_dip);
@@ -155,7 +155,7 @@ struct Dips
   double largest = 0, of_shortest = 0;
 };
 
-// over q, along n, by the arc to the point p with the normal m; it is bounded where m turns by more than 90 degrees
+// the height over q, along n, of the arc to the point p with the normal m; bounded where m turns by more than 90 degrees
 inline double arc_height(const Coordinates<double, 3>& m, const Coordinates<double, 3>& p,
                          const Coordinates<double, 3>& q, const Coordinates<double, 3>& n)
 {
@@ -164,13 +164,13 @@ inline double arc_height(const Coordinates<double, 3>& m, const Coordinates<doub
   return numerator / (1 + (std::max)(0., dot(m, n)));
 }
 
-// a or b
+// the share where one of the shares a and b is enough
 inline double either(double a, double b)
 {
   return 1 - (1 - a) * (1 - b);
 }
 
-// 0 where the longest edge is at most 6 times the shortest one, from 7 times on 1; both are squared
+// 0 where the longest edge is at most 6 times the shortest edge, from 7 times on 1; both lengths are squared
 inline double share_of_uneven(double longest, double shortest)
 {
   return longest > 36 * shortest ? (std::min)(std::sqrt(longest / shortest) - 6, 1.) : 0;
@@ -219,7 +219,7 @@ private:
 
   static constexpr double weight_of_neighbors = 3 / 8.;
 
-  // in lengths of the shortest edge, times what the longest one is longer than four of that
+  // the excess in lengths of the shortest edge, times the number of these by which the longest edge exceeds four
   double excess(const Vector& normal) const
   {
     double shortest = std::numeric_limits<double>::infinity(), longest = 0;
@@ -257,7 +257,7 @@ private:
 };
 
 // How far the arcs from the corners of a face to the point over its middle miss each other: not at all on spheres and
-// cylinders. Over a long and narrow face at the corner of a bevel they do by more than the face is wide, and
+// cylinders. Over a long and narrow face at the corner of a bevel they miss by more than its width, and
 // the new point would fold it.
 class Spread_of_arcs
 {
@@ -271,7 +271,7 @@ public:
     longest_ = 0;
   }
 
-  // the edge to a corner, from the one before, and the corner's normal
+  // the edge to a corner, from the corner before, and the corner's normal
   void add(const Vector& edge, const Vector& normal)
   {
     add_multiple(last_, 1., edge);
@@ -291,8 +291,8 @@ private:
   struct Corner
   {
     Vector point, normal;
-    double squared_edge; // to here
-    double height;       // of the arc from here over the middle
+    double squared_edge; // of the edge to this corner
+    double height;       // of the arc from this corner, over the middle
   };
 
   // the squared length of the shortest edge, or of the distance that coinciding points may have
@@ -303,7 +303,7 @@ private:
     return (std::max)(shortest, 0x1p-20 * longest_);
   }
 
-  // of the heights
+  // the mean difference of the arcs' heights from their mean
   double mean_error()
   {
     const double weight = 1. / double(corners_.size());

@@ -94,9 +94,9 @@ FT symmetric_interval(double radius)
   return FT(std::make_pair(-radius, radius));
 }
 
-// calls f(); where the precision of the number type does not suffice, what() says for what
+// calls f(); if the precision of the number type does not decide a comparison there, throws a message with what() is undecided
 template <class FT, class Function, class What>
-void decided(const Function& f, [[maybe_unused]] const What& what)
+void name_undecided(const Function& f, [[maybe_unused]] const What& what)
 {
   if constexpr (std::is_floating_point_v<FT>)
     f();
@@ -166,8 +166,8 @@ FT divide_by_largest(std::array<FT, dimension>& v)
   return largest;
 }
 
-// Multiplies by the power of two that makes the squares of components harmless, and returns its exponent. Of intervals
-// it is not asked which component is the largest, which they need not decide.
+// Multiplies by the power of two that makes the squares of components harmless, and returns its exponent. Intervals
+// are not asked which component is the largest, which they need not decide.
 template <class FT, std::size_t dimension>
 int scale_to_one(std::array<FT, dimension>& v)
 {
@@ -248,7 +248,7 @@ std::array<FT, dimension> rational_unit_vector(const std::array<FT, dimension>& 
   return n;
 }
 
-// to how many bits refined normals of exact types without square root are rounded; 0: they are not
+// the number of bits to which refined normals of exact types without square root are rounded; 0: they are not
 inline std::atomic<int>& bits_of_refined_normals()
 {
   static std::atomic<int> bits{0};

@@ -24,17 +24,17 @@
 namespace CGAL::PN_subdivision_3::internal {
 
 // Some faces of a level as a level of their own. Elements have the order of the candidates, which also tell the orientation
-// of edges, the first half-edge of faces, and the half-edge of vertices if all their faces are taken: in a piece these are as in the whole.
+// of edges, the first half-edge of faces, and, where all faces of a vertex are taken, its half-edge: a piece has these as the whole.
 // Where faces are missing there is a border, the rim; a vertex between whose faces some are missing is there several times.
 template <class Candidates>
 class Piece_extraction
 {
 public:
   using Index = Level_connectivity::Index;
-  // tells the vertex of the whole level for each vertex
+  // the vertex of the whole level for each vertex of the piece
   using Old_vertices = std::vector<Index>;
 
-  // Both must stay.
+  // The whole level and the candidates must stay.
   Piece_extraction(const Level_connectivity& whole, const Candidates& candidates,
                    bool takes_isolated_vertices)
     : whole_(whole)
@@ -58,7 +58,7 @@ public:
   Level_connectivity& piece() { return piece_; }
   const Old_vertices& old_vertices() const { return old_vertex_; }
   Old_vertices take_old_vertices() { return std::move(old_vertex_); }
-  // of edges and faces, in the same way
+  // the edges and faces of the whole level for those of the piece
   std::vector<Index> old_edges() const
   {
     return old_elements(size_.edges, new_edge_, [this](Index i) { return candidates_.edge(i); });
@@ -68,7 +68,7 @@ public:
     return old_elements(size_.faces, new_face_, [this](Index i) { return candidates_.face(i); });
   }
 
-  // of a half-edge of the whole level, whether its face is taken
+  // whether the face of a half-edge of the whole level is taken
   bool is_inside(Index h) const
   {
     return !whole_.is_border(h) && candidates_.is_taken(whole_.face(h));
@@ -131,7 +131,7 @@ private:
     for (const Index h : ring) piece_.set_target(new_halfedge(h), copy);
   }
 
-  // a copy of v for each run of faces between two that are missing
+  // a copy of v for each run of faces between two missing faces
   void add_sectors(Index v, Index outside)
   {
     Index h = outside;
@@ -196,8 +196,8 @@ private:
   Old_vertices old_vertex_;
 };
 
-// Some faces of a level as a level of their own, and what their elements are in the whole: whatever has a value for each
-// of these is cut by these lists.
+// Some faces of a level as a level of their own, and the numbers of its elements in the whole level, by which values of
+// elements are cut out of the whole.
 struct Level_part
 {
   using Index = Level_connectivity::Index;
@@ -207,7 +207,7 @@ struct Level_part
   Level_connectivity level;
   Origins vertices, edges, faces;
 
-  // takes the level out of the extraction; edges and faces are listed if something needs them
+  // takes the level out of the extraction; lists_all: edges and faces, too, are listed
   template <class Candidates>
   Level_part(Piece_extraction<Candidates>& extraction, bool lists_all)
     : level(std::move(extraction.piece()))
@@ -219,7 +219,7 @@ struct Level_part
   }
 
   Index halfedge(Index h) const { return 2 * edges[h / 2] + (h & 1u); }
-  // of the half-edges with a face; null for the others
+  // the half-edge of the whole for each half-edge that has a face; null for border half-edges
   Origins corners() const
   {
     Origins result(level.number_of_halfedges(), null);
@@ -263,13 +263,13 @@ struct Level_part
       result[v] = whole(halfedge(level.is_border(own) ? level.next_around_target(own) : own));
     }
     for (const Crease_star& star : creases.stars)
-      for (const Crease_end& e : creases.ends_of(star))
+      for (const Crease_halfedge& e : creases.ends_of(star))
         if (creases.edge(e).has_after(e.side))
           result[creases.edge(e).after[e.side]] = whole(halfedge(creases.halfedge(e)));
     return result;
   }
 
-  // Both, empty and the vertices if nothing is sharp.
+  // The creases and slot origins of the part: if nothing is sharp, no creases and the vertices.
   template <class Level_creases>
   std::pair<Level_creases, Origins> creases_and_slots(const Level_connectivity& whole,
                                                       const Level_creases& of_whole) const

@@ -34,14 +34,14 @@ Level_connectivity child_level(const Host& host, const Level_size& size, const L
   return child;
 }
 
-// of a round
+// the child of the level of a round
 template <class Round>
 Level_connectivity child_level(const Round& round, const For_chunks& for_chunks)
 {
   return child_level(round.host(), round.refined_size(), round.refined_size(), for_chunks);
 }
 
-// without a round of its own
+// the child of a level in the round of this number, without a Round
 template <class Host>
 Level_connectivity child_level(const Level_connectivity& level, unsigned round,
                                const For_chunks& for_chunks)
@@ -50,7 +50,7 @@ Level_connectivity child_level(const Level_connectivity& level, unsigned round,
   return child_level(Host(level, round), size, size, for_chunks);
 }
 
-// with room to be cut open
+// the child of the level of a round, with room to be cut open
 template <class Level_round, class Level_creases>
 Level_connectivity child_level(const Level_round& round, const Level_creases& creases,
                                const For_chunks& for_chunks)
@@ -63,15 +63,15 @@ Level_connectivity child_level(const Level_round& round, const Level_creases& cr
 template <class Level_round, class Value, class Refined_values>
 void evaluate_round(Level_round& round, const Value* old, const For_chunks& for_chunks,
                     Refined_values& refined,
-                    const typename Level_round::One_round::Rows_sink* rows_sink = nullptr)
+                    const typename Level_round::Plain_round::Rows_sink* rows_sink = nullptr)
 {
-  using One_round = typename Level_round::One_round;
-  using Index = typename One_round::Index;
+  using Plain_round = typename Level_round::Plain_round;
+  using Index = typename Plain_round::Index;
   const auto on_creases = round.crease_values(for_chunks);
-  const One_round& rows = round.round();
+  const Plain_round& rows = round.round();
   evaluate_rows(
     rows, 0, round.number_of_vertices(), old, rows.transfers(old, for_chunks), for_chunks,
-    [&](Index first, const typename One_round::Value* values, Index number) {
+    [&](Index first, const typename Plain_round::Value* values, Index number) {
       std::copy(values, values + number, refined.begin() + static_cast<std::ptrdiff_t>(first));
     },
     rows_sink);
@@ -89,14 +89,14 @@ class Level_refiner
 {
 public:
   using Index = Level_connectivity::Index;
-  using One_round = Crease_round<Scheme, Average, Level_creases>;
-  using Rows = Round<Scheme, Average>;
-  using Value = typename Rows::Value;
-  using Sink = typename Rows::Sink;
-  using List_sink = typename Rows::List_sink;
-  using Transfers = typename Rows::Transfers;
-  using Rows_sink = typename Rows::Rows_sink;
-  // takes the child of a level, which is still there
+  using Level_round = Crease_round<Scheme, Average, Level_creases>;
+  using Plain_round = Round<Scheme, Average>;
+  using Value = typename Plain_round::Value;
+  using Sink = typename Plain_round::Sink;
+  using List_sink = typename Plain_round::List_sink;
+  using Transfers = typename Plain_round::Transfers;
+  using Rows_sink = typename Plain_round::Rows_sink;
+  // takes the child of a level while the level is still there
   using Child_sink = Function_ref<void(const Level_connectivity&)>;
   using Values = boost::container::vector<Value>;
 
@@ -126,41 +126,41 @@ public:
   unsigned rounds_done() const { return rounds_done_; }
 
   // \pre the level stays while the round is used
-  One_round next_round() { return {scheme_, level_, creases_, values_.data(), rounds_done_ + 1}; }
+  Level_round next_round() { return {scheme_, level_, creases_, values_.data(), rounds_done_ + 1}; }
 
   void refine()
   {
-    One_round round = next_round();
+    Level_round round = next_round();
     refine(round);
   }
-  void refine(One_round& round, const Rows_sink* rows_sink = nullptr,
+  void refine(Level_round& round, const Rows_sink* rows_sink = nullptr,
               const Child_sink* child_sink = nullptr);
 
   // the values of the refined slots; makes the level of the round whole again
-  Values refined_values(One_round& round, const Rows_sink* rows_sink = nullptr) const;
+  Values refined_values(Level_round& round, const Rows_sink* rows_sink = nullptr) const;
 
-  // to be found once for each round
-  Transfers transfers(const Rows& round) const
+  // the transfers are found once for each round
+  Transfers transfers(const Plain_round& round) const
   {
     return round.transfers(values_.data(), for_chunks_);
   }
 
-  // The new vertices [begin, end) of a round. The sink gets a few neighboring ones with every call,
-  // which come from several threads if for_chunks does.
-  void evaluate(const Rows& round, const Transfers& transfers, Index begin, Index end, Sink sink,
-                const Rows_sink* rows_sink = nullptr) const
+  // The new vertices [begin, end) of a round. The sink gets a few neighboring vertices with every call;
+  // the calls come from several threads if for_chunks has them.
+  void evaluate(const Plain_round& round, const Transfers& transfers, Index begin, Index end,
+                Sink sink, const Rows_sink* rows_sink = nullptr) const
   {
     evaluate_rows(round, begin, end, values_.data(), transfers, for_chunks_, sink, rows_sink);
   }
 
-  // Only the new vertices that are listed, as their rows have them, without transfers.
-  void evaluate(const Rows& round, const Index* vertices, Index number, List_sink sink) const
+  // Only the listed new vertices, by their rows alone, without transfers.
+  void evaluate(const Plain_round& round, const Index* vertices, Index number, List_sink sink) const
   {
     evaluate_rows(round, vertices, number, values_.data(), for_chunks_, sink);
   }
 
-  // with room to be cut open
-  Level_connectivity child(const One_round& round, const Level_creases& creases) const;
+  // the child of the level, with room to be cut open
+  Level_connectivity child(const Level_round& round, const Level_creases& creases) const;
 
 private:
   const Scheme& scheme_;
@@ -172,7 +172,7 @@ private:
 };
 
 template <class Scheme, class Average, class Level_creases>
-void Level_refiner<Scheme, Average, Level_creases>::refine(One_round& round,
+void Level_refiner<Scheme, Average, Level_creases>::refine(Level_round& round,
                                                            const Rows_sink* rows_sink,
                                                            const Child_sink* child_sink)
 {
@@ -186,7 +186,7 @@ void Level_refiner<Scheme, Average, Level_creases>::refine(One_round& round,
 }
 
 template <class Scheme, class Average, class Level_creases>
-auto Level_refiner<Scheme, Average, Level_creases>::refined_values(One_round& round,
+auto Level_refiner<Scheme, Average, Level_creases>::refined_values(Level_round& round,
                                                                    const Rows_sink* rows_sink) const
   -> Values
 {
@@ -197,7 +197,7 @@ auto Level_refiner<Scheme, Average, Level_creases>::refined_values(One_round& ro
 
 template <class Scheme, class Average, class Level_creases>
 Level_connectivity
-Level_refiner<Scheme, Average, Level_creases>::child(const One_round& round,
+Level_refiner<Scheme, Average, Level_creases>::child(const Level_round& round,
                                                      const Level_creases& creases) const
 {
   return child_level(round, creases, for_chunks_);

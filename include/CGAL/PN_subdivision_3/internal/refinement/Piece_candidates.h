@@ -23,7 +23,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// each six consecutive bits are others (de Bruijn)
+// any six consecutive bits occur nowhere else (de Bruijn)
 constexpr std::uint64_t sequence_of_places = 0x03f79d71b4cb0a89;
 constexpr std::array<unsigned char, 64> make_places()
 {
@@ -39,8 +39,8 @@ inline unsigned lowest_bit(std::uint64_t bits)
   return places[((bits & (~bits + 1)) * sequence_of_places) >> 58];
 }
 
-// Numbers below a bound, from which they come in increasing order: a bit for each, a bit for each word of these
-// that is not zero, and so on. Some hundred numbers of a piece are sorted by it in a fraction of the time of
+// Numbers below a bound, which are moved out in increasing order: a bit for each number, a bit for each word of
+// such bits that is not zero, and so on. It sorts some hundred numbers of a piece in a fraction of the time of
 // std::sort(), whatever the bound is.
 class Number_set
 {
@@ -66,7 +66,7 @@ public:
     }
   }
 
-  // moves all numbers to the list, which has their order
+  // moves all numbers to the list, in increasing order
   void move_to(std::vector<Number>& numbers)
   {
     numbers.clear();
@@ -110,7 +110,7 @@ class All_candidates
 public:
   using Index = Level_connectivity::Index;
 
-  // Both must stay.
+  // The level and the marks must stay.
   All_candidates(const Level_connectivity& level, const Face_marks& is_taken)
     : level_(level)
     , is_taken_(is_taken)
@@ -118,7 +118,7 @@ public:
 
   bool is_taken(Index f) const { return is_taken_[f] != 0; }
 
-  // The elements in increasing order, and the place of each.
+  // The elements in increasing order, and the place of an edge in that order.
   Index number_of_vertices() const { return level_.number_of_vertices(); }
   Index number_of_edges() const { return level_.number_of_edges(); }
   Index number_of_faces() const { return level_.number_of_faces(); }
@@ -136,8 +136,8 @@ private:
   const Face_marks& is_taken_;
 };
 
-// Some elements, and the place of each among them. The table is as large as the level, but nothing has to be
-// cleared before other elements are listed: places are counted on from one list to the next.
+// A list of elements, and the place of each element in the list. The table of places is as large as the level, but
+// need not be cleared before other elements are listed: places are counted on from one list to the next.
 class Element_list
 {
 public:
@@ -155,7 +155,7 @@ public:
   // \pre it is empty or sorted
   void clear()
   {
-    if (place_.size() >= (std::numeric_limits<Index>::max)() - end_) { // of what can be counted
+    if (place_.size() >= (std::numeric_limits<Index>::max)() - end_) { // might be counted too far
       std::fill(place_.begin(), place_.end(), Index(0));
       end_ = 1;
     }
@@ -196,7 +196,7 @@ public:
     , faces_(level.size().faces)
   {}
 
-  // faces and the rings around them, and vertices besides
+  // lists faces, the rings around these faces, and isolated vertices besides
   void list(const Index* begin, const Index* end, unsigned rings,
             const std::vector<Index>& isolated_vertices)
   {
@@ -240,7 +240,7 @@ private:
            halfedges_around_face(level_, level_.halfedge_of_face(faces_.elements()[i])))
         f(h);
   }
-  // of the faces from there on
+  // the vertices of the listed faces from this one on
   void add_vertices(std::size_t first_face)
   {
     for_each_halfedge(first_face, [this](Index h) { vertices_.add(level_.target(h)); });
@@ -259,7 +259,7 @@ private:
   Element_list vertices_, edges_, faces_;
 };
 
-// Tables for as many threads as ask for some at a time, made once.
+// Tables of candidates, one for each thread that asks at the same time, made once.
 class Candidate_tables
 {
 public:

@@ -202,7 +202,7 @@ public:
   {
     return (!is_estimated_ || is_given_[v]) && !has_several_normals(v);
   }
-  // in the order of the numbers
+  // the vertices are in the order of the numbers
   void set_vertices_with_several_normals(std::vector<Index> vertices)
   {
     several_normals_ = std::move(vertices);
@@ -236,7 +236,7 @@ public:
   }
   void put_estimate(Index v, const Vector& n) { values_[v].normal = n; }
 
-  // in the order of the numbers
+  // the changed vertices in the order of the numbers
   std::vector<Index> changes() const
   {
     std::vector<Index> result;
@@ -298,7 +298,7 @@ public:
   // reads what. Values were evaluated before.
   virtual std::vector<Index> evaluate_from(std::vector<Index> changed, List_sink sink) = 0;
 
-  // as of the last evaluation
+  // calls the sink with the values of the last evaluation
   virtual void for_each_corner(const Level_connectivity& refined, Corner_sink sink) const = 0;
 
   // in bytes, without what the masks of a scheme may keep
@@ -324,7 +324,7 @@ class Row_readers
 public:
   using Index = Level_connectivity::Index;
 
-  // in the order of the numbers
+  // finds the new vertices, in the order of the numbers
   template <class Round>
   std::vector<Index> operator()(const Round& round, std::size_t number_of_old_vertices,
                                 const std::vector<Index>& old)

@@ -11,10 +11,10 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Wedge_estimation.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Stored_refinement.h>
@@ -53,8 +53,8 @@ bool is_same_value(const Point_normal<FT, 3>& a, const Point_normal<FT, 3>& b)
 }
 
 // The rounds of a scheme on a control level with its creases, kept with their levels. What is kept of the last
-// round is its old level: its new values go to a sink. Levels with creases are kept cut open, with values
-// of slots. What lies on creases is evaluated as a whole in every call, and goes on from where it has changed.
+// round is the round's old level: new values go to a sink. Levels with creases are kept cut open, with values
+// of slots. Vertices on creases are evaluated as a whole in every call, which goes on from where they have changed.
 template <class Scheme, class Average, class Level_creases>
 class Stored_rounds final : public Stored_refinement<Average>
 {
@@ -69,7 +69,7 @@ public:
   using typename Base::Sink;
   using typename Base::Value;
   using Control = Control_values<Average>;
-  using One_round = Crease_round<Scheme, Average, Level_creases>;
+  using Level_round = Crease_round<Scheme, Average, Level_creases>;
 
   Stored_rounds(const Scheme& scheme, Level_connectivity&& control, Level_creases&& creases,
                 unsigned number_of_rounds, [[maybe_unused]] Control& values,
@@ -213,7 +213,7 @@ public:
   }
 
 private:
-  using Slot_values = std::vector<typename One_round::Slot_value>;
+  using Slot_values = std::vector<typename Level_round::Slot_value>;
 
   struct Level
   {
@@ -224,7 +224,7 @@ private:
 
     Level_connectivity connectivity; // cut open
     boost::container::vector<Value> values;
-    std::optional<One_round> round; // refers to the connectivity; none if there are no rounds
+    std::optional<Level_round> round; // refers to the connectivity; none if there are no rounds
     Row_readers readers;
   };
 
@@ -300,8 +300,7 @@ private:
       if (!given_slots.values.empty())
         make_control_tangents(*whole_control_, creases, values, given_slots.tell_of_tangents,
                               normal_estimate(scheme_) == Control_normal_estimate::coherent);
-      make_control_creases<FT>(*whole_control_, creases, values, is_given,
-                               normal_estimate(scheme_));
+      estimate_wedges<FT>(*whole_control_, creases, values, is_given, normal_estimate(scheme_));
       for (Index s = 0; s < values.size(); ++s) {
         const Index v = s < n ? s : extra[s - n];
         if (control.has_given_roundness(v)) values[s].roundness = control[v].roundness;
@@ -324,10 +323,10 @@ private:
 
   // \name Rounds
 
-  // what the sink gets for vertices on creases does not hold; returns the values of their slots
+  // the sink gets no valid values for vertices on creases: the values of their slots are returned
   Slot_values evaluate_round(Level& level, Sink sink) const
   {
-    One_round& round = *level.round;
+    Level_round& round = *level.round;
     round.read(level.values.data());
     Slot_values on_creases = round.crease_values(this->for_chunks_);
     this->in_chunks(round.number_of_vertices(), [&](Index begin, Index end) {
@@ -340,7 +339,7 @@ private:
   // on creases
   Slot_values evaluate_round_from(Level& level, std::vector<Index>& changed, List_sink sink) const
   {
-    One_round& round = *level.round;
+    Level_round& round = *level.round;
     round.read(level.values.data());
     changed = level.readers(round.round(), level.values.size(), changed);
     if (const auto& others = round.vertices_of_values(); !others.empty()) {

@@ -22,7 +22,7 @@ namespace CGAL::PN_subdivision_3::internal {
 template <class Scheme>
 constexpr bool is_pn_v = !Is_linear<Scheme>::value;
 
-// what turns rows into values, with normals or without
+// the average of rows, with normals or without
 template <bool with_normals, class FT, int dimension>
 using Average_of =
   std::conditional_t<with_normals, PN_average<FT, dimension>, Linear_average<FT, dimension>>;
@@ -40,7 +40,7 @@ Average average_of_roundness([[maybe_unused]] const typename Average::FT& roundn
   return average;
 }
 
-// with the roundness of the scheme, where that is one number
+// the average with the roundness of the scheme, where that is one number
 template <class Average, class Scheme>
 Average average_of([[maybe_unused]] const Scheme& scheme)
 {

@@ -110,9 +110,9 @@ public:
 
   std::size_t size() const { return functionals_.size(); }
 
-  // What is left in the heights of a ring, in the order of Ring_functionals. None where the normals
-  // spread over more than 60 degrees or are not all there, where the ring has collapsed, and where
-  // it is no more than `noise`.
+  // The quadratic part left in the heights of a ring, in the order of Ring_functionals. None where the
+  // normals spread over more than 60 degrees or are not all there, where the ring has collapsed, and
+  // where the part is no more than `noise`.
   std::optional<Quadratic_part<Real>> operator()(const Ring& ring, const Real& noise) const
   {
     const auto* const mask = functionals_.limit().data();
@@ -185,7 +185,7 @@ private:
   Ring_functionals<Real> functionals_;
 };
 
-// The same on rings of any number type: in double, or long double, about the middle of the ring.
+// Curvature_transfer on rings of any number type: in double, or long double, about the middle of the ring.
 template <class FT>
 class Normal_transfer
 {
@@ -281,7 +281,7 @@ private:
   int exponent_ = 0; // of the power of two by which `ring_` is divided
 };
 
-// for a round that leaves the normals of the rows as they are
+// the transfers of a round that leaves the normals of the rows as they are
 struct No_transfers
 {
   bool is_empty() const { return true; }
@@ -300,7 +300,7 @@ class Transferred_normals
 public:
   using Index = Level_connectivity::Index;
 
-  // none
+  // no normals are transferred
   Transferred_normals() = default;
 
   // evaluate(vertices, how many, values) gives the new vertices their values by the rows.
@@ -361,7 +361,7 @@ public:
   }
 
 private:
-  // in the order of Ring_functionals
+  // appends the ring in the order of Ring_functionals
   template <class Host>
   void append_ring(const Level_connectivity& level, const Host& host, Index v)
   {

@@ -75,8 +75,8 @@ public:
   const Average& average() const { return average_; }
   unsigned number() const { return number_; }
 
-  // The rows of these vertices, in increasing order, are not needed: their values are set by others.
-  // An undecided comparison in them is no error.
+  // The rows of these vertices, in increasing order, are not needed: the values come from elsewhere.
+  // An undecided comparison in these rows is no error.
   void set_vertices_on_creases(std::vector<Index> vertices) { on_creases_ = std::move(vertices); }
 
   // What stands in place of the normals of the rows, where the scheme transfers curvature; found from
@@ -85,7 +85,7 @@ public:
   Transfers transfers(const Value* old, const For_chunks& for_chunks) const;
 
   // Computes the new vertices [begin, end) from the old values, and hands them to the sink block by
-  // block. Whoever averages something else, too, gets the rows of the blocks.
+  // block. A rows_sink, which averages other values, too, gets the rows of the blocks.
   void evaluate(Index begin, Index end, const Value* old, const Transfers& transfers, Sink sink,
                 const Rows_sink* rows_sink = nullptr) const;
 
@@ -214,7 +214,7 @@ private:
       result = Value{};
       return;
     }
-    decided<FT>(average_row, [&] {
+    name_undecided<FT>(average_row, [&] {
       return "whether the normal of vertex " + std::to_string(vertex) + " in round " +
              std::to_string(number_) + " vanishes or is opposite to a neighbor's";
     });
@@ -276,27 +276,27 @@ void Round<Scheme, Average>::evaluate(const Index* begin, const Index* end, cons
 
 // The new vertices [begin, end) of a round, by chunks. The sink gets a few neighboring ones with every call, which come from
 // several threads if for_chunks does.
-template <class One_round>
-void evaluate_rows(const One_round& round, typename One_round::Index begin,
-                   typename One_round::Index end, const typename One_round::Value* old,
-                   const typename One_round::Transfers& transfers, const For_chunks& for_chunks,
-                   typename One_round::Sink sink,
-                   const typename One_round::Rows_sink* rows_sink = nullptr)
+template <class Plain_round>
+void evaluate_rows(const Plain_round& round, typename Plain_round::Index begin,
+                   typename Plain_round::Index end, const typename Plain_round::Value* old,
+                   const typename Plain_round::Transfers& transfers, const For_chunks& for_chunks,
+                   typename Plain_round::Sink sink,
+                   const typename Plain_round::Rows_sink* rows_sink = nullptr)
 {
-  using Index = typename One_round::Index;
-  for_chunks.in_precision<typename One_round::FT>(end - begin, [&](Index first, Index last) {
+  using Index = typename Plain_round::Index;
+  for_chunks.in_precision<typename Plain_round::FT>(end - begin, [&](Index first, Index last) {
     round.evaluate(begin + first, begin + last, old, transfers, sink, rows_sink);
   });
 }
 
 // only the new vertices that are listed, as their rows have them, without transfers
-template <class One_round>
-void evaluate_rows(const One_round& round, const typename One_round::Index* vertices,
-                   typename One_round::Index number, const typename One_round::Value* old,
-                   const For_chunks& for_chunks, typename One_round::List_sink sink)
+template <class Plain_round>
+void evaluate_rows(const Plain_round& round, const typename Plain_round::Index* vertices,
+                   typename Plain_round::Index number, const typename Plain_round::Value* old,
+                   const For_chunks& for_chunks, typename Plain_round::List_sink sink)
 {
-  using Index = typename One_round::Index;
-  for_chunks.in_precision<typename One_round::FT>(number, [&](Index first, Index last) {
+  using Index = typename Plain_round::Index;
+  for_chunks.in_precision<typename Plain_round::FT>(number, [&](Index first, Index last) {
     round.evaluate(vertices + first, vertices + last, old, sink);
   });
 }

@@ -34,8 +34,8 @@ using Splitting_of = std::bool_constant<Host::splits_edges>;
 template <class Host>
 using Splits_edges = boost::detected_or_t<std::false_type, Splitting_of, Host>;
 
-// Where the elements of a level come from in the control level: of every kind that is asked for, and of the kinds
-// that are needed to know it a round later.
+// Where the elements of a level come from in the control level: elements of every kind that is asked for, and of the
+// kinds that tell the origins a round later.
 class Level_origins
 {
 public:

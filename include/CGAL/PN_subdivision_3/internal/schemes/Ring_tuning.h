@@ -31,7 +31,7 @@ Number capped(const Number& x, const Number& bound)
   const Number opposite = -bound;
   if (CGAL::certainly(bound < x)) return bound;
   if (CGAL::certainly(x < opposite)) return opposite;
-  if constexpr (is_interval_v<Number>) { // where it is not decided, what contains both
+  if constexpr (is_interval_v<Number>) { // undecided: an interval that contains both
     if (CGAL::possibly(bound < x)) return interval_around_both(x, bound);
     if (CGAL::possibly(x < opposite)) return interval_around_both(x, opposite);
   }
@@ -46,7 +46,7 @@ inline const Scheme_parameter& checked_cap(const Scheme_parameter& cap)
   return cap;
 }
 
-// What becomes of the eigenvalues of the ring matrix of a separated vertex, and when.
+// What becomes of the eigenvalues of the ring matrix of a separated vertex, and from which round on.
 struct Ring_tuning
 {
   Ring_tuning() = default;
@@ -107,7 +107,7 @@ protected:
   Ring_tuning tuning_;
 };
 
-// what the valence of v counts as, null if that is the valence itself
+// the valence that v counts with, null if that is its own valence
 inline const Level_connectivity::Counted_valence* counted_valence(const Level_connectivity& level,
                                                                   Level_connectivity::Index v)
 {
@@ -122,7 +122,7 @@ inline const Level_connectivity::Counted_valence* counted_valence(const Level_co
 inline std::vector<Level_connectivity::Index> irregular_valences(const Level_connectivity& level,
                                                                  Level_connectivity::Index regular)
 {
-  // counted, not walked round: of the vertices nearly all are regular
+  // valences are counted, not found by walks round vertices: nearly all are regular
   std::vector<Level_connectivity::Index> irregular(level.number_of_vertices(), 0);
   for (Level_connectivity::Index h = 0; h < level.number_of_halfedges(); ++h)
     ++irregular[level.target(h)];
@@ -187,7 +187,7 @@ inline double squared_separated_valences(const Level_connectivity& level,
 
 // The separated vertices of a level: the extraordinary ones about which a modified scheme replaces
 // the rules of the plain scheme, with weights that depend on their valence. A face has at most one
-// of them. Vertices of valence 2 keep others from being separated but are never separated
+// separated vertex. Vertices of valence 2 keep others from being separated but are never separated
 // themselves.
 template <class Weights>
 class Separated_vertices
@@ -195,11 +195,11 @@ class Separated_vertices
 public:
   using Index = Level_connectivity::Index;
 
-  // none
+  // no separated vertices
   Separated_vertices() = default;
 
-  // weights(n) makes those of valence n; it is called once for every valence that occurs. Vertices of
-  // a valence n that is not has_weights(n) keep others from being separated all the same.
+  // weights(n) makes the weights of valence n, once for every valence that occurs. Vertices of a valence
+  // n without has_weights(n) are not separated, but keep others from being separated.
   template <class Function, class Predicate>
   Separated_vertices(const Level_connectivity& level, Index regular_valence, Index degree,
                      const Function& weights, const Predicate& has_weights)
@@ -220,7 +220,7 @@ public:
     if (separated.empty()) valence_.clear();
   }
 
-  // in ascending order
+  // the separated vertices in ascending order
   std::vector<Index> vertices() const
   {
     std::vector<Index> result;
@@ -261,14 +261,14 @@ private:
   std::map<Index, Weights> weights_;
 };
 
-// The neighbors of separated vertices of large valence, in a row. Each of the n edges there has a row of all
-// of them: walking round the vertex n times takes longer than the averages.
+// The neighbors of separated vertices of large valence, stored in their order. The row of each of the n edges at
+// such a vertex has all n neighbors: walking round the vertex n times takes longer than the averages.
 class Long_rings
 {
 public:
   using Index = Level_connectivity::Index;
 
-  // none
+  // no rings
   Long_rings() = default;
 
   template <class Separated>

@@ -31,7 +31,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// which function of a mask writes a row; the hosts tell
+// the function of a mask that writes a row; the hosts tell which
 enum class Row_kind { vertex, edge, face, corner, border_vertex, border_edge };
 
 // A mask behind a virtual call a row.
@@ -204,7 +204,7 @@ struct Scheme_facts
   std::optional<Control_normal_estimate> normal_estimate;
   std::function<double(const Level_connectivity&, unsigned)> dense_row_entries;
   std::function<void(const Level_connectivity&, const Element_names&)> check;
-  // in the number type of the points, and in those in which limits are found and interpolated
+  // the masks in the number type of the points, and in those in which limits are found and interpolated
   struct Masks
   {
     template <class Number>
@@ -247,7 +247,7 @@ typename Scheme_facts<FT>::Masks erased_masks(const Scheme& scheme)
           mask_maker<long double, is_of_normals>(scheme)};
 }
 
-// without the masks
+// the facts without the masks
 template <class FT, class Scheme>
 Scheme_facts<FT> stated_facts(const Scheme& scheme)
 {

@@ -23,11 +23,11 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// in the place of the host of an Any_scheme: functions that take one call themselves with the scheme on its host
+// the Host of an Any_scheme: functions that take an Any_scheme call themselves with the scheme on its host
 struct Host_at_run_time
 {};
 
-// whether it is an Any_scheme, or what adapts one
+// whether a scheme is an Any_scheme, or adapts one
 template <class Scheme>
 using Host_of = typename Scheme::Host;
 template <class Scheme>
@@ -71,7 +71,7 @@ struct Number_call
   static constexpr bool has_corner_normals = false;
 };
 
-// calls f(s) with the scheme on the host that it has
+// calls f(s) with the scheme as s, on its host
 template <class Result, class Scheme, class Function>
 Result with_host(const Scheme& scheme, const Function& f)
 {
@@ -103,7 +103,7 @@ Result with_host(const Scheme& scheme, const Function& f)
     return scheme.visit([&](const auto& s) -> Result { return f(s); });
 }
 
-// The same in a call. What a host does not take is refused when it is run, since another scheme may be chosen then.
+// with_host() in a call. What the scheme does not support is refused at run time, since it is chosen at run time.
 template <class Result, class Call, class Scheme, class Function>
 Result on_host([[maybe_unused]] const Scheme& scheme, [[maybe_unused]] const Function& f)
 {
@@ -141,12 +141,12 @@ Result on_host_of_limits(const Scheme& scheme, const Function& f)
   });
 }
 
-// whether it splits edges in halves, and faces at them
+// whether a scheme splits edges in halves, and faces between the halves
 template <class Scheme>
 inline constexpr bool halves_edges_v = std::is_same_v<typename Scheme::Host, PQQ_host> ||
                                        std::is_same_v<typename Scheme::Host, PTQ_host>;
 
-// what is said of a scheme that does not
+// the message on a scheme that does not split edges in halves
 template <class Scheme>
 std::string no_halves(const Scheme& scheme, const std::string& consequence,
                       const std::string& instead = "")
@@ -157,7 +157,7 @@ std::string no_halves(const Scheme& scheme, const std::string& consequence,
          "faces as they do";
 }
 
-// the same for schemes whose limits can be interpolated
+// on_host() for schemes whose limits can be interpolated
 template <class Result, class Call, class Scheme, class Function>
 Result on_interpolated_host(const Scheme& scheme, const Function& f)
 {

@@ -32,7 +32,7 @@ struct Loop_scheme;
 namespace CGAL::PN_subdivision_3::internal {
 
 // What a call says by named parameters of the border, of the tangents of creases and of the estimate of normals is put
-// around its scheme. Of two of a kind the outer one counts.
+// around its scheme. Of two adaptors of a kind the outer one counts.
 
 template <class Scheme>
 struct Scheme_with_border : Scheme_adaptor<Scheme>
@@ -73,7 +73,7 @@ Scheme_with_normal_estimate<Scheme> with_normal_estimate(const Scheme& scheme,
 
 template <class Scheme>
 using Is_with_crease_tangents = Is_instance<Scheme_with_crease_tangents, Scheme>;
-// whether a scheme is one of these adaptors
+// whether a scheme is one of the adaptors above
 template <class Scheme>
 using Is_said_by_call = std::disjunction<Is_with_border<Scheme>, Is_with_crease_tangents<Scheme>,
                                          Is_instance<Scheme_with_normal_estimate, Scheme>>;
@@ -93,7 +93,7 @@ struct Border_of
   }
 };
 
-// in the place of a map of tangents
+// stands in the place of a map of tangents
 struct No_tangent_map
 {};
 
@@ -180,10 +180,10 @@ struct Given_roundness
 {
   std::vector<FT> of_vertices;
   std::optional<FT> of_all;
-  bool is_of_estimate = false; // and counts where the normal of the vertex does
+  bool is_of_estimate = false; // the roundness counts only where the estimated normal does
 
   bool is_any() const { return of_all || !of_vertices.empty(); }
-  // into the values of the vertices, which come first, and of their extra slots; `extra` has the vertices of these slots
+  // puts it into the values of the vertices, which come first, and of their extra slots; `extra` has the vertices of these slots
   template <class Value, class Index = std::size_t>
   void put(std::size_t vertices, std::vector<Value>& values,
            const std::vector<bool>* is_normal_given = nullptr,
@@ -201,16 +201,16 @@ struct Given_roundness
   }
 };
 
-// what is linked to the library CGAL::PN_subdivision_3_double has this macro
+// a program that is linked to the library CGAL::PN_subdivision_3_double has this macro
 #ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
 constexpr bool is_linked_to_library = true;
 #else
 constexpr bool is_linked_to_library = false;
 #endif
 
-// A scheme with a roundness, which is put around the user's scheme as the outermost adaptor. It varies in the calls that
-// estimate normals, that are given a map, or in which sharp edges end. What is linked to a library and what is not have types of their
-// own, as rules_of() differs: a program may have both.
+// A scheme with a roundness, which is put around the user's scheme as the outermost adaptor. The roundness varies in calls that
+// estimate normals, that are given a map, or in which sharp edges end. Sources that are linked to a library and sources that
+// are not have types of their own, as scheme_of_rounds() differs: a program may have both.
 template <class Scheme, class FT, bool creases_may_end = true,
           bool is_linked = is_linked_to_library>
 struct With_roundness : Scheme_adaptor<Scheme>
@@ -233,7 +233,7 @@ template <class Scheme, class FT, bool creases_may_end, bool is_linked>
 struct Is_with_roundness<With_roundness<Scheme, FT, creases_may_end, is_linked>> : std::true_type
 {};
 
-// Whether sharpness may be used up. It is not where maps tell by bool what is sharp, and what blends wedges is not compiled then.
+// Whether sharpness may be used up. With maps of bool it is not, and the code that blends wedges is not compiled then.
 template <class Scheme>
 constexpr bool creases_may_end_v = true;
 template <class Scheme, class FT, bool creases_may_end, bool is_linked>
@@ -246,10 +246,10 @@ constexpr bool is_one_of_v = (std::is_same_v<T, Others> || ...);
 // What rounds and limits ask of a scheme. What a call says of the border, the tangents of creases and the estimate of normals is
 // known when the mesh has been read, and such calls share what follows. Libraries have Catmull-Clark and Loop as an Any_scheme.
 template <bool is_linked = is_linked_to_library, class Scheme, class FT = double>
-decltype(auto) rules_of(const Scheme& scheme, FT = FT())
+decltype(auto) scheme_of_rounds(const Scheme& scheme, FT = FT())
 {
   if constexpr (Is_said_by_call<Scheme>::value)
-    return rules_of<is_linked>(scheme.scheme, FT());
+    return scheme_of_rounds<is_linked>(scheme.scheme, FT());
   else if constexpr (is_linked && std::is_same_v<FT, double> &&
                      is_one_of_v<Scheme, CatmullClark_scheme, Loop_scheme>)
     return Scheme_on_host<typename Scheme::Host, FT>(scheme);
@@ -257,17 +257,17 @@ decltype(auto) rules_of(const Scheme& scheme, FT = FT())
     return (scheme);
 }
 template <class Scheme, class FT, bool creases_may_end, bool is_linked>
-auto rules_of(const With_roundness<Scheme, FT, creases_may_end, is_linked>& scheme)
+auto scheme_of_rounds(const With_roundness<Scheme, FT, creases_may_end, is_linked>& scheme)
 {
-  using Rules = std::decay_t<decltype(rules_of<is_linked>(scheme.scheme, FT()))>;
-  if constexpr (Is_linear<Rules>::value)
-    return rules_of<is_linked>(scheme.scheme, FT());
+  using Round_scheme = std::decay_t<decltype(scheme_of_rounds<is_linked>(scheme.scheme, FT()))>;
+  if constexpr (Is_linear<Round_scheme>::value)
+    return scheme_of_rounds<is_linked>(scheme.scheme, FT());
   else
-    return With_roundness<Rules, FT, creases_may_end, is_linked>{
-      {rules_of<is_linked>(scheme.scheme, FT())}, scheme.given, scheme.varies};
+    return With_roundness<Round_scheme, FT, creases_may_end, is_linked>{
+      {scheme_of_rounds<is_linked>(scheme.scheme, FT())}, scheme.given, scheme.varies};
 }
 template <class Scheme>
-using Rules_of = std::decay_t<decltype(rules_of(std::declval<const Scheme&>()))>;
+using Scheme_of_rounds = std::decay_t<decltype(scheme_of_rounds(std::declval<const Scheme&>()))>;
 
 // puts the given roundness into the values of the vertices, which come first, and of their extra slots
 template <class Scheme, class Value, class Index = std::size_t>

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_NORMAL_ESTIMATION_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_NORMAL_ESTIMATION_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_RECIPROCAL_ESTIMATION_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_RECIPROCAL_ESTIMATION_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
@@ -24,12 +24,11 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// Estimates the normals of sectors: closed fans by reciprocal weights, open ones by the arcs to the
-// closed ones, then open ones whose neighbors are all open by the arcs to the former, and
-// last mixes in the angle-weighted normals of wide fans. The coherent estimation, which goes on from there, keeps More at each
-// sector.
+// Estimates the normals of sectors: closed fans by reciprocal weights, then open fans by the arcs to closed fans, then
+// open fans whose neighbors are all open by the arcs to open fans with a normal, and last mixes in the angle-weighted
+// normals of wide fans. Coherent_estimation, which goes on from there, keeps More at each sector.
 template <class FT, class Sectors, class Point_of, class More>
-class Normal_estimation
+class Reciprocal_estimation
 {
 public:
   using Index = Level_connectivity::Index;
@@ -40,11 +39,12 @@ public:
     bool is_known = false;  // arcs may use it
     bool is_done = false;   // it is given or set
     bool is_corner = false; // of one face
-    double weight = 0;      // beside the angle-weighted normal
+    double weight = 0;      // of the normal beside the angle-weighted normal
     Vector normal{0, 0, 0}; // a unit vector, without the angle-weighted share; zero if unknown
   };
 
-  Normal_estimation(const Level_connectivity& level, const Sectors& sectors, const Point_of& point)
+  Reciprocal_estimation(const Level_connectivity& level, const Sectors& sectors,
+                        const Point_of& point)
     : level_(level)
     , sectors_(sectors)
     , point_(point)
@@ -136,7 +136,7 @@ private:
     e.is_done = set_closed(s, fan, inverted_);
   }
 
-  // estimates open fans by the arcs to known neighbors; returns those that have none
+  // estimates open fans by the arcs to known neighbors; returns the fans without known neighbors
   std::vector<Index> estimate_open(const std::vector<Index>& open, Set_normal set_normal)
   {
     std::vector<Index> without_arcs, found;
@@ -269,4 +269,4 @@ private:
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_NORMAL_ESTIMATION_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_RECIPROCAL_ESTIMATION_H

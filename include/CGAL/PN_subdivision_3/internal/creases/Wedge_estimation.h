@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_CREASES_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_CREASES_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_WEDGE_ESTIMATION_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_WEDGE_ESTIMATION_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
@@ -31,7 +31,7 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// Whole vertices of a level that is cut open, with area normals.
+// The wedges of a level, with area normals: sectors that are whole vertices of the level cut open.
 template <class FT>
 class Wedge_sectors : public Vertex_sectors
 {
@@ -69,7 +69,7 @@ private:
 };
 
 // Where a plane joins a bend beside a crease the wedge has the area normal, as whole vertices have it
-// in Coherent_estimation; both normals orthogonal to the tangents of the creases.
+// in Coherent_estimation. Wedge normals and area normals are orthogonal to the tangents of the creases.
 template <class FT>
 class Wedge_joints
 {
@@ -131,9 +131,9 @@ private:
   std::vector<Value>& values_;
 };
 
-// How round creases are, which their wedges are no more than: where arcs meet. Ends mirror the tangents of their neighbors,
-// and tell nothing: beside a corner tangents turn from edges as in a round fan, too; beside a dart none is round, between
-// two corners what is straight. What turns more, or moves by more than faces beside it are wide, needs exact arcs.
+// How round creases are, and their wedges at most: where arcs meet. The end of a crease takes its tangent from its neighbor,
+// so that their arc proves nothing: beside a corner tangents turn from edges as in a round fan, too; beside a dart no vertex
+// is round, between two corners a straight one is. A crease that turns more, or moves far for its faces, needs exact arcs.
 template <class FT>
 class Crease_roundness
 {
@@ -151,7 +151,7 @@ public:
     , is_dart_(is_inside_)
   {}
 
-  // of all slots
+  // the roundness of all slots
   std::vector<double> operator()()
   {
     std::vector<double> of_vertices(is_inside_.size(), 1), result(values_.size(), 1);
@@ -175,9 +175,9 @@ public:
 private:
   double of_vertex(const Crease_star& star) const
   {
-    double least = 1, miss = 0, miss_of_normals = 0, reach = 0; // the first is a cosine of turns
+    double least = 1, miss = 0, miss_of_normals = 0, reach = 0; // least: the cosine of a turn
     int ends = 0;
-    for (const Crease_end& end : creases_.ends_of(star)) {
+    for (const Crease_halfedge& end : creases_.ends_of(star)) {
       const Crease_edge<FT>& e = creases_.edge(end);
       const Index h = creases_.halfedge(end), w = level_.source(h);
       const Vector edge = between(level_.target(h), w);
@@ -201,7 +201,7 @@ private:
     }
     if (ends > 1) // through any three points there is an arc
       return 1 - smooth_window(std::sqrt((std::max)(0., 2 - 2 * least)), 0.01, 0.1);
-    // a triangle with sharp sides is no circle, unless it is the rim of what is round
+    // a triangle with sharp sides is no circle, unless it is the rim of a round surface
     const double turn = share_of_turn(least);
     return share_of_arcs(miss) *
            (ends > 0 ? turn : either(turn, share_of_exact_arcs(miss_of_normals))) *
@@ -213,14 +213,14 @@ private:
     return to_double_3<FT>(difference(values_[w].point, values_[v].point));
   }
 
-  // of the arc of the normals in the wedges on one side of an edge with the direction u
+  // how far the arc of the normals on one side of an edge misses; u is the direction of the edge
   double miss_of(const Crease_edge<FT>& e, Index side, const Vector& u) const
   {
     return std::abs(dot(to_double_3<FT>(values_[e.after[side]].normal), u) +
                     dot(to_double_3<FT>(values_[e.before[1 - side]].normal), u));
   }
 
-  // of the face of a half-edge with the direction u, the least over its other corners
+  // the width of the face of a half-edge of the direction u: the least distance of its other corners from the edge
   double width(Index side, const Vector& u) const
   {
     double least = std::numeric_limits<double>::infinity();
@@ -233,13 +233,12 @@ private:
   const Level_connectivity& level_;
   const Creases<FT>& creases_;
   const std::vector<Value>& values_;
-  std::vector<bool> is_inside_, is_dart_; // two edges of a crease meet there, or one ends
+  std::vector<bool> is_inside_, is_dart_; // of vertices: a crease goes through, or ends
 };
 
-// The control data of a level with creases, once before the first round: the wedges' normals where
-// none are given, and the tangents.
+// The control data of a level with creases before the first round: tangents, and normals of the wedges without given ones.
 template <class FT>
-class Control_creases
+class Wedge_estimation
 {
 public:
   using Value = Point_normal<FT, 3>;
@@ -247,8 +246,9 @@ public:
   using Vector = Coordinates<FT, 3>;
 
   // values[slot] has the point; its normal if is_given[slot]
-  Control_creases(const Level_connectivity& level, Creases<FT>& creases, std::vector<Value>& values,
-                  std::vector<bool> is_given, Control_normal_estimate estimate)
+  Wedge_estimation(const Level_connectivity& level, Creases<FT>& creases,
+                   std::vector<Value>& values, std::vector<bool> is_given,
+                   Control_normal_estimate estimate)
     : level_(level)
     , creases_(creases)
     , values_(values)
@@ -279,7 +279,7 @@ public:
   }
 
 private:
-  // sector by sector: cut open, every wedge is the whole of its vertex
+  // in the level cut open every wedge is a vertex, and so a sector
   void estimate_normals(const Level_connectivity& cut, const Wedge_sectors<FT>& sectors)
   {
     internal::estimate_normals<FT>(
@@ -297,7 +297,7 @@ private:
   {
     for (const Crease_star& star : creases_.stars)
       if (is_at_crease_or_corner(star))
-        decided<FT>(
+        name_undecided<FT>(
           [&] { strip_normals(star, normal); },
           [&] { return "the normals at the creases of vertex " + std::to_string(star.vertex); });
   }
@@ -317,14 +317,13 @@ private:
     return rule == Vertex_rule::crease || rule == Vertex_rule::corner;
   }
 
-  // makes the estimated normals orthogonal to the tangents of the edges beside their wedges, if that turns
-  // them little
+  // makes estimated normals orthogonal to the tangents of the edges beside their wedges, if that turns the normals little
   void strip_normals(const Crease_star& star, Normal_of normal) const
   {
     const Vector none = zero_vector<FT, 3>();
     std::vector<Vector> after(star.number_of_wedges, none), before = after;
     std::vector<bool> has_after(star.number_of_wedges, false), has_before = has_after;
-    for (const Crease_end& e : creases_.ends_of(star)) {
+    for (const Crease_halfedge& e : creases_.ends_of(star)) {
       const Crease_edge<FT>& crease = creases_.edge(e);
       const Vector& t = crease.tangent_from[1 - e.side];
       if (crease.has_after(e.side)) {
@@ -352,7 +351,7 @@ private:
     }
   }
 
-  // Creases that bend away from the surface at a corner have no normal between them but across it.
+  // Where creases bend away from the surface at a corner, the normal orthogonal to both lies across the surface.
   void keep_part(Index slot, double share, const Vector& n, Vector& stripped) const
   {
     scale(stripped, FT(share));
@@ -369,13 +368,13 @@ private:
 };
 
 template <class FT>
-void make_control_creases(const Level_connectivity& level, Creases<FT>& creases,
-                          std::vector<Point_normal<FT, 3>>& values, std::vector<bool> is_given,
-                          Control_normal_estimate estimate)
+void estimate_wedges(const Level_connectivity& level, Creases<FT>& creases,
+                     std::vector<Point_normal<FT, 3>>& values, std::vector<bool> is_given,
+                     Control_normal_estimate estimate)
 {
-  Control_creases<FT>(level, creases, values, std::move(is_given), estimate)();
+  Wedge_estimation<FT>(level, creases, values, std::move(is_given), estimate)();
 }
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_CREASES_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_WEDGE_ESTIMATION_H
