@@ -221,6 +221,8 @@ TEST(LimitSurfaceQueries, AllKindsOfSurfaces)
     if (!c.is_spline()) c.creases = Creases::none, c.tolerance = 1e-4;
     expect_surface(c, number);
   }
+  // a ray that meets a fold at a narrow angle
+  expect_surface({"modified-loop", 4, false, Creases::corners, 1, 1e-12}, 396);
 }
 
 } // namespace

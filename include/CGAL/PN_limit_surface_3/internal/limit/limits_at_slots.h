@@ -293,10 +293,9 @@ Limit_report vertex_limits(Mesh& mesh, const Scheme& scheme, Point_map points,
         check_limits<FT>(results, [&](std::size_t v) {
           return access.vertex_name(static_cast<Level_connectivity::Index>(v));
         });
-        using Result = typename decltype(results)::value_type;
-        sink(access,
-             Vertex_limits<Result, std::decay_t<decltype(creases)>>{level.level, creases, results},
-             of_mesh);
+        using Limits =
+          Vertex_limits<typename decltype(results)::value_type, std::decay_t<decltype(creases)>>;
+        sink(access, Limits{level.level, creases, results}, of_mesh);
         results.resize(level.level.number_of_vertices());
         report = limit_report(results, demand);
       };

@@ -321,7 +321,7 @@ public:
     constexpr unsigned most_splits = 16, enough = 6;
     if (first_ && least_distance(t) > first_->distance) return;
     const Passing passing = this->passing(t);
-    if (!(passing.gap <= t.distance)) return;
+    if (!(passing.gap <= 1.5 * t.distance)) return; // distances are estimates
     const bool crosses_once = is_seen_from_one_side(t);
     if (crosses_once && first_ && Places::is_about(*first_, t, 0.5)) return;
     const Place place = approach(places_.start(t, passing.weights));
