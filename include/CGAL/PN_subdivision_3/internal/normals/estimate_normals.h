@@ -45,7 +45,7 @@ void estimate_normals(const Level_connectivity& level, Control_normal_estimate e
     if (estimate == Control_normal_estimate::coherent)
       return Coherent(level, sectors, point)(given, set_normal, set_roundness);
     if (estimate == Control_normal_estimate::reciprocal)
-      typename Coherent::Reciprocal_estimation(level, sectors, point)(given, set_normal);
+      typename Coherent::Reciprocal(level, sectors, point)(given, set_normal);
     else {
       Angle_weighted_normals<FT, Sectors> normals(level, sectors);
       for (Index f = 0; f < level.number_of_faces(); ++f) normals.add_face(f, point);
