@@ -174,6 +174,7 @@ public:
 
   void operator()()
   {
+    limit_threads();
     naming_input([this] {
       read();
       find_creases_and_part();
@@ -196,6 +197,16 @@ public:
 
 private:
   using Source = Normals_option::Source;
+
+  // Only where something is computed: TBB does not survive a failed allocation of its own.
+  void limit_threads()
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    if (options_.levels > 0 || plan_.limit.is_used() || plan_.interpolation || plan_.chord ||
+        plan_.curvature || in_pieces_)
+      most_threads_.emplace(tbb::global_control::max_allowed_parallelism, plan_.threads);
+#endif
+  }
 
   template <class Function>
   void naming_input(const Function& f)
@@ -799,8 +810,7 @@ private:
   Report report_;
   Plan plan_;
 #ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control most_threads_{tbb::global_control::max_allowed_parallelism,
-                                          plan_.threads};
+  std::optional<tbb::global_control> most_threads_;
 #endif
   const std::string input_, output_; // for messages
   const bool in_pieces_;

@@ -72,10 +72,10 @@ protected:
     return {code, Temporary_folder::content(out), Temporary_folder::content(err)};
   }
 
-  // names without a folder are those of files of the user's
+  // names that do not begin with a folder are those of files of the user's
   std::string path(const std::string& name) const
   {
-    return name.find('/') == std::string::npos ? folder.file(name) : name;
+    return name.substr(0, 1) == "/" ? name : folder.file(name);
   }
   std::string content(const std::string& name) const
   {
