@@ -34,6 +34,7 @@
 #include <cmath>
 #include <cstdio>
 #include <new>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -159,6 +160,20 @@ struct Seen_part
   Turning_edges turning; // if they are to be told of
 };
 
+// So many threads of the library while it lives.
+struct Threads
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  explicit Threads(unsigned number)
+    : most(tbb::global_control::max_allowed_parallelism, number)
+  {}
+  tbb::global_control most;
+#else
+  explicit Threads(unsigned)
+  {}
+#endif
+};
+
 // The steps of the command, and what they hand on.
 class Surface_run
 {
@@ -201,11 +216,9 @@ private:
   // Only where something is computed: TBB does not survive a failed allocation of its own.
   void limit_threads()
   {
-#ifdef CGAL_LINKED_WITH_TBB
     if (options_.levels > 0 || plan_.limit.is_used() || plan_.interpolation || plan_.chord ||
         plan_.curvature || in_pieces_)
-      most_threads_.emplace(tbb::global_control::max_allowed_parallelism, plan_.threads);
-#endif
+      threads_.emplace(plan_.threads);
   }
 
   template <class Function>
@@ -809,9 +822,7 @@ private:
   Surface_options options_;
   Report report_;
   Plan plan_;
-#ifdef CGAL_LINKED_WITH_TBB
-  std::optional<tbb::global_control> most_threads_;
-#endif
+  std::optional<Threads> threads_;
   const std::string input_, output_; // for messages
   const bool in_pieces_;
   Mesh_data mesh_;
