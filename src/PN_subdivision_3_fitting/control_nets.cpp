@@ -8,7 +8,6 @@
 
 #include <CGAL/PN_fitting_3/internal/find_control_net.h>
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
-#include <CGAL/PN_fitting_3/smooth_control_normals.h>
 
 namespace CGAL::PN_subdivision_3::internal {
 
@@ -26,16 +25,5 @@ template Interpolation_result<3>
 interpolate_creased(const Interpolation_data<3>&,
                     Function_ref<void(Vectors<3>&, double, Limit_interpolation*)>);
 template void find_natural_normals(Interpolation_data<3>&, Surface_limits&);
-template Interpolation_result<2> interpolate_polygon(bool, const Interpolation_options&,
-                                                     Interpolation_data<2>&);
-template Interpolation_result<3> interpolate_polygon(bool, const Interpolation_options&,
-                                                     Interpolation_data<3>&);
-template Interpolation_result<3> prescribe(const Level_connectivity&, const Interpolation_options&,
-                                           const Interpolation_data<3>&, Surface_limits&,
-                                           std::vector<Prescribed_vertex>,
-                                           const std::vector<Prescribed_form>&,
-                                           Function_ref<std::string(Level_connectivity::Index)>);
-template Normal_smoothing_report smooth<3>(const Level_connectivity&, const Interpolation_data<3>&,
-                                           Vectors<3>&);
 
 } // namespace CGAL::PN_subdivision_3::internal
