@@ -23,6 +23,18 @@
 namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
+// the vectors of the normals that are given, or those of the points, which are not looked at otherwise
+template <class Points, class Normal_map>
+struct Curve_vector
+{
+  using type = typename boost::property_traits<Normal_map>::value_type;
+};
+template <class Points>
+struct Curve_vector<Points, No_curve_normal_map>
+{
+  using type = typename Points::Vector;
+};
+
 // The named parameters of the curve functions.
 template <class Range, class NamedParameters>
 struct Curve_parameters : Curve_maps<Range, NamedParameters>
@@ -30,10 +42,7 @@ struct Curve_parameters : Curve_maps<Range, NamedParameters>
   using Points = Curve_points<Range, NamedParameters>;
   using typename Curve_maps<Range, NamedParameters>::Normal_map;
   using typename Curve_maps<Range, NamedParameters>::Point;
-  // of the normals that are given, or those of the points
-  using Vector =
-    typename std::conditional_t<Points::has_normals, boost::property_traits<Normal_map>,
-                                typename Points::Own_vectors>::value_type;
+  using Vector = typename Curve_vector<Points, Normal_map>::type;
   using Geom_traits =
     typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
                                                  typename CGAL::Kernel_traits<Point>::Kernel>::type;

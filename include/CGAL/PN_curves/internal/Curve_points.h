@@ -108,10 +108,6 @@ struct Curve_points : Curve_maps<Range, NamedParameters>
   static constexpr bool has_normals = !std::is_same_v<Normal_map, No_curve_normal_map>;
   using Vector =
     std::conditional_t<dimension == 2, typename Kernel::Vector_2, typename Kernel::Vector_3>;
-  struct Own_vectors
-  {
-    using value_type = Vector;
-  };
 
   // the points in the number type Number
   template <class Number>
