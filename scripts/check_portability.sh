@@ -84,7 +84,7 @@ name_what_is_left_out()
 {
   grep -hE "left out|skipped \(" "$@" || true
   find src examples test demo benchmark -name '*.cpp' | sort | while read -r source; do
-    [[ $source == */bits.cpp ]] || grep -qF "/$source\"" "${@/%.txt//compile_commands.json}" "${1%.txt}"/test/PN_subdivision_3/joined/*.cpp ||
+    [[ $source == */bits.cpp ]] || grep -qsF "/$source\"" "${@/%.txt//compile_commands.json}" "${1%.txt}"/test/PN_subdivision_3/joined/*.cpp ||
       echo "-- left out: $source"
   done
   echo "-- left out: demo/PN_subdivision_3/modeler/bindings.cpp, which needs emscripten"
