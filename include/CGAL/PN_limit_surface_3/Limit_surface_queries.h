@@ -70,7 +70,7 @@ using Query_traits = AABB_traits<Simple_cartesian<double>, Primitive>;
 finds closest points and intersections with rays on a limit surface. An `AABB_tree` of flat triangles between limit points finds candidates; from
 there Newton's method goes to the point on the surface itself, which is evaluated where the query needs it, see `Limit_surface`.
 
-How far the surface is from its triangles is estimated as in `tessellate()`. All triangles that may have the closest point are looked at, and all
+How far the surface is from its triangles is estimated as in `tessellate()`, and half more. All triangles that may have the closest point are looked at, and all
 that a ray passes within this distance. A triangle over which several places may be closest is split (up to 100 are), and one over which the ray may meet the surface twice, or at a place that Newton's
 method does not find, up to 16 times. A point that is returned for a ray is at most four times the
 `tolerance()` of the surface off it, or twice the `error` that the surface has there if that is more.

@@ -236,7 +236,7 @@ void expect_rays(const Surface& surface, const Queries& queries, const Fine_tria
 {
   std::mt19937 random(7U + unsigned(from));
   const auto any = [&] { return double(random()) / 4294967296.; };
-  const auto any_vector = [&] { return Vector(any() - 0.5, any() - 0.5, any() - 0.5); };
+  const auto any_vector = [&] { return Vector{any() - 0.5, any() - 0.5, any() - 0.5}; };
   const double size = fine.size(), off = 4 * surface.tolerance() + 1e-13 * size;
   const Point middle((fine.box.xmin() + fine.box.xmax()) / 2,
                      (fine.box.ymin() + fine.box.ymax()) / 2,
@@ -276,7 +276,7 @@ void expect_closest_points(const Surface& surface, const Queries& queries,
   const double off = 4 * surface.tolerance() + 1e-13 * fine.size() + fine.error;
   for (int k = from; k < from + number; ++k) {
     const double away = k % 4 == 0 ? 0 : fine.size() * std::pow(10., 1 - k % 4);
-    const Point p = fine.points[random() % fine.points.size()] + away * Vector(any(), any(), any());
+    const Point p = fine.points[random() % fine.points.size()] + away * Vector{any(), any(), any()};
     double least = std::numeric_limits<double>::infinity();
     for (const Point& other : fine.points) least = (std::min)(least, length(other - p));
     const auto c = queries.closest_point(p);

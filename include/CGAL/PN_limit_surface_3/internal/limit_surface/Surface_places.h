@@ -267,9 +267,9 @@ private:
       const auto& [parameters, p, n] = corners[k];
       return flatness::Corner{{p.x(), p.y(), p.z()}, {n.x(), n.y(), n.z()}};
     };
+    constexpr double safety = 1.5 * tessellation_safety; // folds are farther than a triangle tells
     const double bulge = flatness::over_triangle(corner(0), corner(1), corner(2));
-    return {face,   piece, corners, (std::max)({error, beside, tessellation_safety * bulge}),
-            beside, error};
+    return {face, piece, corners, (std::max)({error, beside, safety * bulge}), beside, error};
   }
 
   void put_inside(double& u, double& v) const
@@ -321,7 +321,7 @@ public:
     constexpr unsigned most_splits = 16, enough = 6;
     if (first_ && least_distance(t) > first_->distance) return;
     const Passing passing = this->passing(t);
-    if (!(passing.gap <= 1.5 * t.distance)) return; // distances are estimates
+    if (!(passing.gap <= t.distance)) return;
     const bool crosses_once = is_seen_from_one_side(t);
     if (crosses_once && first_ && Places::is_about(*first_, t, 0.5)) return;
     const Place place = approach(places_.start(t, passing.weights));
