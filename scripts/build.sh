@@ -9,7 +9,7 @@
 #
 # Configures build/release, or the folder of another preset, and builds it, or only the targets named.
 #
-#   scripts/build.sh [--preset NAME] [TARGET...]
+#   scripts/build.sh [--preset NAME] [--keep-going] [TARGET...]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -17,6 +17,11 @@ preset=release
 if [[ ${1:-} == --preset ]]; then
   preset=$2
   shift 2
+fi
+rest=()
+if [[ ${1:-} == --keep-going ]]; then
+  rest=(-- -k 0)
+  shift
 fi
 
 options=()
@@ -33,4 +38,4 @@ targets=()
 if [[ $# -gt 0 ]]; then
   targets=(--target "$@")
 fi
-cmake --build --preset "$preset" "${targets[@]}"
+cmake --build --preset "$preset" "${targets[@]}" "${rest[@]}"

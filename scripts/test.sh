@@ -63,7 +63,7 @@ times >build/tests/times
 
 say "building"
 scripts/build.sh --preset tests
-[[ $full == no ]] || attempt "build of the long tests" scripts/build.sh --preset tests pn_long_tests
+[[ $full == no ]] || attempt "build of the long tests" scripts/build.sh --preset tests --keep-going pn_long_tests
 
 say "running the tests"
 if [[ $full == no ]]; then
@@ -78,14 +78,14 @@ if [[ $full == no ]]; then
 else
   attempt "long tests" ctest --test-dir build/tests --output-on-failure --parallel "$(nproc)"
   say "building all by g++, optimized"
-  attempt "build by g++" scripts/build.sh
+  attempt "build by g++" scripts/build.sh --preset release --keep-going
   say "running its tests"
   presets+=(release)
   run_tests release
   say "CGAL 6"
   attempt "CGAL 6" scripts/check_portability.sh cgal6
   say "benchmarks"
-  attempt benchmarks scripts/build.sh pn_benchmarks
+  attempt benchmarks scripts/build.sh --preset release --keep-going pn_benchmarks
   for benchmark in build/release/benchmark/PN_subdivision_3/benchmark_*; do
     [[ ! -x $benchmark ]] || attempt "$(basename "$benchmark")" "$benchmark" --benchmark_min_time=0.01 >"$benchmark.out"
   done
