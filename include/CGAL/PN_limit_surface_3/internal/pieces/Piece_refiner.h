@@ -63,8 +63,7 @@ public:
   using Values = typename Refiner::Values;
 
   using Output = typename Abstract_pieces<Average>::Output;
-  using Attribute_rounds =
-    Optional_attribute_rounds<FT, Host, has_attributes>; // of the control level
+  using Attribute_rounds = Optional_attribute_rounds<FT, has_attributes>; // of the control level
 
   // `last_rings`: how many rings of faces the last level shall have right, at least
   Piece_refiner(const Scheme& scheme, Level_connectivity&& control, Level_creases&& creases,
@@ -342,7 +341,7 @@ private:
     const Piece_elements all{children.vertices(child.size().vertices), Global_ids(),
                              children.faces(child.size().faces)};
     return Last_level(child, all, creases, has_isolated, rings,
-                      Optional_attribute_rounds<FT, Host, false>(), out);
+                      Optional_attribute_rounds<FT, false>(), out);
   }
 
   // puts a part without a round

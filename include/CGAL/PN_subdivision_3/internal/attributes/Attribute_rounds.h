@@ -43,7 +43,7 @@ enum class Kind_of_round { inner, last_put_at_once, last_put_later };
 
 // Attributes through the rounds of a call: begin_round(), the rows() and the child() of the round, end_round();
 // after the last one put(). What is defined behind the class may be compiled once.
-template <class FT, class Host>
+template <class FT>
 class Attribute_rounds
 {
 public:
@@ -51,13 +51,12 @@ public:
   using Rows_sink = Function_ref<void(Index, const Stencil_block<FT>&)>;
   using Child_sink = Function_ref<void(const Level_connectivity&)>;
   using Kinds = Level_origins::Kinds;
-  using Rules = Origin_rules<Host>;
   using Indices = Level_part::Origins;
   using Chart_slots = std::vector<Corner_slots<FT>>;
 
-  // `extra_slots` has the vertices of the further slots, see Creases; `visited` the origins
+  // `kept` tells what the host keeps; `extra_slots` has the vertices of the further slots, see Creases; `visited` the origins
   // that a visitor asks for
-  Attribute_rounds(Control_attributes<FT>&& attributes, Kinds visited,
+  Attribute_rounds(Control_attributes<FT>&& attributes, Kept_elements kept, Kinds visited,
                    const Level_connectivity& level, const std::vector<Index>& extra_slots,
                    const Control_sharpness& sharpness, const Element_names& names,
                    const For_chunks& for_chunks);
@@ -93,21 +92,20 @@ public:
 
   // where the elements of the last round come from
   template <class Plain_round>
-  Rules rules(const Plain_round& last, const Level_connectivity& level) const
+  auto rules(const Plain_round& last, const Level_connectivity& level) const
   {
-    return {last.host(), level, origins_, last.number()};
+    using Host = typename Plain_round::Host;
+    return Origin_rules<Host>(last.host(), level, origins_, last.number());
   }
 
   // puts everything for the elements of the refined mesh, which has been made large enough
-  template <class Origin_of_element>
-  void put(const Level_size& size, const Level_connectivity* refined,
-           const Origin_of_element& rules);
+  void put(const Level_size& size, const Level_connectivity* refined, const Origin_source& rules);
   void commit() noexcept { attributes_.commit(); }
 
   // puts the attributes of a part after all rounds; what has been put is taken from the result
   Control_attributes<FT>& put_part(const Level_part& part)
   {
-    put(part.level.size(), &part.level, Own_origins{origins_});
+    put(part.level.size(), &part.level, origins_);
     commit();
     return attributes_;
   }
@@ -146,30 +144,24 @@ private:
   {
     void operator()(const Level_connectivity& child) const
     {
-      if constexpr (Splits_edges<Host>::value)
-        for (Row_values<FT>* values : self.linear_)
-          Linear_corners<FT, Host>(*self.host_, *self.level_, child, *values)(self.for_chunks_);
+      for (Row_values<FT>* values : self.linear_) self.end_linear_round_(child, *values);
       for (Smooth_corners<FT>& corners : self.smooth_) self.end_smooth_round_(corners);
     }
     Attribute_rounds& self;
   };
 
-  struct Origins_of_part
+  struct Origins_of_part final : Origin_source
   {
-    Origin vertex(Index v) const { return whole.of_vertex(part.vertices[v]); }
-    Origin edge(Index e) const { return whole.of_edge(part.edges[e]); }
-    Origin face(Index f) const { return whole.of_face(part.faces[f]); }
+    Origins_of_part(const Level_origins& origins_of_whole, const Level_part& part_of_level)
+      : whole(origins_of_whole)
+      , part(part_of_level)
+    {}
+    Origin vertex(Index v) const override { return whole.vertex(part.vertices[v]); }
+    Origin edge(Index e) const override { return whole.edge(part.edges[e]); }
+    Origin face(Index f) const override { return whole.face(part.faces[f]); }
 
     const Level_origins& whole;
     const Level_part& part;
-  };
-  struct Own_origins
-  {
-    Origin vertex(Index v) const { return origins.of_vertex(v); }
-    Origin edge(Index e) const { return origins.of_edge(e); }
-    Origin face(Index f) const { return origins.of_face(f); }
-
-    const Level_origins& origins;
   };
 
   // `kept` is sorted
@@ -194,7 +186,7 @@ private:
   {
     Row_values<FT>& values = *corner.values;
     if (corner.rule == Corner_rule::all) {
-      if (!Splits_edges<Host>::value) refuse("an attribute of corners is linear, but the");
+      if (!kept_.edges) refuse("an attribute of corners is linear, but the");
       values.begin(faced_halfedges(level));
       linear_.push_back(&values);
       corner_kinds_.push_back({Corner_kind::linear, 0});
@@ -204,7 +196,7 @@ private:
                       [&](Index h, Index g) { return values.are_equal(h, g); });
     std::vector<Index> corner_of_slots = charts.corner_of_slots();
     if (charts.is_cut()) {
-      if (!Splits_edges<Host>::value)
+      if (!kept_.edges)
         refuse(charts.has_seams() ? "an attribute of corners has a seam at the edge of " +
                                       names.halfedge_name(2 * charts.first_seam()) + ", but the"
                                   : "an attribute of corners has straight borders, but the");
@@ -217,7 +209,7 @@ private:
       corner_of_slots.push_back(corner_of_slots[slot_vertices[slot]]);
     values.begin(corner_of_slots);
     by_rows_.push_back(
-      {&values, Host::keeps_vertices ? charts.kept_vertices() : std::vector<Index>(), false});
+      {&values, kept_.vertices ? charts.kept_vertices() : std::vector<Index>(), false});
     corner_kinds_.push_back({Corner_kind::by_rows, 0});
   }
 
@@ -233,21 +225,24 @@ private:
       else
         by_rows.values->begin_round(number_of_values);
     const Level_size size = round.refined_size();
-    if constexpr (Splits_edges<Host>::value) {
+    if constexpr (Splits_edges<typename Plain_round::Host>::value) {
       for (Smooth_corners<FT>& corners : smooth_)
         corners.begin_round(level, static_cast<Index>(size.vertices), charts_take_rows_);
       end_smooth_round_ = [&scheme, &round, &level, smooth_mask,
                            this](Smooth_corners<FT>& corners) {
         corners.end_round(scheme, round, level, smooth_mask.get(), for_chunks_);
       };
+      end_linear_round_ = [&round, &level, this](const Level_connectivity& child,
+                                                 Row_values<FT>& values) {
+        Linear_corners<FT, typename Plain_round::Host>(round.host(), level, child,
+                                                       values)(for_chunks_);
+      };
     }
     for (Row_values<FT>* values : linear_)
       values->begin_round(static_cast<std::size_t>(size.halfedges()));
-    host_ = &round.host();
-    level_ = &level;
     if (kind == Kind_of_round::inner && wanted_.any())
-      refined_origins_ = Level_origins::of_child(rules(round, level), size,
-                                                 Level_origins::needed<Host>(wanted_), for_chunks_);
+      refined_origins_ = Level_origins::of_child(
+        rules(round, level), size, Level_origins::needed(wanted_, kept_.edges), for_chunks_);
   }
 
   static std::vector<Index> faced_halfedges(const Level_connectivity& level)
@@ -270,8 +265,7 @@ private:
     return values;
   }
 
-  template <class Origin_of_element>
-  void put_edges(const Level_size& size, const Origin_of_element& rules)
+  void put_edges(const Level_size& size, const Origin_source& rules)
   {
     std::vector<Index> sources(size.edges);
     for (Index e = 0; e < sources.size(); ++e) {
@@ -280,16 +274,14 @@ private:
     }
     for (auto& values : attributes_.edges) values->put(sources);
   }
-  template <class Origin_of_element>
-  void put_faces(const Level_size& size, const Origin_of_element& rules)
+  void put_faces(const Level_size& size, const Origin_source& rules)
   {
     std::vector<Index> sources(size.faces);
     for (Index f = 0; f < sources.size(); ++f) sources[f] = control_face(rules.face(f));
     for (auto& values : attributes_.faces) values->put(sources);
   }
-  template <class Origin_of>
   void put_origins(typename Control_attributes<FT>::template List<Origin_values>& list,
-                   std::uint64_t number, const Origin_of& origin_of)
+                   std::uint64_t number, Function_ref<Origin(Index)> origin_of)
   {
     for (auto& values : list) {
       values->begin(static_cast<std::size_t>(number));
@@ -309,6 +301,7 @@ private:
 
   Control_attributes<FT> attributes_;
   const For_chunks for_chunks_;
+  Kept_elements kept_;
   Kinds wanted_;
   std::shared_ptr<const Control_faces> control_faces_; // where faces do not come from faces alone
   Level_origins origins_;
@@ -317,11 +310,9 @@ private:
   std::vector<Smooth_corners<FT>> smooth_;
   std::vector<Row_values<FT>*> linear_;
   std::vector<std::pair<Corner_kind, std::size_t>> corner_kinds_; // the rank in smooth_
-  // the host and the level of the round
-  const Host* host_ = nullptr;
-  const Level_connectivity* level_ = nullptr;
   bool charts_take_rows_ = true;
   std::function<void(Smooth_corners<FT>&)> end_smooth_round_;
+  std::function<void(const Level_connectivity&, Row_values<FT>&)> end_linear_round_;
   std::vector<std::pair<Index, Entry_row<FT>>> crease_rows_;
   std::vector<std::pair<Index, Index>> copies_;
   const On_rows on_rows_{*this};
@@ -330,15 +321,15 @@ private:
   const Child_sink child_sink_{on_child_};
 };
 
-template <class FT, class Host>
-Attribute_rounds<FT, Host>::Attribute_rounds(Control_attributes<FT>&& attributes, Kinds visited,
-                                             const Level_connectivity& level,
-                                             const std::vector<Index>& extra_slots,
-                                             const Control_sharpness& sharpness,
-                                             const Element_names& names,
-                                             const For_chunks& for_chunks)
+template <class FT>
+Attribute_rounds<FT>::Attribute_rounds(Control_attributes<FT>&& attributes, Kept_elements kept,
+                                       Kinds visited, const Level_connectivity& level,
+                                       const std::vector<Index>& extra_slots,
+                                       const Control_sharpness& sharpness,
+                                       const Element_names& names, const For_chunks& for_chunks)
   : attributes_(std::move(attributes))
   , for_chunks_(for_chunks)
+  , kept_(kept)
 {
   std::vector<Index> slot_vertices = first_indices(level.number_of_vertices());
   slot_vertices.insert(slot_vertices.end(), extra_slots.begin(), extra_slots.end());
@@ -352,17 +343,17 @@ Attribute_rounds<FT, Host>::Attribute_rounds(Control_attributes<FT>&& attributes
   wanted_.vertices = wanted_.vertices || visited.vertices;
   wanted_.edges = wanted_.edges || visited.edges;
   wanted_.faces = wanted_.faces || visited.faces;
-  if constexpr (!Splits_edges<Host>::value) {
+  if (!kept_.edges) {
     if (!attributes_.edges.empty()) refuse("there is an attribute of edges, but the");
     if (wanted_.faces) control_faces_ = std::make_shared<Control_faces>(level);
   }
 }
 
-template <class FT, class Host>
-Attribute_rounds<FT, Host>::Attribute_rounds(const Attribute_rounds& whole, const Level_part& part,
-                                             const Indices& slot_ids,
-                                             const Chart_slots& chart_slots)
+template <class FT>
+Attribute_rounds<FT>::Attribute_rounds(const Attribute_rounds& whole, const Level_part& part,
+                                       const Indices& slot_ids, const Chart_slots& chart_slots)
   : for_chunks_(whole.for_chunks_)
+  , kept_(whole.kept_)
   , wanted_(whole.wanted_)
   , control_faces_(whole.control_faces_)
 {
@@ -393,29 +384,29 @@ Attribute_rounds<FT, Host>::Attribute_rounds(const Attribute_rounds& whole, cons
   }
   attributes_.take_parts_of_copied(whole.attributes_);
   if (wanted_.any())
-    origins_ = Level_origins::of_child(Origins_of_part{whole.origins_, part}, part.level.size(),
-                                       Level_origins::needed<Host>(wanted_), for_chunks_);
+    origins_ = Level_origins::of_child(Origins_of_part(whole.origins_, part), part.level.size(),
+                                       Level_origins::needed(wanted_, kept_.edges), for_chunks_);
 }
 
-template <class FT, class Host>
+template <class FT>
 template <class Scheme, class Plain_round>
-void Attribute_rounds<FT, Host>::begin_round(const Scheme& scheme, const Plain_round& round,
-                                             const Level_connectivity& level, Kind_of_round kind)
+void Attribute_rounds<FT>::begin_round(const Scheme& scheme, const Plain_round& round,
+                                       const Level_connectivity& level, Kind_of_round kind)
 {
   using Mask = std::decay_t<decltype(round.mask())>;
   begin(scheme, round, level, std::shared_ptr<const Mask>(),
         static_cast<std::size_t>(round.refined_size().vertices), kind);
 }
 
-template <class FT, class Host>
+template <class FT>
 template <class Scheme, class Level_round>
-void Attribute_rounds<FT, Host>::begin_creased_round(const Scheme& scheme, const Level_round& round,
-                                                     Level_connectivity& level,
-                                                     const Creases<FT>& creases, Kind_of_round kind)
+void Attribute_rounds<FT>::begin_creased_round(const Scheme& scheme, const Level_round& round,
+                                               Level_connectivity& level,
+                                               const Creases<FT>& creases, Kind_of_round kind)
 {
   using Mask = std::decay_t<decltype(round.round().mask())>;
   std::shared_ptr<const Mask> smooth_mask;
-  if (round.needs_smooth_rules(true)) {
+  if (has_smooth_rules(creases, round.refined(), true)) {
     count_valences(level, creases);
     smooth_mask =
       std::make_shared<const Mask>(scheme.template mask<FT>(level, round.round().number()));
@@ -436,8 +427,8 @@ void Attribute_rounds<FT, Host>::begin_creased_round(const Scheme& scheme, const
       copies_.emplace_back(star.vertex, star.slot(w));
 }
 
-template <class FT, class Host>
-void Attribute_rounds<FT, Host>::end_round()
+template <class FT>
+void Attribute_rounds<FT>::end_round()
 {
   for (const By_rows& by_rows : by_rows_) {
     for (const auto& [slot, row] : crease_rows_)
@@ -451,10 +442,9 @@ void Attribute_rounds<FT, Host>::end_round()
   refined_origins_.reset();
 }
 
-template <class FT, class Host>
-template <class Origin_of_element>
-void Attribute_rounds<FT, Host>::put(const Level_size& size, const Level_connectivity* refined,
-                                     const Origin_of_element& rules)
+template <class FT>
+void Attribute_rounds<FT>::put(const Level_size& size, const Level_connectivity* refined,
+                               const Origin_source& rules)
 {
   for (auto& values : attributes_.vertices) values->put_all(static_cast<Index>(size.vertices));
   for (std::size_t i = 0; i < attributes_.corners.size(); ++i)

@@ -28,11 +28,11 @@
 namespace CGAL::PN_subdivision_3::internal {
 
 // Attribute_rounds, if there are any, and the steps of a round of a Level_refiner that serve them.
-template <class FT, class Host, bool may_be_any = true>
+template <class FT, bool may_be_any = true>
 class Optional_attribute_rounds
 {
 public:
-  using Rounds = Attribute_rounds<FT, Host>;
+  using Rounds = Attribute_rounds<FT>;
 
   Optional_attribute_rounds() = default;
   explicit Optional_attribute_rounds(std::unique_ptr<Rounds> rounds)
@@ -126,8 +126,8 @@ private:
 };
 
 // Without attributes there is nothing to do.
-template <class FT, class Host>
-class Optional_attribute_rounds<FT, Host, false>
+template <class FT>
+class Optional_attribute_rounds<FT, false>
 {
 public:
   explicit constexpr operator bool() const { return false; }
@@ -163,10 +163,11 @@ auto attribute_rounds_of_call([[maybe_unused]] const Attributes& attributes,
                               [[maybe_unused]] const Values& of_mesh,
                               [[maybe_unused]] const For_chunks& for_chunks)
 {
-  using Rounds = Optional_attribute_rounds<FT, Host, !Attributes::is_empty>;
+  using Rounds = Optional_attribute_rounds<FT, !Attributes::is_empty>;
   if constexpr (!Attributes::is_empty)
     if (attributes.is_any())
-      return Rounds(attributes.template read<FT>(access, level), Attributes::visited, level,
+      return Rounds(attributes.template read<FT>(access, level), kept_elements_v<Host>,
+                    Attributes::visited, level,
                     vertices_of_extra_slots(creases, level.number_of_vertices()),
                     of_mesh.sharpness(level), access, for_chunks);
   return Rounds();

@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -134,16 +135,18 @@ private:
   std::vector<bool> is_kept_; // by control half-edges
 };
 
+// of the values of two corners, given by the half-edges that lead to them
+using Are_values_equal = Function_ref<bool(Level_connectivity::Index, Level_connectivity::Index)>;
+
 // Finds out on a control level what spans stay.
-template <class FT, class Are_equal>
+template <class FT>
 class Find_kept_spans
 {
 public:
   using Index = Level_connectivity::Index;
 
-  // are_equal(h, g): of the values of two corners, given by the half-edges that lead to them
   Find_kept_spans(const Level_connectivity& level, const Creases<FT>& creases,
-                  const Are_equal& are_equal)
+                  Are_values_equal are_equal)
     : level_(level)
     , creases_(creases)
     , are_equal_(are_equal)
@@ -227,7 +230,7 @@ private:
 
   const Level_connectivity& level_;
   const Creases<FT>& creases_;
-  const Are_equal& are_equal_;
+  const Are_values_equal are_equal_;
   std::vector<Span> spans_;
 };
 
@@ -240,10 +243,8 @@ public:
   using Index = Level_connectivity::Index;
   static constexpr Index null = Level_connectivity::null;
 
-  // are_equal(h, g): of the values of two corners, given by the half-edges that lead to them
-  template <class Are_equal>
   Charts(const Level_connectivity& level, Corner_rule rule, const Control_sharpness& sharpness,
-         const Are_equal& are_equal)
+         Are_values_equal are_equal)
     : level_(level)
   {
     std::vector<bool> is_seam = find_seams(are_equal);
@@ -252,7 +253,7 @@ public:
     if (is_cut_) {
       make_creases(is_seam, sharpness, is_straight);
       rules_ = Chart_rules(level, rule, std::move(is_seam));
-      Find_kept_spans<FT, Are_equal>(level, creases_, are_equal)(rules_);
+      Find_kept_spans<FT>(level, creases_, are_equal)(rules_);
     } else if (rule != Corner_rule::none)
       find_kept_vertices();
   }
@@ -282,8 +283,7 @@ public:
   }
 
 private:
-  template <class Are_equal>
-  std::vector<bool> find_seams(const Are_equal& are_equal)
+  std::vector<bool> find_seams(Are_values_equal are_equal)
   {
     std::vector<bool> is_seam(level_.number_of_edges(), false);
     std::vector<Index> previous(level_.number_of_halfedges());

@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/ended_creases.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -54,8 +55,7 @@ public:
   }
 
   // calls f(new slot, row) for all slots of new vertices on creases; the slots of a vertex follow one another
-  template <class Function>
-  void for_each(const Function& f)
+  void for_each(Function_ref<void(Index, const Row&)> f)
   {
     for (std::size_t i = 0; i < creases_.stars.size(); ++i) star(static_cast<Index>(i), f);
     for (std::size_t i = 0; i < creases_.edges.size(); ++i) edge(static_cast<Index>(i), f);
@@ -64,13 +64,12 @@ public:
 private:
   static constexpr Index null = Level_connectivity::null;
 
-  template <class Function>
-  void star(Index i, const Function& f)
+  void star(Index i, Function_ref<void(Index, const Row&)> f)
   {
     const Crease_star& star = creases_.stars[i];
     const bool is_on_seam = charts_ != nullptr && charts_->is_on_seam(creases_, star);
     const Wedge_merge merge =
-      merge_wedges(creases_, star, [&](const Crease_halfedge& e) { return remains(e); });
+      merge_wedges<FT>(creases_, star, [&](const Crease_halfedge& e) { return remains(e); });
     const Index new_star = refined_.star[i];
     const Index wedges = new_star == null ? 1 : refined_.creases.stars[new_star].number_of_wedges;
     for (Index w = 0; w < wedges; ++w) {
@@ -134,9 +133,8 @@ private:
   }
 
   // make_child_row() makes the row of the child rule
-  template <class Function>
   void blend_rules(const Crease_star& star, Vertex_rule parent, Vertex_rule child,
-                   const Function& make_child_row)
+                   Function_ref<void()> make_child_row)
   {
     if (is_same_rule(parent, child)) return;
     const double part = weight_of_parent_rule(creases_, star);
@@ -172,8 +170,7 @@ private:
     row_.add(slot, weights[2]);
   }
 
-  template <class Function>
-  void edge(Index i, const Function& f)
+  void edge(Index i, Function_ref<void(Index, const Row&)> f)
   {
     const Crease_edge<FT>& e = creases_.edges[i];
     const Index rank = refined_.rank[i];

@@ -81,9 +81,10 @@ public:
     auto kept = std::make_shared<decltype(lists.read(access, level, level.size(), attributes))>(
       lists.read(access, level, level.size(), attributes));
     static constexpr Numbers_as_elements numbers{};
-    auto rounds = std::make_unique<Attribute_rounds<FT, Host>>(
-      read_attributes<FT>(numbers, level, *kept), Level_origins::Kinds(), level,
-      vertices_of_extra_slots(creases, level.number_of_vertices()), sharpness, access, for_chunks);
+    auto rounds = std::make_unique<Attribute_rounds<FT>>(
+      read_attributes<FT>(numbers, level, *kept), kept_elements_v<Host>, Level_origins::Kinds(),
+      level, vertices_of_extra_slots(creases, level.number_of_vertices()), sharpness, access,
+      for_chunks);
     const std::function<Refined_attributes(Control_attributes<FT>&)> of_part =
       [kept](Control_attributes<FT>& put) {
         Refined_attributes part;
@@ -131,9 +132,10 @@ private:
     using Average = Average_of_scheme<Scheme, FT>;
     using Refiner = Level_refiner<Scheme, Average, Level_creases>;
     static constexpr Numbers_as_elements numbers{};
-    Optional_attribute_rounds<FT, typename Scheme::Host> attribute_rounds(
-      read_attributes<FT>(numbers, level, attributes), Level_origins::Kinds(), level,
-      vertices_of_extra_slots(creases, level.number_of_vertices()), sharpness, access, for_chunks);
+    Optional_attribute_rounds<FT> attribute_rounds(
+      read_attributes<FT>(numbers, level, attributes), kept_elements_v<typename Scheme::Host>,
+      Level_origins::Kinds(), level, vertices_of_extra_slots(creases, level.number_of_vertices()),
+      sharpness, access, for_chunks);
     typename Refiner::Values points(creases.number_of_slots, zero_vector<FT, 3>());
     Refiner refiner(scheme, std::move(level), std::move(creases), std::move(points), for_chunks);
     for (unsigned k = 1; k < rounds; ++k) attribute_rounds.refine(scheme, refiner);

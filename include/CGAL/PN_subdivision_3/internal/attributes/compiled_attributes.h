@@ -14,32 +14,28 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
 
-#define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, HOST, SCHEME)                           \
-  EXTERN template void Attribute_rounds<double, HOST>::begin_round(                                \
+#define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, SCHEME)                                 \
+  EXTERN template void Attribute_rounds<double>::begin_round(                                      \
     const compiled_once::SCHEME&,                                                                  \
     const Round<compiled_once::SCHEME, compiled_once::Average<compiled_once::SCHEME>>&,            \
     const Level_connectivity&, Kind_of_round);
-#define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, HOST, SCHEME)                          \
-  EXTERN template void Attribute_rounds<double, HOST>::begin_creased_round(                        \
+#define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, SCHEME)                                \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, SCHEME)                                       \
+  EXTERN template void Attribute_rounds<double>::begin_creased_round(                              \
     const compiled_once::SCHEME&,                                                                  \
     const Crease_round<compiled_once::SCHEME, compiled_once::Average<compiled_once::SCHEME>,       \
                        Creases<double>>&,                                                          \
     Level_connectivity&, const Creases<double>&, Kind_of_round);
-#define CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, HOST, KIND)                                       \
-  EXTERN template class Attribute_rounds<double, HOST>;                                            \
-  EXTERN template void Attribute_rounds<double, HOST>::put(                                        \
-    const Level_size&, const Level_connectivity*, const Origin_rules<HOST>&);                      \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, HOST, Any_of_##KIND)                          \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, HOST, Linear_of_##KIND)
-#define CGAL_PN_SUBDIVISION_3_CREASED_ATTRIBUTES(EXTERN, HOST, KIND)                               \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, HOST, KIND)                                             \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, HOST, Any_of_##KIND)                         \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, HOST, Linear_of_##KIND)
 #define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_OF_ALL(EXTERN)                                            \
-  CGAL_PN_SUBDIVISION_3_CREASED_ATTRIBUTES(EXTERN, PQQ_host, quads)                                \
-  CGAL_PN_SUBDIVISION_3_CREASED_ATTRIBUTES(EXTERN, PTQ_host, triangles)                            \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, DQQ_host, corners)                                      \
-  CGAL_PN_SUBDIVISION_3_ATTRIBUTES(EXTERN, Sqrt3_host, sqrt3)
+  EXTERN template class Attribute_rounds<double>;                                                  \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, Any_of_quads)                                \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, Any_of_triangles)                            \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, Linear_of_quads)                             \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, Linear_of_triangles)                         \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, Any_of_corners)                               \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, Any_of_sqrt3)                                 \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, Linear_of_corners)                            \
+  CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, Linear_of_sqrt3)
 
 #ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
 namespace CGAL::PN_subdivision_3::internal {

@@ -118,8 +118,8 @@ private:
     const Creases<FT>& creases = data_.creases;
     const Crease_star& star = creases.stars[i];
     const Wedge_merge all =
-      merge_wedges(creases, star, [](const Crease_halfedge&) { return true; });
-    const Wedge_merge merge = merge_wedges(
+      merge_wedges<FT>(creases, star, [](const Crease_halfedge&) { return true; });
+    const Wedge_merge merge = merge_wedges<FT>(
       creases, star, [&](const Crease_halfedge& e) { return refined_.rank[e.crease] != null; });
     const Vertex_rule parent = creases.rule(star);
     const Vertex_rule child = vertex_rule(refined_sharpness(star.sharpness), merge.ends.size(),

@@ -85,14 +85,6 @@ public:
 
   const Refined_creases<FT>& refined() const { return refined_; }
 
-  // rules_fade: whether sharp and smooth rules are mixed where creases end, as they are without normals
-  bool needs_smooth_rules(bool rules_fade = !is_pn) const
-  {
-    return std::any_of(creases_.stars.begin(), creases_.stars.end(),
-                       [&](const Crease_star& s) { return has_smooth_rule(s, rules_fade); }) ||
-           (rules_fade && std::any_of(creases_.edges.begin(), creases_.edges.end(),
-                                      [](const Crease_edge<FT>& e) { return e.sharpness < 1; }));
-  }
   // the values on the creases, for each of their slots, and beside them where creases end
   std::vector<Slot_value> crease_values(const For_chunks& for_chunks);
 
@@ -172,27 +164,15 @@ private:
     return all;
   }
 
-  static bool is_smooth(Vertex_rule r)
-  {
-    return r == Vertex_rule::smooth || r == Vertex_rule::dart;
-  }
-
-  // whether a vertex has a smooth rule before the round or, without normals, after it
-  bool has_smooth_rule(const Crease_star& star, bool rules_fade = !is_pn) const
-  {
-    if (!rules_fade) return is_smooth(creases_.rule(star));
-    const Index child = refined_.star[std::size_t(&star - creases_.stars.data())];
-    return is_smooth(creases_.rule(star)) || child == Level_connectivity::null ||
-           is_smooth(refined_.creases.rule(refined_.creases.stars[child]));
-  }
-
   // made from the mask of the whole level
   void make_smooth_rows(unsigned number)
   {
     count_valences(level_, creases_);
     const Plain_round smooth(scheme_, level_, number);
     const Corner_slots<FT> slot_of(level_, creases_);
-    const auto needs_row = [this](const Crease_star& s) { return has_smooth_rule(s); };
+    const auto needs_row = [this](const Crease_star& s) {
+      return has_smooth_rule(creases_, refined_, s, !is_pn);
+    };
     smooth_rows_.emplace(level_, creases_, slot_of, smooth.mask(), needs_row);
     if constexpr (Has_normal_mask<Scheme>::value)
       if (smooth.has_own_normals())
@@ -227,7 +207,7 @@ Crease_round<Scheme, Average, Level_creases>::Crease_round(const Scheme& scheme,
   , refined_size_(Host::refined_size(level.size(), number))
   , refined_(creases, level, number_of_vertices())
 {
-  if (needs_smooth_rules()) make_smooth_rows(number);
+  if (has_smooth_rules(creases, refined_, !is_pn)) make_smooth_rows(number);
   if constexpr (may_end) {
     if (std::any_of(creases.edges.begin(), creases.edges.end(), ends))
       ended_ = slots_at_ended(Host(level, number), level, creases, refined_);

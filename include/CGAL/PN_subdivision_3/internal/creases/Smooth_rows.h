@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -205,9 +206,10 @@ public:
   using Range = std::pair<const Entry*, const Entry*>;
 
   // needs_row(star): whether the vertex of the star has a smooth rule
-  template <class Mask, class Needs_row>
+  template <class Mask>
   Smooth_rows(const Level_connectivity& level, const Creases<FT>& creases,
-              const Corner_slots<FT>& slot_of, const Mask& mask, const Needs_row& needs_row)
+              const Corner_slots<FT>& slot_of, const Mask& mask,
+              Function_ref<bool(const Crease_star&)> needs_row)
   {
     Slot_shares<FT, Mask> shares(level, slot_of, mask);
     for (const Crease_star& star : creases.stars) {

@@ -64,6 +64,34 @@ double weight_of_parent_rule(const Creases<FT>& creases, const Crease_star& star
                         [](double s) { return s > 0 && !(refined_sharpness(s) > 0); });
 }
 
+inline bool is_smooth(Vertex_rule r)
+{
+  return r == Vertex_rule::smooth || r == Vertex_rule::dart;
+}
+
+// Whether the vertex of a star has a smooth rule before a round or, where sharp and smooth rules are mixed (rules_fade), after it.
+template <class FT>
+bool has_smooth_rule(const Creases<FT>& creases, const Refined_creases<FT>& refined,
+                     const Crease_star& star, bool rules_fade)
+{
+  if (is_smooth(creases.rule(star))) return true;
+  if (!rules_fade) return false;
+  const auto child = refined.star[std::size_t(&star - creases.stars.data())];
+  return child == Level_connectivity::null ||
+         is_smooth(refined.creases.rule(refined.creases.stars[child]));
+}
+
+// whether any vertex has one, or an edge
+template <class FT>
+bool has_smooth_rules(const Creases<FT>& creases, const Refined_creases<FT>& refined,
+                      bool rules_fade)
+{
+  for (const Crease_star& s : creases.stars)
+    if (has_smooth_rule(creases, refined, s, rules_fade)) return true;
+  return rules_fade && std::any_of(creases.edges.begin(), creases.edges.end(),
+                                   [](const Crease_edge<FT>& e) { return e.sharpness < 1; });
+}
+
 // Which ends of a star remain, and how its wedges are merged where other ends were.
 struct Wedge_merge
 {
@@ -76,9 +104,9 @@ struct Wedge_merge
 };
 
 // numbers the merged wedges as Creases::add_star() does, for the ends with remains(end)
-template <class FT, class Remains>
+template <class FT>
 Wedge_merge merge_wedges(const Creases<FT>& creases, const Crease_star& star,
-                         const Remains& remains)
+                         Function_ref<bool(const Crease_halfedge&)> remains)
 {
   using Index = Level_connectivity::Index;
   Wedge_merge merge;
@@ -164,16 +192,18 @@ void for_each_corner_of_star(const Level_connectivity& level, const Creases<FT>&
 
 // Calls f(half-edge, merged wedge, s) for the corners of wedges that are merged over edges of a star that end, in faces that
 // touch such an edge. s is the least sharpness of these edges.
-template <class FT, class Ends, class Function>
-void for_each_corner_at_ended(const Level_connectivity& level, const Creases<FT>& creases,
-                              const Crease_star& star, const Ends& ends, const Function& f)
+template <class FT>
+void for_each_corner_at_ended(
+  const Level_connectivity& level, const Creases<FT>& creases, const Crease_star& star,
+  Function_ref<bool(double)> ends,
+  Function_ref<void(Level_connectivity::Index, Level_connectivity::Index, double)> f)
 {
   using Index = Level_connectivity::Index;
   const auto is_ended = [&](const Crease_halfedge& e) {
     return creases.is_inner(e) && ends(creases.edge(e).sharpness);
   };
   const Wedge_merge merge =
-    merge_wedges(creases, star, [&](const Crease_halfedge& e) { return !is_ended(e); });
+    merge_wedges<FT>(creases, star, [&](const Crease_halfedge& e) { return !is_ended(e); });
   if (merge.ends.size() == star.number_of_ends) return;
   Short_vector<double> least(merge.number_of_wedges, infinite_sharpness);
   for (const Crease_halfedge& e : creases.ends_of(star)) {
@@ -207,17 +237,17 @@ slots_at_ended(const Host& host, const Level_connectivity& level, const Creases<
   };
   const auto ends = [](double s) { return !(refined_sharpness(s) > 0); };
   for (std::size_t i = 0; i < creases.stars.size(); ++i)
-    for_each_corner_at_ended(level, creases, creases.stars[i], ends,
-                             [&](Index h, Index wedge, double) {
-                               const Index star = refined.star[i];
-                               slot_ids.push_back(star == Level_connectivity::null
-                                                    ? level.target(h)
-                                                    : refined.creases.stars[star].slot(wedge));
-                               slot_ids.push_back(edge_slot(h));
-                               slot_ids.push_back(edge_slot(level.next(h)));
-                               if constexpr (Host::refined_degree == 4)
-                                 slot_ids.push_back(host.vertex_of_face(level.face(h)));
-                             });
+    for_each_corner_at_ended<FT>(level, creases, creases.stars[i], ends,
+                                 [&](Index h, Index wedge, double) {
+                                   const Index star = refined.star[i];
+                                   slot_ids.push_back(star == Level_connectivity::null
+                                                        ? level.target(h)
+                                                        : refined.creases.stars[star].slot(wedge));
+                                   slot_ids.push_back(edge_slot(h));
+                                   slot_ids.push_back(edge_slot(level.next(h)));
+                                   if constexpr (Host::refined_degree == 4)
+                                     slot_ids.push_back(host.vertex_of_face(level.face(h)));
+                                 });
   std::sort(slot_ids.begin(), slot_ids.end());
   slot_ids.erase(std::unique(slot_ids.begin(), slot_ids.end()), slot_ids.end());
   return slot_ids;
@@ -292,7 +322,7 @@ struct Creases_without_fractions
 private:
   static Wedge_merge remaining(const Creases<FT>& old, const Crease_star& star)
   {
-    return merge_wedges(
+    return merge_wedges<FT>(
       old, star, [&](const Crease_halfedge& e) { return !is_fraction(old.edge(e).sharpness); });
   }
   static std::size_t extra_slots(const Creases<FT>& old)
@@ -323,7 +353,7 @@ private:
     reach.assign(creases.number_of_slots, 1);
     const Corner_slots<FT> slot_of(level, creases);
     for (const Crease_star& star : old.stars)
-      for_each_corner_at_ended(level, old, star, is_fraction, [&](Index h, Index, double s) {
+      for_each_corner_at_ended<FT>(level, old, star, is_fraction, [&](Index h, Index, double s) {
         for (const Index g : halfedges_around_face(level, h))
           reach[slot_of(g)] = (std::min)(reach[slot_of(g)], s);
       });

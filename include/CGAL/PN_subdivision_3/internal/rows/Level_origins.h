@@ -34,9 +34,31 @@ using Splitting_of = std::bool_constant<Host::splits_edges>;
 template <class Host>
 using Splits_edges = boost::detected_or_t<std::false_type, Splitting_of, Host>;
 
-// Where the elements of a level come from in the control level: elements of every kind that is asked for, and of the
-// kinds that tell the origins a round later.
-class Level_origins
+// whether vertices remain in the rounds of a host, and edges as their halves
+struct Kept_elements
+{
+  bool vertices, edges;
+};
+template <class Host>
+constexpr Kept_elements kept_elements_v{Host::keeps_vertices, Splits_edges<Host>::value};
+
+// Where the elements of a level come from in the control level.
+class Origin_source
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  virtual Origin vertex(Index) const = 0;
+  virtual Origin edge(Index) const = 0;
+  virtual Origin face(Index) const = 0;
+
+protected:
+  ~Origin_source() = default;
+};
+
+// The origins of a level that are kept: of elements of every kind that is asked for, and of the kinds that tell the origins a
+// round later.
+class Level_origins final : public Origin_source
 {
 public:
   using Index = Level_connectivity::Index;
@@ -51,24 +73,24 @@ public:
   // the origins of the control level: every element itself
   Level_origins() = default;
 
-  Origin of_vertex(Index v) const { return is_control_ ? Origin{Kind::vertex, v} : vertices_[v]; }
-  Origin of_edge(Index e) const { return is_control_ ? Origin{Kind::edge, e} : edges_[e]; }
-  Origin of_face(Index f) const { return is_control_ ? Origin{Kind::face, f} : faces_[f]; }
+  Origin vertex(Index v) const override
+  {
+    return is_control_ ? Origin{Kind::vertex, v} : vertices_[v];
+  }
+  Origin edge(Index e) const override { return is_control_ ? Origin{Kind::edge, e} : edges_[e]; }
+  Origin face(Index f) const override { return is_control_ ? Origin{Kind::face, f} : faces_[f]; }
 
   // in a host that splits edges, children of faces have faces as origins, and so on
-  template <class Host>
-  static Kinds needed(Kinds wanted)
+  static Kinds needed(Kinds wanted, bool splits_edges)
   {
-    if (!wanted.any() || !Splits_edges<Host>::value)
-      return {wanted.any(), wanted.any(), wanted.any()};
+    if (!wanted.any() || !splits_edges) return {wanted.any(), wanted.any(), wanted.any()};
     wanted.edges = wanted.edges || wanted.vertices;
     wanted.faces = true;
     return wanted;
   }
 
   // the origins of the elements of the child that are needed
-  template <class Rules>
-  static Level_origins of_child(const Rules& rules, const Level_size& child, Kinds kinds,
+  static Level_origins of_child(const Origin_source& rules, const Level_size& child, Kinds kinds,
                                 const For_chunks& for_chunks)
   {
     Level_origins result;
@@ -94,7 +116,7 @@ private:
 
 // The origins of the children in a round: the origins of their parents; a corner counts as its face.
 template <class Host>
-class Origin_rules
+class Origin_rules final : public Origin_source
 {
 public:
   using Index = Level_connectivity::Index;
@@ -106,9 +128,9 @@ public:
     , origins_(origins)
   {}
 
-  Origin vertex(Index child) const { return of(host_.parent_of_vertex(child)); }
-  Origin edge(Index child) const { return of(host_.parent_of_edge(child)); }
-  Origin face(Index child) const { return of(host_.parent_of_face(child)); }
+  Origin vertex(Index child) const override { return of(host_.parent_of_vertex(child)); }
+  Origin edge(Index child) const override { return of(host_.parent_of_edge(child)); }
+  Origin face(Index child) const override { return of(host_.parent_of_face(child)); }
 
 private:
   Origin of(const Element_parent& parent) const
@@ -116,15 +138,15 @@ private:
     using Kind = Element_parent::Kind;
     switch (parent.kind) {
     case Kind::vertex:
-      return origins_.of_vertex(parent.index);
+      return origins_.vertex(parent.index);
     case Kind::edge:
-      return origins_.of_edge(parent.index);
+      return origins_.edge(parent.index);
     case Kind::border_edge:
-      return origins_.of_edge(Level_connectivity::edge(parent.index));
+      return origins_.edge(Level_connectivity::edge(parent.index));
     case Kind::corner:
-      return origins_.of_face(level_.face(parent.index));
+      return origins_.face(level_.face(parent.index));
     default:
-      return origins_.of_face(parent.index);
+      return origins_.face(parent.index);
     }
   }
 
@@ -137,7 +159,7 @@ private:
 // the face whose half-edge it was at, and the flipped edge as coming from the edge that it crosses. After an even
 // number control edges are cut into three, and everything lies on one or inside a face again.
 template <>
-class Origin_rules<Sqrt3_host>
+class Origin_rules<Sqrt3_host> final : public Origin_source
 {
 public:
   using Index = Level_connectivity::Index;
@@ -150,45 +172,45 @@ public:
     , is_even_(round % 2 == 0)
   {}
 
-  Origin vertex(Index child) const
+  Origin vertex(Index child) const override
   {
     const Element_parent parent = host_.parent_of_vertex(child);
-    if (parent.kind == Kind::vertex) return origins_.of_vertex(parent.index);
+    if (parent.kind == Kind::vertex) return origins_.vertex(parent.index);
     if (parent.kind == Kind::border_edge) return of_edge_at(parent.index);
-    return is_even_ ? of_base(parent.index) : origins_.of_face(parent.index);
+    return is_even_ ? of_base(parent.index) : origins_.face(parent.index);
   }
 
-  Origin edge(Index child) const
+  Origin edge(Index child) const override
   {
     const Element_parent parent = host_.parent_of_edge(child);
-    if (parent.kind == Kind::edge) return origins_.of_edge(parent.index);
+    if (parent.kind == Kind::edge) return origins_.edge(parent.index);
     if (parent.kind == Kind::border_edge) return of_edge_at(parent.index);
     const Origin base = of_base(parent.index);
     if (!is_even_ || base.kind == Origin::Kind::face || has_refined_border(parent.index))
-      return origins_.of_face(parent.index);
+      return origins_.face(parent.index);
     // from the middle of the flipped edge to a corner of the triangle
-    const Origin corner = origins_.of_vertex(level_.target(halfedge(parent)));
+    const Origin corner = origins_.vertex(level_.target(halfedge(parent)));
     return corner.kind == Origin::Kind::face ? corner : base;
   }
 
-  Origin face(Index child) const
+  Origin face(Index child) const override
   {
     const Element_parent parent = host_.parent_of_face(child);
-    if (!is_even_) return origins_.of_face(parent.index);
+    if (!is_even_) return origins_.face(parent.index);
     const Index h = halfedge(parent);
     const Origin side = of_edge_at(h);
     if (side.kind == Origin::Kind::face) return side;
     // at a flipped edge the half towards its target
-    const Origin corner = origins_.of_vertex(level_.target(h));
+    const Origin corner = origins_.vertex(level_.target(h));
     if (!level_.is_border_edge(Level_connectivity::edge(h)) && corner.kind == Origin::Kind::face)
       return corner;
-    return origins_.of_face(parent.index);
+    return origins_.face(parent.index);
   }
 
 private:
   using Kind = Element_parent::Kind;
 
-  Origin of_edge_at(Index h) const { return origins_.of_edge(Level_connectivity::edge(h)); }
+  Origin of_edge_at(Index h) const { return origins_.edge(Level_connectivity::edge(h)); }
   // the origin of the edge that a triangle of an odd round has flipped, or has kept on the border
   Origin of_base(Index f) const { return of_edge_at(level_.halfedge_of_face(f)); }
   bool has_refined_border(Index f) const
