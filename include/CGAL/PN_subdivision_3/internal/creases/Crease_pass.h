@@ -35,11 +35,11 @@ Coordinates<FT, 3> mixed(Coordinates<FT, 3> a, const Coordinates<FT, 3>& b, cons
 }
 
 // The new values on the creases of a round, for all slots of a new vertex together, and the refined creases' tangents.
-template <class Scheme, class Average>
+template <class Mask, class Average>
 class Crease_pass
 {
 public:
-  using Rules = Crease_rules<Scheme, Average>;
+  using Rules = Crease_rules<Mask, Average>;
   using Data = typename Rules::Data;
   using FT = typename Average::FT;
   using Index = Level_connectivity::Index;
@@ -77,7 +77,7 @@ private:
 
   Index new_vertex(Index crease) const
   {
-    return data_.round.host().vertex_of_edge(data_.creases.edges[crease].edge);
+    return data_.first_edge_vertex + data_.creases.edges[crease].edge;
   }
 
   void place_results(Index stars, Index edges)
@@ -108,7 +108,7 @@ private:
   {
     internal::name_undecided<FT>(f, [&] {
       return "the rule of vertex " + std::to_string(vertex) + " on a crease in round " +
-             std::to_string(data_.round.number());
+             std::to_string(data_.round);
     });
   }
 

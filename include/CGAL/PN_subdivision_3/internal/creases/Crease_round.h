@@ -226,9 +226,17 @@ auto Crease_round<Scheme, Average, Level_creases>::crease_values(const For_chunk
   -> std::vector<Slot_value>
 {
   const auto pointer = [](const auto& rows) { return rows ? &*rows : nullptr; };
-  const typename Crease_pass<Scheme, Average>::Data data{
-    level_, creases_, *round_, pointer(smooth_rows_), pointer(smooth_normal_rows_), old_};
-  std::vector<Slot_value> values = Crease_pass<Scheme, Average>(data, refined_)(for_chunks);
+  using Pass = Crease_pass<std::decay_t<decltype(round_->mask())>, Average>;
+  const typename Pass::Data data{level_,
+                                 creases_,
+                                 round_->mask(),
+                                 round_->average(),
+                                 round_->number(),
+                                 round_->host().vertex_of_edge(0),
+                                 pointer(smooth_rows_),
+                                 pointer(smooth_normal_rows_),
+                                 old_};
+  std::vector<Slot_value> values = Pass(data, refined_)(for_chunks);
   if constexpr (may_end) {
     if (!others_.empty())
       values = with_others(values, values_of_rows(*round_, others_, old_, for_chunks));

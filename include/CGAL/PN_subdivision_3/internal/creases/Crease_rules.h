@@ -15,10 +15,8 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/ended_creases.h>
-#include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 
 #include <algorithm>
 #include <array>
@@ -40,26 +38,28 @@ std::array<FT, 3> crease_weights(const Entry_row<FT>& row, Level_connectivity::I
 }
 
 // The rules of creases, corners and darts. Objects of this class are cheap and not shared by threads.
-template <class Scheme, class Average>
+template <class Mask, class Average>
 class Crease_rules
 {
 public:
-  static constexpr bool is_pn = !Is_linear<Scheme>::value;
+  static constexpr bool is_pn = has_normal_v<typename Average::Value>;
 
   using FT = typename Average::FT;
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<FT, 3>;
-  using Plain_round = Round<Scheme, Average>;
 
   // What the rules of a round read: the level cut open, its creases and the values of the slots.
   struct Data
   {
     const Level_connectivity& cut;
     const Creases<FT>& creases;
-    const Plain_round& round; // with the mask of the cut level
+    const Mask& mask; // of the cut level
+    const Average& average;
+    unsigned round;
+    Index first_edge_vertex; // the new vertices of edges follow one another
     const Smooth_rows<FT>* smooth_rows;
-    const Smooth_rows<FT>* smooth_normal_rows; // of a normal mask
-    const typename Plain_round::Value* old;
+    const Smooth_rows<FT>* smooth_normal_rows; // of a normal mask, if there is one
+    const typename Average::Value* old;
   };
   // A new point at a vertex or edge, its normal in each wedge, and the tangents from it: along the ends
   // of a star, or in the direction of travel along an edge.
@@ -79,7 +79,7 @@ public:
   {
     const Index a = data_.cut.target(e.halfedge(1)), b = data_.cut.target(e.halfedge(0));
     row_.clear();
-    data_.round.mask().edge(e.edge, row_);
+    data_.mask.edge(e.edge, row_);
     std::array<FT, 2> weight{FT(0), FT(0)};
     for (const auto* entry = row_.begin(); entry != row_.end(); ++entry)
       weight[entry->vertex == b ? 1 : 0] += entry->weight;
@@ -240,7 +240,7 @@ private:
   std::array<FT, 3> crease_weights(Index v)
   {
     row_.clear();
-    data_.round.mask().vertex(v, row_);
+    data_.mask.vertex(v, row_);
     return internal::crease_weights(row_, v);
   }
 
@@ -249,17 +249,16 @@ private:
   Value smooth(const Row_of& row_of) const
   {
     const auto row = row_of(*data_.smooth_rows);
-    const Average& average = data_.round.average();
+    const Average& average = data_.average;
     if constexpr (!is_pn)
       return {average(row.first, row.second, data_.old), {}, {}, {}};
     else {
       const auto* const old = data_.old;
       const auto average_of_rows = [&] {
-        if constexpr (Has_normal_mask<Scheme>::value)
-          if (data_.round.has_own_normals()) {
-            const auto normal_row = row_of(*data_.smooth_normal_rows);
-            return average(row.first, row.second, normal_row.first, normal_row.second, old);
-          }
+        if (data_.smooth_normal_rows != nullptr) {
+          const auto normal_row = row_of(*data_.smooth_normal_rows);
+          return average(row.first, row.second, normal_row.first, normal_row.second, old);
+        }
         return average(row.first, row.second, old);
       };
       const typename Average::Value value = average_of_rows();

@@ -290,6 +290,18 @@ struct No_transfers
   {}
 };
 
+// appends the new ring of a vertex in the order of Ring_functionals
+template <class Host>
+void append_new_ring(const Level_connectivity& level, const Host& host, Level_connectivity::Index v,
+                     std::vector<Level_connectivity::Index>& vertices)
+{
+  vertices.push_back(v);
+  const auto ring = halfedges_around_target(level, level.halfedge_of_vertex(v));
+  for (const auto h : ring) vertices.push_back(host.vertex_of_edge(Level_connectivity::edge(h)));
+  if constexpr (Host::refined_degree == 4)
+    for (const auto h : ring) vertices.push_back(host.vertex_of_face(level.face(h)));
+}
+
 // The normals that a round gives to the rings of its separated vertices by the transfer of curvature.
 // The rows of the rings are evaluated for it, besides the round itself, which is not stored in any
 // call: a round's values go by in blocks. Rings have no vertex in common, and each has one owner among
@@ -303,11 +315,12 @@ public:
   // no normals are transferred
   Transferred_normals() = default;
 
-  // evaluate(vertices, how many, values) gives the new vertices their values by the rows.
-  template <class Host, class Function>
-  Transferred_normals(const Level_connectivity& level, const Host& host,
-                      const std::vector<Index>& separated, Index degree,
-                      const For_chunks& for_chunks, const Function& evaluate)
+  // append_ring(vertex, vertices) appends the new ring of a vertex, see append_new_ring(); evaluate(vertices, how many, values)
+  // gives new vertices their values by the rows.
+  Transferred_normals(const Level_connectivity& level, const std::vector<Index>& separated,
+                      Index degree, const For_chunks& for_chunks,
+                      Function_ref<void(Index, std::vector<Index>&)> append_ring,
+                      Function_ref<void(const Index*, Index, Point_normal<FT, 3>*)> evaluate)
   {
     if (separated.empty()) return;
     if constexpr (is_interval_v<FT>)
@@ -316,7 +329,7 @@ public:
                                   "intervals: take another scheme or number type");
     std::vector<std::size_t> begin{0};
     for (const Index v : separated) {
-      append_ring(level, host, v);
+      append_ring(v, vertices_);
       begin.push_back(vertices_.size());
     }
     std::vector<Point_normal<FT, 3>> values(vertices_.size());
@@ -361,18 +374,6 @@ public:
   }
 
 private:
-  // appends the ring in the order of Ring_functionals
-  template <class Host>
-  void append_ring(const Level_connectivity& level, const Host& host, Index v)
-  {
-    vertices_.push_back(v);
-    const auto ring = halfedges_around_target(level, level.halfedge_of_vertex(v));
-    for (const Index h : ring)
-      vertices_.push_back(host.vertex_of_edge(Level_connectivity::edge(h)));
-    if constexpr (Host::refined_degree == 4)
-      for (const Index h : ring) vertices_.push_back(host.vertex_of_face(level.face(h)));
-  }
-
   std::vector<Index> vertices_; // of the rings
   std::vector<std::pair<Index, Coordinates<FT, 3>>> normals_;
 };

@@ -237,14 +237,15 @@ auto Round<Scheme, Average>::transfers(const Value* old,
   -> Transfers
 {
   if constexpr (has_transfers)
-    return Transferred_normals<FT>(mask_level_, host_, mask_.separated_vertices(),
-                                   Host::refined_degree, for_chunks,
-                                   [&](const Index* vertices, Index number, Value* values) {
-                                     evaluate(vertices, vertices + number, old,
-                                              [&](const Index* first, const Value* v, Index n) {
-                                                std::copy(v, v + n, values + (first - vertices));
-                                              });
-                                   });
+    return Transferred_normals<FT>(
+      mask_level_, mask_.separated_vertices(), Host::refined_degree, for_chunks,
+      [&](Index v, std::vector<Index>& ring) { append_new_ring(mask_level_, host_, v, ring); },
+      [&](const Index* vertices, Index number, Value* values) {
+        evaluate(vertices, vertices + number, old,
+                 [&](const Index* first, const Value* v, Index n) {
+                   std::copy(v, v + n, values + (first - vertices));
+                 });
+      });
   else {
     (void)old;
     return {};
