@@ -310,9 +310,10 @@ public:
     Level_part part(extraction, bool(attributes));
     if constexpr (!std::is_empty_v<Attribute_rounds>)
       if (attributes)
-        out.put_attributes(
-          attributes.part(part, part.creases_and_slots(level, creases).second, level)
-            ->put_part(part));
+        out.put_attributes(attributes
+                             .part(part, part.creases_and_slots(level, creases).second,
+                                   attributes->slots_of_charts(level))
+                             ->put_part(part));
     out.begin(part.level, vertices, faces);
     vertices_ = std::move(part.vertices);
     if constexpr (are_creases_v<Level_creases>) list_corners(extraction, level, creases);

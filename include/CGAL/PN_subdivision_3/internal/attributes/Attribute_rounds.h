@@ -130,7 +130,8 @@ private:
     std::vector<Index> kept_vertices;
     bool is_of_vertices;
   };
-  struct On_rows
+  // what takes rows, and the child
+  struct Sinks
   {
     void operator()(Index first, const Stencil_block<FT>& rows) const
     {
@@ -138,10 +139,6 @@ private:
       if (self.charts_take_rows_)
         for (Smooth_corners<FT>& corners : self.smooth_) corners.evaluate(first, rows);
     }
-    Attribute_rounds& self;
-  };
-  struct On_child
-  {
     void operator()(const Level_connectivity& child) const
     {
       for (Row_values<FT>* values : self.linear_) self.end_linear_round_(child, *values);
@@ -315,10 +312,9 @@ private:
   std::function<void(const Level_connectivity&, Row_values<FT>&)> end_linear_round_;
   std::vector<std::pair<Index, Entry_row<FT>>> crease_rows_;
   std::vector<std::pair<Index, Index>> copies_;
-  const On_rows on_rows_{*this};
-  const On_child on_child_{*this};
-  const Rows_sink rows_sink_{on_rows_};
-  const Child_sink child_sink_{on_child_};
+  const Sinks sinks_{*this};
+  const Rows_sink rows_sink_{sinks_};
+  const Child_sink child_sink_{sinks_};
 };
 
 template <class FT>

@@ -38,12 +38,6 @@ public:
   explicit Optional_attribute_rounds(std::unique_ptr<Rounds> rounds)
     : rounds_(std::move(rounds))
   {}
-  // as of Attribute_rounds
-  template <class... Arguments>
-  explicit Optional_attribute_rounds(Control_attributes<FT>&& attributes,
-                                     const Arguments&... arguments)
-    : rounds_(std::make_unique<Rounds>(std::move(attributes), arguments...))
-  {}
   Rounds* operator->() const { return rounds_.get(); }
   Rounds& operator*() const { return *rounds_; }
   explicit operator bool() const { return rounds_ != nullptr; }
@@ -110,12 +104,6 @@ public:
     return Optional_attribute_rounds(
       std::make_unique<Rounds>(*rounds_, part, slot_ids, chart_slots));
   }
-  Optional_attribute_rounds part(const Level_part& part,
-                                 const std::vector<Level_part::Index>& slot_ids,
-                                 const Level_connectivity& level) const
-  {
-    return this->part(part, slot_ids, rounds_->slots_of_charts(level));
-  }
 
 private:
   template <class Refiner>
@@ -142,15 +130,10 @@ public:
   {}
   void commit() const noexcept {}
   static constexpr std::nullptr_t rows() { return nullptr; }
-  template <class Scheme, class Refiner>
-  void refine(const Scheme&, Refiner& refiner) const
+  template <class Scheme, class Refiner, class... Level_round>
+  void refine(const Scheme&, Refiner& refiner, Level_round&... round) const
   {
-    refiner.refine();
-  }
-  template <class Scheme, class Refiner, class Level_round>
-  void refine(const Scheme&, Refiner& refiner, Level_round& round) const
-  {
-    refiner.refine(round);
+    refiner.refine(round...);
   }
 };
 
@@ -166,10 +149,10 @@ auto attribute_rounds_of_call([[maybe_unused]] const Attributes& attributes,
   using Rounds = Optional_attribute_rounds<FT, !Attributes::is_empty>;
   if constexpr (!Attributes::is_empty)
     if (attributes.is_any())
-      return Rounds(attributes.template read<FT>(access, level), kept_elements_v<Host>,
-                    Attributes::visited, level,
-                    vertices_of_extra_slots(creases, level.number_of_vertices()),
-                    of_mesh.sharpness(level), access, for_chunks);
+      return Rounds(std::make_unique<Attribute_rounds<FT>>(
+        attributes.template read<FT>(access, level), kept_elements_v<Host>, Attributes::visited,
+        level, vertices_of_extra_slots(creases, level.number_of_vertices()),
+        of_mesh.sharpness(level), access, for_chunks));
   return Rounds();
 }
 

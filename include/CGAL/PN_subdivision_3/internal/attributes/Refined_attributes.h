@@ -132,10 +132,10 @@ private:
     using Average = Average_of_scheme<Scheme, FT>;
     using Refiner = Level_refiner<Scheme, Average, Level_creases>;
     static constexpr Numbers_as_elements numbers{};
-    Optional_attribute_rounds<FT> attribute_rounds(
+    Optional_attribute_rounds<FT> attribute_rounds(std::make_unique<Attribute_rounds<FT>>(
       read_attributes<FT>(numbers, level, attributes), kept_elements_v<typename Scheme::Host>,
       Level_origins::Kinds(), level, vertices_of_extra_slots(creases, level.number_of_vertices()),
-      sharpness, access, for_chunks);
+      sharpness, access, for_chunks));
     typename Refiner::Values points(creases.number_of_slots, zero_vector<FT, 3>());
     Refiner refiner(scheme, std::move(level), std::move(creases), std::move(points), for_chunks);
     for (unsigned k = 1; k < rounds; ++k) attribute_rounds.refine(scheme, refiner);

@@ -353,10 +353,12 @@ private:
     reach.assign(creases.number_of_slots, 1);
     const Corner_slots<FT> slot_of(level, creases);
     for (const Crease_star& star : old.stars)
-      for_each_corner_at_ended<FT>(level, old, star, is_fraction, [&](Index h, Index, double s) {
-        for (const Index g : halfedges_around_face(level, h))
-          reach[slot_of(g)] = (std::min)(reach[slot_of(g)], s);
-      });
+      for_each_corner_at_ended<FT>(
+        level, old, star, [](double s) { return is_fraction(s); },
+        [&](Index h, Index, double s) {
+          for (const Index g : halfedges_around_face(level, h))
+            reach[slot_of(g)] = (std::min)(reach[slot_of(g)], s);
+        });
   }
 
   std::vector<Index> rank_; // of the old edges among the remaining edges

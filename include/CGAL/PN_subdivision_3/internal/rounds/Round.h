@@ -232,7 +232,7 @@ private:
 };
 
 template <class Scheme, class Average>
-auto Round<Scheme, Average>::transfers(const Value* old,
+auto Round<Scheme, Average>::transfers([[maybe_unused]] const Value* old,
                                        [[maybe_unused]] const For_chunks& for_chunks) const
   -> Transfers
 {
@@ -246,10 +246,8 @@ auto Round<Scheme, Average>::transfers(const Value* old,
                    std::copy(v, v + n, values + (first - vertices));
                  });
       });
-  else {
-    (void)old;
+  else
     return {};
-  }
 }
 
 template <class Scheme, class Average>

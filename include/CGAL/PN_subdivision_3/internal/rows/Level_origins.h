@@ -61,7 +61,6 @@ protected:
 class Level_origins final : public Origin_source
 {
 public:
-  using Index = Level_connectivity::Index;
   using Kind = Origin::Kind;
 
   struct Kinds
@@ -119,8 +118,6 @@ template <class Host>
 class Origin_rules final : public Origin_source
 {
 public:
-  using Index = Level_connectivity::Index;
-
   Origin_rules(const Host& host, const Level_connectivity& level, const Level_origins& origins,
                unsigned /*round*/)
     : host_(host)
@@ -162,8 +159,6 @@ template <>
 class Origin_rules<Sqrt3_host> final : public Origin_source
 {
 public:
-  using Index = Level_connectivity::Index;
-
   Origin_rules(const Sqrt3_host& host, const Level_connectivity& level,
                const Level_origins& origins, unsigned round)
     : host_(host)
