@@ -9,7 +9,7 @@
 // Times tessellations beside uniform rounds that end on the limit surface, with surface normals: microseconds per vertex
 // of the result, on one thread.
 //
-//   benchmark_tessellation [--benchmark_filter=...] [--benchmark_repetitions=N] MESH PERCENT ROUNDS [DEGREES]
+//   benchmark_tessellation [--benchmark_filter=...] [--benchmark_repetitions=N] [MESH [PERCENT [ROUNDS [DEGREES]]]]
 //
 // The tolerance is PERCENT of the diagonal; ROUNDS should make about as many vertices as the tessellation has. Edges that are
 // sharper than DEGREES are creases.
@@ -108,12 +108,11 @@ void uniform(benchmark::State& state, const Job& job)
 int main(int argc, char** argv)
 {
   benchmark::Initialize(&argc, argv);
-  if (argc < 4) {
-    std::cerr << "benchmark_tessellation MESH PERCENT ROUNDS [DEGREES]" << std::endl;
-    return EXIT_FAILURE;
-  }
-  const Job job(argv[1], std::atof(argv[2]), unsigned(std::atoi(argv[3])),
-                argc > 4 ? std::atof(argv[4]) : 180);
+  const auto number = [&](int i, double otherwise) {
+    return argc > i ? std::atof(argv[i]) : otherwise;
+  };
+  const Job job(argc > 1 ? argv[1] : "data/meshes/cube.off", number(2, 0.1), unsigned(number(3, 4)),
+                number(4, 180));
   benchmark::RegisterBenchmark("uniform", uniform, job)->Unit(benchmark::kMillisecond);
   benchmark::RegisterBenchmark("tessellate", tessellate, job)->Unit(benchmark::kMillisecond);
   benchmark::RunSpecifiedBenchmarks();

@@ -131,7 +131,7 @@ private:
         done += (done.empty() ? "" : ", ") + plural(number, "vertex", "vertices") + what;
     };
     add(weld(), " merged with an equal one");
-    if (!options_.repair && defects_.pinched.number > 0) {
+    if (!options_.repair && defects_.pinched.number > 0 && !visits_vertices_twice(mesh_)) {
       const std::size_t copies = split_fans(mesh_);
       report_.add_repair("added_vertices", copies);
       add(copies, " added where fans of faces meet");

@@ -349,6 +349,17 @@ TEST_F(Pn_subdivide_joins, VerticesWhereFansMeetAreDoubled)
   EXPECT_EQ(std::count(points.begin(), points.end(), Triple{0, 0, 0}), 2);
 }
 
+// CGAL does not come back from an edge that leads from a vertex to itself (found by a search).
+TEST_F(Pn_subdivide_joins, FansAreNotSplitAtFacesThatVisitAVertexTwice)
+{
+  const std::string input =
+    folder.write("a.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0.5\n3 0 1 1\n3 1 3 2\n");
+  const Outcome outcome = copied(input);
+  EXPECT_EQ(outcome.code, 1);
+  expect_part(outcome.err, "face 0 visits vertex 1 twice; --repair");
+  EXPECT_EQ(joined(input, "--repair").points.size(), 3u);
+}
+
 // of vertices that were merged as the first of them
 TEST_F(Pn_subdivide_joins, MessagesNameVerticesAsTheFileDoes)
 {

@@ -14,6 +14,9 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <cmath>
+#include <limits>
+
 using namespace estimated_normals;
 using namespace sampled_surfaces;
 namespace PN = CGAL::PN_subdivision_3;
@@ -257,6 +260,19 @@ TEST(Normal_guards, RoundingIsNoNormal)
       EXPECT_LE(distance(n[v], {double(m[0]), double(m[1]), double(m[2])}), 1e-12) << v;
     }
   }
+}
+
+// once a stack overflow (found by a search)
+TEST(Normal_guards, LengthsOfWhatIsNoNumberOrOutOfRange)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int k = 0; k < 3; ++k) {
+    PN::internal::Coordinates<double, 3> v{1, 2, 2};
+    v[k] = nan;
+    EXPECT_FALSE(std::isfinite(PN::internal::quick_length(v)));
+  }
+  for (const double size : {1e-320, 0x1p-1000, 1e300})
+    EXPECT_DOUBLE_EQ(PN::internal::quick_length({size, -2 * size, 2 * size}), 3 * size);
 }
 
 TEST(Normal_guards, AnyPointsGiveFiniteNormals)

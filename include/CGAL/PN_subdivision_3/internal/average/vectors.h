@@ -176,13 +176,14 @@ inline double length(const Coordinates<double, 3>& a)
 // is the length times this power to the bit.
 inline double quick_length(const Coordinates<double, 3>& a)
 {
-  const double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+  const auto square_of = [](double x, double y, double z) { return x * x + y * y + z * z; };
+  const double square = square_of(a[0], a[1], a[2]);
   if (square > 0x1p-900 && square < 0x1p900) return std::sqrt(square);
   const double largest = largest_coordinate(a);
   if (!(largest > 0) || !std::isfinite(largest)) return largest;
   const int exponent = std::ilogb(largest);
-  return std::ldexp(quick_length({std::ldexp(a[0], -exponent), std::ldexp(a[1], -exponent),
-                                  std::ldexp(a[2], -exponent)}),
+  return std::ldexp(std::sqrt(square_of(std::ldexp(a[0], -exponent), std::ldexp(a[1], -exponent),
+                                        std::ldexp(a[2], -exponent))),
                     exponent);
 }
 
