@@ -357,7 +357,7 @@ TEST_F(Pn_subdivide_joins, FansAreNotSplitAtFacesThatVisitAVertexTwice)
   const Outcome outcome = copied(input);
   EXPECT_EQ(outcome.code, 1);
   expect_part(outcome.err, "face 0 visits vertex 1 twice; --repair");
-  EXPECT_EQ(joined(input, "--repair").points.size(), 3u);
+  EXPECT_EQ(joined(input, "--repair").number_of_faces(), 1u);
 }
 
 // of vertices that were merged as the first of them
