@@ -181,10 +181,9 @@ inline double quick_length(const Coordinates<double, 3>& a)
   if (square > 0x1p-900 && square < 0x1p900) return std::sqrt(square);
   const double largest = largest_coordinate(a);
   if (!(largest > 0) || !std::isfinite(largest)) return largest;
-  const int exponent = std::ilogb(largest);
-  return std::ldexp(std::sqrt(square_of(std::ldexp(a[0], -exponent), std::ldexp(a[1], -exponent),
-                                        std::ldexp(a[2], -exponent))),
-                    exponent);
+  const int e = std::ilogb(largest);
+  return std::ldexp(
+    std::sqrt(square_of(std::ldexp(a[0], -e), std::ldexp(a[1], -e), std::ldexp(a[2], -e))), e);
 }
 
 inline bool is_zero(const Coordinates<double, 3>& a)
