@@ -267,7 +267,7 @@ TEST(Normal_guards, LengthsOfWhatIsNoNumberOrOutOfRange)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (int k = 0; k < 3; ++k) {
-    PN::internal::Coordinates<double, 3> v{1, 2, 2};
+    PN::Coordinates<double, 3> v{1, 2, 2};
     v[k] = nan;
     EXPECT_FALSE(std::isfinite(PN::internal::quick_length(v)));
   }
