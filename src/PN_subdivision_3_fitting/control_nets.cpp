@@ -22,8 +22,8 @@ template Interpolation_result<3> interpolate_strictly(const Level_connectivity&,
                                                       const Interpolation_options&,
                                                       Interpolation_data<3>&, Surface_limits&);
 template Interpolation_result<3>
-interpolate_creased(const Interpolation_data<3>&,
-                    Function_ref<void(Vectors<3>&, double, Limit_interpolation*)>);
+interpolate_evaluated(const Interpolation_data<3>&, bool,
+                      Function_ref<Limit_interpolation(Vectors<3>&, double)>);
 template void find_natural_normals(Interpolation_data<3>&, Surface_limits&);
 
 } // namespace CGAL::PN_subdivision_3::internal

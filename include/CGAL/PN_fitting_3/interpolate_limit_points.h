@@ -142,8 +142,7 @@ refine the result. `estimate_control_normals()` returns it.
 the wedges and the tangents of the creases are made from the data once, as `subdivide()` makes them, so that the limit
 points stay linear in the control points. Corners are their own limit points. Normals and tangents have to reach the
 calls that refine the result: a point-normal scheme takes them in a `vertex_normal_map` of half-edges, where vertices
-have several wedges, and in a `crease_tangent_map`, which are written. The limits are evaluated, about ten times a
-step, and each step reduces the error to a ten-thousandth.
+have several wedges, and in a `crease_tangent_map`, which are written.
 
 Everything is computed in `double`, whatever the number type of the mesh; what does not change is not
 written. Weights of PN averages that fade, and vanishing normals, are treated as in `PN_average`.
@@ -174,8 +173,8 @@ the user's whose `put()` throws also while old values are put back.
   - it is sharp without a map that takes its normals and tangents (the message names it);
   - `Limit_interpolation::Free::smooth` is asked for in mode `slide` or without a map of normals;
   - natural normals are asked for with a linear scheme or without a map
-<br><b>Cost:</b> Linear in the size of the mesh except for the factor of a sparse matrix with one row per vertex. It
-  takes about 2 kB of memory per vertex
+<br><b>Cost:</b> Linear in the size of the mesh a step, of which there are ten to fifty. It takes about 6 kB of memory
+  per vertex
 
 \sa `prescribe_limit_data()`, `interpolate_curve()`
 */

@@ -96,7 +96,9 @@ void expect_limits(Case& c, const Scheme& scheme, const Np& np)
     c.mesh, scheme, PN::parameters::join(PN::parameters::tolerance(1e-11), np));
   EXPECT_TRUE(report.is_within_tolerance()) << report.residual;
   EXPECT_GT(report.steps, 0u);
-  EXPECT_LE(report.steps, 6u);
+  EXPECT_LE(
+    report.steps,
+    38u); // limit masks of Catmull-Clark have eigenvalues in [1/9, 1]: a step halves what is missing
   const std::vector<double> net = c.points();
   EXPECT_GT(largest_distance(net, data), 1e-3 * size_of(c)); // it had something to do
   to_limit(c.mesh, scheme, PN::parameters::join(PN::parameters::tolerance(1e-12), np));

@@ -161,7 +161,7 @@ TEST(Interpolating_curves, LinearIsClassicInterpolation)
     const auto [net, report] = PN::interpolate_curve(
       data, PN::linear(cubic), closed ? PN::Curve_end::closed : PN::Curve_end::reflect,
       strict().pack());
-    EXPECT_EQ(report.steps, 1u);
+    EXPECT_LE(report.steps, closed ? 5u : 8u); // as many as the matrix has eigenvalues
     for (Eigen::Index i = 0; i < n; ++i) {
       EXPECT_NEAR(net[std::size_t(i)].first.x(), expected(i, 0), 1e-13);
       EXPECT_NEAR(net[std::size_t(i)].first.y(), expected(i, 1), 1e-13);

@@ -49,7 +49,7 @@ struct Interpolation_data
   bool takes_normals = true;       // if not, the scheme is linear
   int exponent = 0;                // of the power of two by which lengths have been divided
   double tolerance = 0;            // absolute
-  unsigned max_depth = 12, max_steps = 60;
+  unsigned max_depth = 12, max_steps = 100;
 
   // the limit points shall be known better than they have to be met
   Limit_precision precision() const
@@ -172,15 +172,6 @@ std::size_t leave_out_without_normal(Interpolation_data<dimension>& data)
   return before - data.vertices.size();
 }
 
-// The number of each vertex among the unknowns, which are some of the vertices; negative of the others.
-inline std::vector<int> unknowns_of(const std::vector<std::uint32_t>& vertices,
-                                    std::size_t number_of_vertices)
-{
-  std::vector<int> number(number_of_vertices, -1);
-  for (std::size_t i = 0; i < vertices.size(); ++i) number[vertices[i]] = static_cast<int>(i);
-  return number;
-}
-
 // The values of some vertices, one vertex after the other.
 template <int dimension>
 Eigen::VectorXd gathered(const Vectors<dimension>& values,
@@ -190,6 +181,15 @@ Eigen::VectorXd gathered(const Vectors<dimension>& values,
   for (std::size_t i = 0; i < vertices.size(); ++i)
     x.segment<dimension>(dimension * static_cast<Eigen::Index>(i)) = values[vertices[i]];
   return x;
+}
+
+// puts them back
+template <int dimension>
+void put_gathered(const Eigen::VectorXd& x, const std::vector<std::uint32_t>& vertices,
+                  Vectors<dimension>& values)
+{
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    values[vertices[i]] = x.segment<dimension>(dimension * static_cast<Eigen::Index>(i));
 }
 
 template <class Functionals>
@@ -207,6 +207,16 @@ void note_evaluation(const std::vector<Functionals>& functionals, Limit_interpol
 inline double finite_or_infinite(double x)
 {
   return std::isfinite(x) ? x : std::numeric_limits<double>::infinity();
+}
+
+// of the vectors that x has one after the other
+template <int dimension>
+double largest_length(const Eigen::VectorXd& x)
+{
+  double length = 0;
+  for (Eigen::Index i = 0; i < x.size(); i += dimension)
+    length = (std::max)(length, finite_or_infinite(x.segment<dimension>(i).norm()));
+  return length;
 }
 
 inline double in_degrees(double radians)

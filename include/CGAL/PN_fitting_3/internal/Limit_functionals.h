@@ -25,7 +25,7 @@
 namespace CGAL::PN_subdivision_3::internal {
 
 // The limit at a vertex, and the tangents there, for fixed control normals as linear functions of the
-// control points; and the weights of the limit point of the linear scheme.
+// control points.
 template <int dimension, int tangents>
 struct Limit_functionals
 {
@@ -36,7 +36,6 @@ struct Limit_functionals
   struct Entry
   {
     Index vertex;
-    double weight;
     Block block;
 
     static Block zero() { return Block::Zero(); }
@@ -75,10 +74,7 @@ struct Limit_functionals
     depth += of_ring.depth();
     has_tangents = !rule.tangents.empty();
     if (!precision.with_blocks) return;
-    std::vector<double> weights(ring.size(), 0.);
-    for (const auto& e : rule.limit) weights[e.vertex] += e.weight;
-    for (std::size_t p = 0; p < ring.size(); ++p)
-      entries.push_back({ring[p], weights[p], of_ring.block(p)});
+    for (std::size_t p = 0; p < ring.size(); ++p) entries.push_back({ring[p], of_ring.block(p)});
   }
 
   // The blocks of a limit point sum to the identity and those of a tangent to 0: taking the points

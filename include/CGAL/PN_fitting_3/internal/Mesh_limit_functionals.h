@@ -264,10 +264,9 @@ private:
       for (auto e = rows.begin(0); e != rows.end(0); ++e) {
         const Index w = origin[e->vertex];
         const auto found = place.emplace(w, result.size());
-        if (found.second) result.push_back({w, 0., Entry::zero()});
+        if (found.second) result.push_back({w, Entry::zero()});
         Entry& y = result[found.first->second];
         const auto j = static_cast<std::size_t>(e - rows.begin(0));
-        y.weight += e->weight * x.weight;
         y.block += e->weight * (x.block + xn * row_blocks.direction(j).transpose());
       }
     }
@@ -307,7 +306,7 @@ private:
 
   static void set_isolated(const Stage& stage, Index v, Functionals& f)
   {
-    Entry e{v, 1., Entry::zero()};
+    Entry e{v, Entry::zero()};
     e.block.template topRows<3>().setIdentity();
     f.entries.assign(1, e);
     f.control_normal = to_eigen<3>(stage.values[v].normal);

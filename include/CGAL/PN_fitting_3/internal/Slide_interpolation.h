@@ -10,7 +10,7 @@
 #define CGAL_PN_FITTING_3_INTERNAL_SLIDE_INTERPOLATION_H
 
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
-#include <CGAL/PN_fitting_3/internal/solvers.h>
+#include <CGAL/PN_fitting_3/internal/find_root.h>
 
 #include <algorithm>
 #include <cmath>
@@ -91,33 +91,24 @@ private:
   // Changes the points of a component as long as that makes it better; whether it has.
   bool slide(const Rows& rows)
   {
-    constexpr unsigned most_without_gain = 8;
     const auto n = static_cast<Eigen::Index>(rows.size());
-    Eigen::VectorXd x(freedom * n), r(freedom * n);
+    Eigen::VectorXd x(freedom * n);
     for (Eigen::Index j = 0; j < n; ++j) {
       const std::size_t i = rows[static_cast<std::size_t>(j)];
       const auto v = data_.vertices[i];
       x.segment<freedom>(freedom * j) = directions_[i].transpose() * (points_[v] - data_.points[v]);
     }
-    Anderson_iteration iteration(20, true);
-    Eigen::VectorXd best = x;
-    double least = residual(rows, r);
-    unsigned without_gain = 0;
-    const double first = least;
-    for (unsigned step = 1;
-         least > data_.tolerance && step <= data_.max_steps && without_gain < most_without_gain;
-         ++step) {
-      x = iteration.next(x, r);
-      put(rows, x);
-      const double now = residual(rows, r);
-      report_.steps = (std::max)(report_.steps, step);
-      without_gain = now < 0.9 * least ? 0 : without_gain + 1;
-      if (!(now < least)) continue;
-      least = now;
-      best = x;
-    }
-    put(rows, best);
-    return least < first;
+    Root root = find_root(
+      std::move(x),
+      [&](Eigen::VectorXd& offsets, Eigen::VectorXd& r) {
+        put(rows, offsets);
+        r.resize(offsets.size());
+        return residual(rows, r);
+      },
+      data_.tolerance, data_.max_steps);
+    put(rows, root.x);
+    report_.steps = (std::max)(report_.steps, root.steps);
+    return root.residual < root.first;
   }
 
   // moves the control points, by an edge at most

@@ -189,11 +189,12 @@ prescribe(const Level_connectivity& level, const Options& options,
           std::vector<Prescribed_vertex> prescribed, const std::vector<Prescribed_form>& forms,
           Function_ref<std::string(Level_connectivity::Index)> names);
 
-// interpolates on a surface with creases
+// Control points whose limit points are the given points, where limits(points, tolerance) puts limit points in the place of the control
+// points, and returns how well they are known.
 template <int dimension>
 Interpolation_result<dimension>
-interpolate_creased(const Interpolation_data<dimension>& data,
-                    Function_ref<void(Vectors<dimension>&, double, Limit_interpolation*)> limits);
+interpolate_evaluated(const Interpolation_data<dimension>& data, bool is_linear,
+                      Function_ref<Limit_interpolation(Vectors<dimension>&, double)> limits);
 
 // interpolates the points of a polygon
 template <int dimension, class Options>
@@ -222,7 +223,7 @@ public:
   {}
 
   // Puts the limit points of the data's vertices in place of their control points.
-  void operator()(Vectors<3>& points, double tolerance, Limit_interpolation* report) const
+  Limit_interpolation operator()(Vectors<3>& points, double tolerance) const
   {
     for (std::size_t slot = 0; slot < level_.values.size(); ++slot)
       point_of(level_.values[slot]) = to_coordinates<3>(points[vertex_of_slot_[slot]]);
@@ -233,13 +234,13 @@ public:
     constexpr bool points_alone = asks_for_points_alone<parameters::Default_named_parameters>();
     const auto results = limits_at_slots<double, points_alone>(scheme_, demand, for_chunks_, level_,
                                                                creases, 1, &data_.vertices);
-    if (report != nullptr) report->error = report->depth = 0;
+    Limit_interpolation report;
     for (const Index v : data_.vertices) {
       points[v] = to_eigen<3>(point_of(results[v].value));
-      if (report == nullptr) continue;
-      report->error = (std::max)(report->error, results[v].error);
-      report->depth = (std::max)(report->depth, results[v].depth);
+      report.error = (std::max)(report.error, results[v].error);
+      report.depth = (std::max)(report.depth, results[v].depth);
     }
+    return report;
   }
 
 private:
@@ -387,8 +388,9 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
   const Creases<double> fixed = in_double(creases);
   const auto round_scheme = scheme_of_rounds(scheme);
   auto result =
-    interpolate_creased<3>(data, Creased_limit_points<Scheme_of_rounds<Scheme_of_call>>(
-                                   round_scheme, valued, fixed, vertex_of_slot, data, for_chunks));
+    interpolate_evaluated<3>(data, true,
+                             Creased_limit_points<Scheme_of_rounds<Scheme_of_call>>(
+                               round_scheme, valued, fixed, vertex_of_slot, data, for_chunks));
   multiply_by_size<FT>(data, result);
 
   Undoable_vertices<Access, std::decay_t<decltype(points)>> new_points(access, points);

@@ -54,8 +54,8 @@ struct Limit_interpolation
   double error = 0;
   /// what was asked for.
   double tolerance = 0;
-  /// how many linear systems were solved, or, in mode `slide` and without normals, how often control points were moved. Zero: the limit
-  /// surface of the data passed through them.
+  /// how often control points, or control normals that are solved for, were moved; `prescribe_limit_data()`: how many linear systems
+  /// were solved. Zero: the limit surface of the data passed through them.
   unsigned steps = 0;
   /// `prescribe_limit_data()`: how many steps towards prescribed curvatures were taken.
   unsigned curvature_steps = 0;
@@ -116,7 +116,7 @@ struct Interpolation_options
   Limit_interpolation::Free free = Limit_interpolation::Free::fixed;
   double tolerance = 1e-12;
   unsigned max_depth = 12;
-  unsigned max_steps = 60;
+  unsigned max_steps = 100;
   unsigned rings = 2;
   double curvature_tolerance = 1e-6;
   unsigned max_curvature_steps = 12;

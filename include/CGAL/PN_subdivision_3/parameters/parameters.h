@@ -272,7 +272,7 @@ auto vertex_is_interpolated_map(const VertexMap& map);
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-the most steps of an interpolation, of which each solves one linear system, or moves the points once, by default 60.
+the most steps of an interpolation, of which each moves the points once, by default 100.
 \param n an `unsigned`
 */
 template <class Number>
