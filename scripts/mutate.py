@@ -141,8 +141,10 @@ def prepare(jobs):
 def sources(test):
     """A test has further sources as cmake/PN_unit_tests.cmake has it: test_NAME.cpp and NAME_*.cpp."""
     first = next(ROOT.glob(f"test/*/{test}.cpp"), TESTS / f"{test}.cpp")
-    further = first.parent.glob(first.stem[len("test_"):] + "_*.cpp") if first.stem.startswith("test_") else []
-    return [first, *sorted(further)]
+    further = sorted(first.parent.glob(first.stem[len("test_"):] + "_*.cpp")) if first.stem.startswith("test_") else []
+    if any(name in source.read_text() for source in [first, *further] for name in ("Scheme_named.h", "Feature_matrix.h")):
+        further.append(TESTS / "support" / "scheme_named.cpp")
+    return [first, *further]
 
 
 def compile_test(test, folder, deadline):
