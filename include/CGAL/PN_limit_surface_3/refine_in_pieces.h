@@ -370,7 +370,7 @@ private:
                                                         NamedParameters>() &&
                        internal::check_attributes<PolygonMesh, NamedParameters, false>()) {
       using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-      ghost_rings_ = internal::ghost_rings(scheme);
+      ghost_rings_ = internal::facts_of(scheme).ghost_rings;
       if (ghost_rings_ == 0)
         throw std::invalid_argument("PN_subdivision_3: " + internal::name_in_message(scheme) +
                                     " has no ghost_rings: it does not say how many rings of "

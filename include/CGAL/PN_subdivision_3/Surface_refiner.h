@@ -330,7 +330,7 @@ private:
     if constexpr (internal::Is_any<Scheme>::value)
       internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
         scheme, [&](const auto& s) {
-          if (internal::transfers_curvature(s))
+          if (internal::facts_of(s).transfers_curvature)
             throw std::invalid_argument("PN_subdivision_3: Surface_refiner takes no scheme that "
                                         "transfers curvature");
           this->read_mesh(mesh, s, np);

@@ -143,7 +143,7 @@ Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme
 {
   using Parameters = Surface_parameters<Mesh, NamedParameters>;
   check_scheme(scheme, level, access);
-  if (!limit_neighborhood(scheme).has_tangent_planes)
+  if (!facts_of(scheme).limit_neighborhood.has_tangent_planes)
     throw std::invalid_argument("PN_subdivision_3: surfaces of " + name_in_message(scheme) +
                                 " pass through the control points as they are, and have no "
                                 "tangent planes there: nothing is left to interpolate");

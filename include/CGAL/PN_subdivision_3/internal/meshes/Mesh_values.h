@@ -96,7 +96,7 @@ void require_crease_rules([[maybe_unused]] const Scheme& scheme,
                           [[maybe_unused]] Vertex_map vertex_map)
 {
   if constexpr (may_be_sharp_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>) {
-    if (has_crease_rules(scheme)) return;
+    if (facts_of(scheme).has_crease_rules) return;
     if constexpr (has_corner_normals_v<Access, Normal_map>)
       throw std::invalid_argument("PN_subdivision_3: " + name_in_message(scheme) +
                                   " has no rules for creases and takes a normal per vertex, not "

@@ -61,7 +61,7 @@ public:
     , size_(Host::refined_size(level.size(), number))
     , mask_((cut(), scheme.template mask<FT>(level, number)))
     , normal_mask_(make_normal_mask(scheme, level, number))
-    , has_own_normals_(internal::has_normal_mask(scheme))
+    , has_own_normals_(internal::facts_of(scheme).has_normal_mask)
     , average_(average_of<Average>(scheme))
     , number_(number)
   {}

@@ -79,7 +79,7 @@ Result with_host(const Scheme& scheme, const Function& f)
     return with_host<Result>(scheme.scheme, [&](const auto& points) -> Result {
       return with_host<Result>(
         scheme.normal_scheme, [&]([[maybe_unused]] const auto& normals) -> Result {
-          if (transfers_curvature(points) || transfers_curvature(normals))
+          if (facts_of(points).transfers_curvature || facts_of(normals).transfers_curvature)
             throw std::invalid_argument("PN_subdivision_3: a scheme that transfers curvature "
                                         "refines points and normals together: it goes with no "
                                         "other scheme of normals");
@@ -163,7 +163,7 @@ Result on_interpolated_host(const Scheme& scheme, const Function& f)
 {
   return on_host<Result, Call>(scheme, [&](const auto& s) -> Result {
     if constexpr (halves_edges_v<std::decay_t<decltype(s)>>)
-      if (!transfers_curvature(s)) return f(s);
+      if (!facts_of(s).transfers_curvature) return f(s);
     throw std::invalid_argument("PN_subdivision_3: interpolation is not known for " +
                                 name_in_message(s) +
                                 ": take Catmull-Clark or Loop, or their modified forms");

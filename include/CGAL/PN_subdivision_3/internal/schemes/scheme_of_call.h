@@ -113,27 +113,9 @@ template <class Scheme>
 constexpr bool has_crease_tangents_v = !std::is_same_v<Crease_tangent_map<Scheme>, No_tangent_map>;
 
 template <class Scheme>
-using Normal_estimate_of = decltype(std::declval<const Scheme&>().normal_estimate());
-
-// What a scheme or an adaptor says about the estimate, if anything. The scheme of the normals is asked before the scheme of the points.
-template <class Scheme>
-std::optional<Control_normal_estimate> stated_normal_estimate(const Scheme& scheme)
-{
-  if constexpr (Is_with_normals<Scheme>::value) {
-    const auto stated = stated_normal_estimate(scheme.normal_scheme);
-    return stated ? stated : stated_normal_estimate(scheme.scheme);
-  } else if constexpr (boost::is_detected<Normal_estimate_of, Scheme>::value)
-    return scheme.normal_estimate();
-  else if constexpr (Is_adaptor<Scheme>::value)
-    return stated_normal_estimate(scheme.scheme);
-  else
-    return std::nullopt;
-}
-
-template <class Scheme>
 Control_normal_estimate normal_estimate(const Scheme& scheme)
 {
-  return stated_normal_estimate(scheme).value_or(Control_normal_estimate::coherent);
+  return facts_of(scheme).normal_estimate.value_or(Control_normal_estimate::coherent);
 }
 
 // whether a call says something of its scheme that is not yet put around it
