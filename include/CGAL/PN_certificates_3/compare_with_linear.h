@@ -278,7 +278,7 @@ compare_with_linear(const ControlMesh& control, const PolygonMesh& result,
     internal::with_mesh_access(mesh, [&](const auto& access) {
       level.level = internal::checked_level(access);
       level.points = internal::read_given_values<Linear_average<FT, 3>>(
-        access, Own::const_point_map(mesh, parameters_of_mesh), internal::No_normal_map(),
+        access, Own::const_point_map(mesh, parameters_of_mesh), internal::Not_given(),
         level.level.number_of_vertices());
       const auto edge_map = Own::edge_constraint_map(parameters_of_mesh);
       const internal::Edge_constraints<std::decay_t<decltype(access)>,

@@ -118,7 +118,7 @@ constexpr void check_prescribed_curvatures()
   static_assert(!has_curvatures || !Is_linear<Scheme>::value,
                 "PN_subdivision_3: curvature is prescribed by the control normals too, and linear "
                 "schemes have none");
-  static_assert(!has_curvatures || !std::is_same_v<Normal_map, No_normal_map>,
+  static_assert(!has_curvatures || is_there_v<Normal_map>,
                 "PN_subdivision_3: prescribed curvatures change the control normals: give a "
                 "vertex_normal_map that takes them");
 }
@@ -157,7 +157,7 @@ Limit_interpolation prescribe_on(const Access& access, Mesh& mesh, const Scheme&
   if constexpr (has_curvatures)
     write(Parameters::normal_map(np));
   else
-    write(No_normal_map());
+    write(Not_given());
   return result.report;
 }
 

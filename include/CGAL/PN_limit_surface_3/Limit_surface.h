@@ -82,8 +82,8 @@ struct Parameters_in_double : Surface_parameters<PolygonMesh, NamedParameters>
   template <bool are_used>
   static auto normals([[maybe_unused]] const NamedParameters& np)
   {
-    if constexpr (!are_used || std::is_same_v<typename Base::Normal_map, No_normal_map>)
-      return No_normal_map();
+    if constexpr (!are_used || !is_there_v<typename Base::Normal_map>)
+      return Not_given();
     else
       return Map_in_double<typename Base::Normal_map, Kernel::Vector_3>{Base::normal_map(np)};
   }

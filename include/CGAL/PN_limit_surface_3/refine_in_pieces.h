@@ -395,7 +395,7 @@ private:
         if constexpr (is_pn)
           read(Parameters::normal_map(np));
         else
-          read(internal::No_normal_map());
+          read(internal::Not_given());
       });
     }
   }
@@ -433,7 +433,7 @@ private:
     is_near_overflow_ = std::any_of(values.begin(), values.end(), [](const Value& v) {
       return internal::is_near_overflow(internal::point_of(v));
     });
-    constexpr bool has_attributes = !std::is_same_v<Attributes, internal::No_attributes>;
+    constexpr bool has_attributes = internal::is_there_v<Attributes>;
     // as calls for all of a surface have them; no roundness of the call is read any more
     using Round_scheme = internal::Scheme_of_rounds<internal::With_roundness<Hosted_scheme, FT>>;
     using Refiner = internal::Piece_refiner<Round_scheme, Average, Level_creases, has_attributes>;

@@ -150,7 +150,7 @@ private:
     if (puts_normals())
       put(Writers::vertex_map(normals));
     else
-      put(No_normal_map());
+      put(Not_given());
     if constexpr (Attributes::visited.any())
       attributes.visit(access, size, attribute_rounds->rules(last.round(), refiner.level()));
     limits.resize(size.vertices);

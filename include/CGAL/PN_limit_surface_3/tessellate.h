@@ -128,7 +128,7 @@ private:
     if constexpr (is_pn_v<Scheme>)
       return Parameters::normal_map(np_);
     else
-      return No_normal_map();
+      return Not_given();
   }
 
   Tessellation_demand demand(double box) const
@@ -188,7 +188,7 @@ private:
   template <class Normal_map>
   static auto vertex_normals([[maybe_unused]] const Tessellation_mesh<FT>& mesh)
   {
-    if constexpr (std::is_same_v<Normal_map, No_normal_map>)
+    if constexpr (!is_there_v<Normal_map>)
       return std::vector<char>();
     else {
       std::vector<typename boost::property_traits<Normal_map>::value_type> normals;
@@ -211,7 +211,7 @@ Attribute_table* attribute_table(const NamedParameters& np)
   if constexpr (!is_given_v<attributes_t, NamedParameters>)
     return nullptr;
   else {
-    using Given = Parameter_type<attributes_t, NamedParameters, Not_given>;
+    using Given = Parameter_type<attributes_t, NamedParameters>;
     static_assert(std::is_same_v<Given, std::reference_wrapper<Attribute_table>>,
                   "PN_subdivision_3: tessellate() carries the arrays of an Attribute_table: give "
                   "parameters::attributes(table)");

@@ -312,8 +312,7 @@ public:
             "PN_subdivision_3: the mesh has another number of vertices than the refined surface");
         for (const Index v : changed_) {
           put(points, access.vertex(v), points_[v]);
-          if constexpr (is_pn &&
-                        !std::is_same_v<std::decay_t<decltype(map)>, internal::No_normal_map>)
+          if constexpr (is_pn && internal::is_there_v<std::decay_t<decltype(map)>>)
             put(map, access.vertex(v), normals_[v]);
         }
       });
@@ -366,7 +365,7 @@ private:
     if constexpr (is_pn)
       return Parameters::normal_map(np);
     else
-      return internal::No_normal_map();
+      return internal::Not_given();
   }
 
   template <class Access, class Hosted_scheme, class Point_map, class Normal_map, class Edge_map,
@@ -410,7 +409,7 @@ private:
     }
     control_->set_roundness(roundness);
     const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
-    if constexpr (!std::is_same_v<Attributes, internal::No_attributes>)
+    if constexpr (internal::is_there_v<Attributes>)
       attributes_.refine<FT>(scheme, access, level, creases, of_mesh.sharpness(level), rounds, size,
                              attributes, for_chunks);
     points_.assign(size.vertices, Point_3(0, 0, 0));

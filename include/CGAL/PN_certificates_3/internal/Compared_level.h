@@ -81,9 +81,9 @@ Level_with_points<FT> refined_aside(const Scheme& scheme, const Access& access, 
                                     Point_map points, Normal_map normals, Edge_map edge_map,
                                     Vertex_map vertex_map)
 {
-  if constexpr (!is_pn_v<Scheme> && !std::is_same_v<Normal_map, No_normal_map>)
-    return refined_aside<Concurrency_tag, FT>(scheme, access, rounds, points, No_normal_map(),
-                                              edge_map, vertex_map);
+  if constexpr (!is_pn_v<Scheme> && is_there_v<Normal_map>)
+    return refined_aside<Concurrency_tag, FT>(scheme, access, rounds, points, Not_given(), edge_map,
+                                              vertex_map);
   else if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
     using Average = Average_of_scheme<Scheme, FT>;
     require_crease_rules(scheme, access, normals, edge_map, vertex_map);

@@ -69,7 +69,7 @@ void write_control_net(const Access& access, Point_map points, [[maybe_unused]] 
 {
   Undoable_vertices<Access, Point_map> new_point(access, points);
   put_changed<FT>(new_point, old_points, new_points);
-  if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
+  if constexpr (is_there_v<Normal_map>) {
     Undoable_vertices<Access, Normal_map> new_normal(access, normals);
     put_changed<FT>(new_normal, old_normals, new_normals);
     new_normal.commit();

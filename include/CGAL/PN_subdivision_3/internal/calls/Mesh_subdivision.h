@@ -70,9 +70,8 @@ public:
   void operator()(Access& access, Point_map points, Normal_map normals, Roundness_map roundness,
                   Edge_map edge_map, Vertex_map vertex_map, const Attributes& attributes) const
   {
-    if constexpr (!is_pn_v<Scheme> && (!std::is_same_v<Normal_map, No_normal_map> ||
-                                       is_given_roundness_v<Roundness_map>))
-      (*this)(access, points, No_normal_map(), No_roundness(), edge_map, vertex_map, attributes);
+    if constexpr (!is_pn_v<Scheme> && (is_there_v<Normal_map> || is_there_v<Roundness_map>))
+      (*this)(access, points, Not_given(), Not_given(), edge_map, vertex_map, attributes);
     else if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
       require_crease_rules(scheme_, access, normals, edge_map, vertex_map);
       subdivide(access, points, normals, roundness, edge_map, vertex_map, attributes);

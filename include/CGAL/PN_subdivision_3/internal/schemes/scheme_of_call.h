@@ -93,16 +93,12 @@ struct Border_of
   }
 };
 
-// stands in the place of a map of tangents
-struct No_tangent_map
-{};
-
 // the map of a scheme and of the adaptors around it
 template <class Scheme>
 auto crease_tangents([[maybe_unused]] const Scheme& scheme)
 {
   if constexpr (std::is_null_pointer_v<Outermost<Is_with_crease_tangents, Scheme>>)
-    return No_tangent_map();
+    return Not_given();
   else
     return outermost<Is_with_crease_tangents>(scheme)->tangents;
 }
@@ -110,7 +106,7 @@ template <class Scheme>
 using Crease_tangent_map = decltype(crease_tangents(std::declval<const Scheme&>()));
 
 template <class Scheme>
-constexpr bool has_crease_tangents_v = !std::is_same_v<Crease_tangent_map<Scheme>, No_tangent_map>;
+constexpr bool has_crease_tangents_v = is_there_v<Crease_tangent_map<Scheme>>;
 
 template <class Scheme>
 Control_normal_estimate normal_estimate(const Scheme& scheme)
