@@ -410,14 +410,12 @@ private:
     using Host = typename Hosted_scheme::Host;
     if constexpr (!internal::check_corner_normals<Hosted_scheme, Access, Normal_map>()) return;
     internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
-    Level_connectivity level = internal::checked_level(access);
-    internal::check_scheme<Hosted_scheme, internal::Element_names>(scheme, level, access);
     const internal::With_roundness<Hosted_scheme, FT> with_roundness{{scheme}, &roundness};
-    const internal::Mesh_values_of_call<std::decay_t<decltype(with_roundness)>, FT, Access,
-                                        Normal_map, Edge_map, Vertex_map>
-      of_mesh(with_roundness, access, level, edge_map, vertex_map);
-    auto creases = of_mesh.creases(level);
-    using Level_creases = decltype(creases);
+    internal::Control_mesh control(with_roundness, access, normals, edge_map, vertex_map, FT());
+    using Level_creases = typename decltype(control)::Level_creases;
+    Level_connectivity& level = control.level;
+    auto& of_mesh = control.maps;
+    auto& creases = control.creases;
     of_mesh.read_tangents(creases);
     rounds_ = internal::number_of_rounds(level, rounds);
     if (limits_)

@@ -96,11 +96,10 @@ private:
                          Vertex_map vertex_map, const Attributes& attributes,
                          const NamedParameters& np) const
   {
-    Level_connectivity level = checked_level(access);
-    check_scheme<Scheme, Element_names>(scheme_, level, access);
-    Mesh_values_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
-      scheme_, access, level, edge_map, vertex_map);
-    auto creases = of_mesh.creases(level);
+    Control_mesh control(scheme_, access, normals, edge_map, vertex_map, FT());
+    Level_connectivity& level = control.level;
+    auto& of_mesh = control.maps;
+    auto& creases = control.creases;
     const unsigned rounds = number_of_rounds(level, rounds_);
     require_sharp_for_ever<FT>(access, creases, rounds);
     of_mesh.read_tangents(creases);
@@ -111,7 +110,8 @@ private:
     auto attribute_rounds =
       attribute_rounds_of_call<FT, Host>(attributes, access, level, creases, of_mesh, for_chunks_);
     const Scheme_of_rounds<Scheme>& round_scheme = scheme_of_rounds(scheme_);
-    Level_refiner<Scheme_of_rounds<Scheme>, Average, decltype(creases)> refiner(
+    using Level_creases = typename decltype(control)::Level_creases;
+    Level_refiner<Scheme_of_rounds<Scheme>, Average, Level_creases> refiner(
       round_scheme, std::move(level), std::move(creases), {values.begin(), values.end()},
       for_chunks_);
     std::vector<Value>().swap(values);

@@ -374,16 +374,14 @@ private:
             Edge_map edge_map, Vertex_map vertex_map, unsigned rounds,
             const internal::Given_roundness<FT>& roundness, const Attributes& attributes)
   {
-    Level_connectivity level = internal::checked_level(access);
-    internal::check_scheme<Hosted_scheme, internal::Element_names>(scheme, level, access);
+    internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+    internal::Control_mesh control(scheme, access, normals, edge_map, vertex_map, FT());
+    using Level_creases = typename decltype(control)::Level_creases;
+    Level_connectivity& level = control.level;
+    auto& creases = control.creases;
     rounds = internal::number_of_rounds(level, rounds);
     const Level_size size = internal::checked_refined_size<typename Hosted_scheme::Host>(
       level.size(), rounds, Level_connectivity::null);
-    internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
-    const internal::Mesh_values_of_call<Hosted_scheme, FT, Access, Normal_map, Edge_map, Vertex_map>
-      of_mesh(scheme, access, level, edge_map, vertex_map);
-    auto creases = of_mesh.creases(level);
-    using Level_creases = decltype(creases);
     if (rounds == 0) creases = Level_creases(level.number_of_vertices());
     using Writers = internal::Normal_writers<Access, Normal_map>;
     constexpr bool takes_corners = Writers::Corner_writer::takes_corners;
@@ -410,8 +408,8 @@ private:
     control_->set_roundness(roundness);
     const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
     if constexpr (internal::is_there_v<Attributes>)
-      attributes_.refine<FT>(scheme, access, level, creases, of_mesh.sharpness(level), rounds, size,
-                             attributes, for_chunks);
+      attributes_.refine<FT>(scheme, access, level, creases, control.maps.sharpness(level), rounds,
+                             size, attributes, for_chunks);
     points_.assign(size.vertices, Point_3(0, 0, 0));
     if (is_pn) normals_.assign(size.vertices, Vector_3(0, 0, 0));
     rounds_ = std::make_unique<internal::Stored_rounds<Hosted_scheme, Average, Level_creases>>(

@@ -298,11 +298,27 @@ private:
   const Access& access_;
 };
 
-// as the creases that a call has, or may have, demand
+// What functions read of a mesh: its level, checked, what its maps tell, and its creases, which lack their tangents.
 template <class Scheme, class FT, class Access, class Normal_map, class Edge_map, class Vertex_map>
-using Mesh_values_of_call =
-  Mesh_values<Scheme, FT, Access, Edge_map, Vertex_map,
-              may_have_creases_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>>;
+struct Control_mesh
+{
+  Control_mesh(const Scheme& scheme, const Access& access, const Normal_map&, Edge_map edge_map,
+               Vertex_map vertex_map, FT)
+    : level(checked_level(access))
+    , maps((check_scheme<Scheme, Element_names>(scheme, level, access), scheme), access, level,
+           edge_map, vertex_map)
+    , creases(maps.creases(level))
+  {}
+
+  using Maps = Mesh_values<Scheme, FT, Access, Edge_map, Vertex_map,
+                           may_have_creases_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>>;
+  using Level_creases =
+    decltype(std::declval<const Maps&>().creases(std::declval<const Level_connectivity&>()));
+
+  Level_connectivity level;
+  Maps maps;
+  Level_creases creases;
+};
 
 } // namespace CGAL::PN_subdivision_3::internal
 
