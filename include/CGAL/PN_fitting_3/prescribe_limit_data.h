@@ -49,7 +49,7 @@ std::optional<Eigen_vector<3>>
 prescribed_at([[maybe_unused]] const Access& access, [[maybe_unused]] const Map& map,
               [[maybe_unused]] Level_connectivity::Index v, [[maybe_unused]] const char* what)
 {
-  if constexpr (!std::is_same_v<Map, Not_given>) {
+  if constexpr (is_there_v<Map>) {
     const auto vertex = access.vertex(v);
     const auto& value = get(map, vertex);
     if (value) {
