@@ -32,8 +32,8 @@ namespace internal {
 
 template <class Host, class FT>
 class Scheme_on_host;
-template <class Scheme>
-struct Scheme_with_border;
+template <class Scheme, bool has_border, class HalfedgeVectorMap>
+struct Scheme_of_call;
 
 // What the type of a scheme says of the scheme. If the scheme is chosen at run time the type says what it may have, and
 // facts_of() what it has.
@@ -125,7 +125,11 @@ constexpr bool check_no_grid_rows()
 template <class Scheme>
 using Is_with_normals = Is_instance<Scheme_with_normals, Scheme>;
 template <class Scheme>
-using Is_with_border = Is_instance<Scheme_with_border, Scheme>;
+struct Is_with_border : std::false_type
+{};
+template <class Scheme, class Map>
+struct Is_with_border<Scheme_of_call<Scheme, true, Map>> : std::true_type
+{};
 
 // A pointer to the outermost one of nested schemes that is of a kind, or nullptr. Of the schemes of
 // points and of normals the one of points is searched.

@@ -47,20 +47,11 @@ auto adapted_alike(const Linear_scheme<Scheme>&, const Other& other)
 {
   return linear(other);
 }
-template <class Scheme, class Other>
-auto adapted_alike(const Scheme_with_border<Scheme>& adaptor, const Other& other)
+template <class Scheme, bool has_border, class Map, class Other>
+auto adapted_alike(const Scheme_of_call<Scheme, has_border, Map>& adaptor, const Other& other)
 {
-  return with_border(other, adaptor.border);
-}
-template <class Scheme, class Map, class Other>
-auto adapted_alike(const Scheme_with_crease_tangents<Scheme, Map>& adaptor, const Other& other)
-{
-  return with_crease_tangents(other, adaptor.tangents);
-}
-template <class Scheme, class Other>
-auto adapted_alike(const Scheme_with_normal_estimate<Scheme>& adaptor, const Other& other)
-{
-  return with_normal_estimate(other, adaptor.estimate);
+  return Scheme_of_call<Other, has_border, Map>{
+    {other}, adaptor.border, adaptor.estimate, adaptor.tangents};
 }
 
 // a call for points of a number type, without normals of corners
