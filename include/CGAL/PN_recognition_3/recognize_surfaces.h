@@ -204,7 +204,7 @@ std::size_t surface_creases(const FaceGraph& mesh, FacePatchMap patch_map,
       const Normal_map normals = Parameters::normal_map(np);
       for (Index h = 0; h < part.level.number_of_halfedges(); ++h) {
         const auto n = tags.normal(h);
-        put(normals, access.halfedge_at(h), Normal(n.x, n.y, n.z));
+        put(normals, access.halfedge_at(h), Normal(n[0], n[1], n[2]));
       }
     }
   });
