@@ -189,15 +189,13 @@ interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
                            internal::interpolation_mode_t, internal::interpolation_normals_t,
                            internal::free_vertices_t, internal::vertex_is_interpolated_map_t,
                            internal::tolerance_t, internal::max_depth_t, internal::max_steps_t>();
-  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-      return interpolate_limit_points<Concurrency_tag>(mesh, s, others);
-    });
-  else if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_interpolated_host<Limit_interpolation,
-                                          internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme,
-      [&](const auto& s) { return interpolate_limit_points<Concurrency_tag>(mesh, s, np); });
+  if constexpr (internal::is_open_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call<Limit_interpolation,
+                                         internal::Surface_call<PolygonMesh, NamedParameters>,
+                                         internal::Hosts::of_interpolation>(
+      scheme, np, [&](const auto& s, const auto& others) {
+        return interpolate_limit_points<Concurrency_tag>(mesh, s, others);
+      });
   else {
     internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;

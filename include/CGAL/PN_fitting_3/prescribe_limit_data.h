@@ -227,14 +227,13 @@ Limit_interpolation prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme
                            internal::prescribed_curvature_map_t, internal::tolerance_t,
                            internal::max_depth_t, internal::rings_t,
                            internal::curvature_tolerance_t, internal::max_curvature_steps_t>();
-  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-      return prescribe_limit_data<Concurrency_tag>(mesh, s, others);
-    });
-  else if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_interpolated_host<Limit_interpolation,
-                                          internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme, [&](const auto& s) { return prescribe_limit_data<Concurrency_tag>(mesh, s, np); });
+  if constexpr (internal::is_open_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call<Limit_interpolation,
+                                         internal::Surface_call<PolygonMesh, NamedParameters>,
+                                         internal::Hosts::of_interpolation>(
+      scheme, np, [&](const auto& s, const auto& others) {
+        return prescribe_limit_data<Concurrency_tag>(mesh, s, others);
+      });
   else {
     internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
     const internal::Interpolation_options options = internal::interpolation_options(np);

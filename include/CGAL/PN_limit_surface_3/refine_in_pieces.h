@@ -140,12 +140,8 @@ public:
                              internal::points_t, internal::surface_normals_t>();
     if constexpr (internal::check_named_parameters<NamedParameters>()) {
       number_of_pieces_ = internal::parameter_or<internal::number_of_pieces_t>(np, std::size_t(1));
-      if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-        internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-          this->read_scheme(mesh, s, others);
-        });
-      else
-        read_scheme(mesh, scheme, np);
+      internal::with_scheme_of_call<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
+        scheme, np, [&](const auto& s, const auto& others) { this->read_mesh(mesh, s, others); });
     }
   }
 
@@ -299,16 +295,6 @@ private:
     const auto put_attributes = [&](auto& carried) { piece.attributes_ = attributes_of_(carried); };
     refiner_->refine(i, rings, {begin, put, put_corner, put_attributes});
     return piece;
-  }
-
-  template <class PolygonMesh, class Scheme_of_call, class NamedParameters>
-  void read_scheme(const PolygonMesh& mesh, const Scheme_of_call& scheme, const NamedParameters& np)
-  {
-    if constexpr (internal::Is_any<Scheme>::value)
-      internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
-        scheme, [&](const auto& s) { this->read_mesh(mesh, s, np); });
-    else
-      read_mesh(mesh, scheme, np);
   }
 
   Piece piece_at_limit(std::size_t i, unsigned rings) const

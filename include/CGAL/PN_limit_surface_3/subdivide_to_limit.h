@@ -291,14 +291,13 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
                            internal::max_depth_t, internal::points_t, internal::surface_normals_t,
                            internal::rounds_done_t, internal::limit_point_map_t,
                            internal::limit_normal_map_t, internal::limit_error_map_t>();
-  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-      return subdivide_to_limit<Concurrency_tag>(mesh, s, others);
-    });
-  else if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_host_of_limits<true, Limit_report,
-                                       internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme, [&](const auto& s) { return subdivide_to_limit<Concurrency_tag>(mesh, s, np); });
+  if constexpr (internal::is_open_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call<Limit_report,
+                                         internal::Surface_call<PolygonMesh, NamedParameters>,
+                                         internal::Hosts::of_vertex_limits>(
+      scheme, np, [&](const auto& s, const auto& others) {
+        return subdivide_to_limit<Concurrency_tag>(mesh, s, others);
+      });
   else {
     static_assert(Scheme::Host::keeps_vertices,
                   "the limit points of a dual scheme belong to the faces: see limit_points()");

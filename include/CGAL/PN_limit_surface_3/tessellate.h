@@ -315,15 +315,11 @@ Tessellation_result tessellate(const FaceGraph& control, const Scheme& scheme, d
   internal::check_are_read<NamedParameters, internal::Read_of_control_mesh, internal::attributes_t,
                            internal::proven_bound_t>();
   internal::check_are_read<NamedParametersOut>();
-  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-      return tessellate<Concurrency_tag>(control, s, chord_error, out, others, np_out);
-    });
-  else if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_host<Tessellation_result,
-                             internal::Surface_call<FaceGraph, NamedParameters>>(
-      scheme, [&](const auto& s) {
-        return tessellate<Concurrency_tag>(control, s, chord_error, out, np, np_out);
+  if constexpr (internal::is_open_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call<Tessellation_result,
+                                         internal::Surface_call<FaceGraph, NamedParameters>>(
+      scheme, np, [&](const auto& s, const auto& others) {
+        return tessellate<Concurrency_tag>(control, s, chord_error, out, others, np_out);
       });
   else if constexpr (!internal::halves_edges_v<Scheme>)
     throw std::invalid_argument(internal::no_halves(scheme, "by which a tessellation is refined"));

@@ -143,12 +143,13 @@ public:
                              internal::attributes_t>();
     if constexpr (internal::check_named_parameters<NamedParameters>()) {
       control_vertices_ = internal::Control_vertices<PolygonMesh>(mesh, np);
-      if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-        internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-          this->read_scheme(mesh, s, others);
+      internal::with_scheme_of_call<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
+        scheme, np, [&](const auto& s, const auto& others) {
+          if (internal::facts_of(s).transfers_curvature)
+            throw std::invalid_argument("PN_subdivision_3: Surface_refiner takes no scheme that "
+                                        "transfers curvature");
+          this->read_mesh(mesh, s, others);
         });
-      else
-        read_scheme(mesh, scheme, np);
     }
   }
 
@@ -322,21 +323,6 @@ public:
 
 private:
   using Coordinates = PN_subdivision_3::Coordinates<FT, 3>;
-
-  template <class Scheme_of_call, class NamedParameters>
-  void read_scheme(const PolygonMesh& mesh, const Scheme_of_call& scheme, const NamedParameters& np)
-  {
-    if constexpr (internal::Is_any<Scheme>::value)
-      internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
-        scheme, [&](const auto& s) {
-          if (internal::facts_of(s).transfers_curvature)
-            throw std::invalid_argument("PN_subdivision_3: Surface_refiner takes no scheme that "
-                                        "transfers curvature");
-          this->read_mesh(mesh, s, np);
-        });
-    else
-      read_mesh(mesh, scheme, np);
-  }
 
   // the scheme has a host
   template <class Hosted_scheme, class NamedParameters>

@@ -161,6 +161,33 @@ Result on_interpolated_host(const Scheme& scheme, const Function& f)
   });
 }
 
+// which schemes that are chosen at run time a call takes
+enum class Hosts { all, of_vertex_limits, of_face_limits, of_interpolation };
+
+// whether something of a call has still to be put around its scheme, or its host to be found
+template <class Scheme, class NamedParameters>
+constexpr bool is_open_v = adapts_scheme_v<Scheme, NamedParameters> || Is_any<Scheme>::value;
+
+// f(scheme, np), with the scheme as the call says, on its host, and parameters that do not say it again
+template <class Result, class Call, Hosts hosts = Hosts::all, class Scheme, class NamedParameters,
+          class Function>
+Result with_scheme_of_call(const Scheme& scheme, const NamedParameters& np, const Function& f)
+{
+  [[maybe_unused]] const auto hosted = [&](const auto& s) -> Result { return f(s, np); };
+  if constexpr (adapts_scheme_v<Scheme, NamedParameters>)
+    return with_adapted_scheme(scheme, np, [&](const auto& s, const auto& others) -> Result {
+      return with_scheme_of_call<Result, Call, hosts>(s, others, f);
+    });
+  else if constexpr (!Is_any<Scheme>::value)
+    return f(scheme, np);
+  else if constexpr (hosts == Hosts::all)
+    return on_host<Result, Call>(scheme, hosted);
+  else if constexpr (hosts == Hosts::of_interpolation)
+    return on_interpolated_host<Result, Call>(scheme, hosted);
+  else
+    return on_host_of_limits<hosts == Hosts::of_vertex_limits, Result, Call>(scheme, hosted);
+}
+
 } // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_ON_HOST_H

@@ -127,7 +127,7 @@ inline constexpr bool adapts_scheme_v<Scheme, Named_function_parameters<T, Tag, 
 
 // f(scheme, np), with the scheme as the call says, and parameters that do not say it again
 template <class Scheme, class NamedParameters, class Function>
-decltype(auto) with_scheme_of_call(const Scheme& scheme, const NamedParameters& np,
+decltype(auto) with_adapted_scheme(const Scheme& scheme, const NamedParameters& np,
                                    const Function& f)
 {
   using Tangents = Parameter_type<crease_tangent_map_t, NamedParameters>;
