@@ -15,8 +15,6 @@
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/Uncertain.h>
 
-#include <boost/type_traits/is_detected.hpp>
-
 #include <array>
 #include <cstddef>
 #include <optional>
