@@ -29,19 +29,19 @@ void compiled_call(Mesh& mesh, const Scheme& scheme, unsigned rounds,
                    const Any_attributes<Surface_mesh_access<Mesh>>& attributes)
 {
   using On_host = Scheme_on_host<typename Scheme::Host, double>;
-  [[maybe_unused]] constexpr No_constraint_map no_map{};
+  [[maybe_unused]] constexpr Not_given no_map{};
   [[maybe_unused]] Surface_mesh_access<Mesh> access(mesh);
   if constexpr (!std::is_same_v<Scheme, On_host>)
     compiled_call(mesh, On_host(scheme), rounds, round_done, points, normals, edges, attributes);
-  else if constexpr (is_constraint_map_v<Edge_map> && !Has_crease_rules<Scheme>::value) {
+  else if constexpr (is_there_v<Edge_map> && !Has_crease_rules<Scheme>::value) {
     require_crease_rules(scheme, access, normals, edges, no_map);
     compiled_call(mesh, scheme, rounds, round_done, points, normals, no_map, attributes);
   } else {
     using Rounded = With_roundness<Scheme, double>;
     const Given_roundness<double> none;
-    const Rounded rounded{{scheme}, &none, std::is_same_v<Normal_map, No_normal_map>};
+    const Rounded rounded{{scheme}, &none, !is_there_v<Normal_map>};
     Mesh_subdivision<Sequential_tag, Rounded, double>(rounded, rounds, round_done)(
-      access, points, normals, No_roundness(), edges, no_map, attributes);
+      access, points, normals, Not_given(), edges, no_map, attributes);
   }
 }
 
@@ -55,12 +55,12 @@ using Mesh_of = Surface_mesh<typename Kernel::Point_3>;
                               EDGES, const Any_attributes<Surface_mesh_access<Mesh_of<KERNEL>>>&);
 #define CGAL_PN_SUBDIVISION_3_CALLS(KERNEL, EDGES, ...)                                            \
   CGAL_PN_SUBDIVISION_3_CALL(KERNEL, Usual_normal_map<Mesh_of<KERNEL>>, EDGES, __VA_ARGS__)        \
-  CGAL_PN_SUBDIVISION_3_CALL(KERNEL, No_normal_map, EDGES, __VA_ARGS__)
+  CGAL_PN_SUBDIVISION_3_CALL(KERNEL, Not_given, EDGES, __VA_ARGS__)
 #define CGAL_PN_SUBDIVISION_3_CALLS_OF(...)                                                        \
-  CGAL_PN_SUBDIVISION_3_CALLS(Simple_cartesian<double>, No_constraint_map, __VA_ARGS__)            \
+  CGAL_PN_SUBDIVISION_3_CALLS(Simple_cartesian<double>, Not_given, __VA_ARGS__)                    \
   CGAL_PN_SUBDIVISION_3_CALLS(Simple_cartesian<double>,                                            \
                               Usual_edge_map<Mesh_of<Simple_cartesian<double>>>, __VA_ARGS__)      \
-  CGAL_PN_SUBDIVISION_3_CALLS(Epick, No_constraint_map, __VA_ARGS__)                               \
+  CGAL_PN_SUBDIVISION_3_CALLS(Epick, Not_given, __VA_ARGS__)                                       \
   CGAL_PN_SUBDIVISION_3_CALLS(Epick, Usual_edge_map<Mesh_of<Epick>>, __VA_ARGS__)
 #define CGAL_PN_SUBDIVISION_3_CALLS_ON(HOST, SCHEME)                                               \
   CGAL_PN_SUBDIVISION_3_CALLS_OF(Scheme_on_host<HOST, double>)                                     \

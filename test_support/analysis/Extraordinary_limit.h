@@ -114,7 +114,7 @@ public:
   Zoom_level(const Scheme& scheme, Index valence, Index rings)
     : net_(degree, valence, rings)
     , level_(net_.level())
-    , round_(scheme, level_, first_tuned_round(scheme))
+    , round_(scheme, level_, facts_of(scheme).first_round)
   {}
   // the round refers to the level
   Zoom_level(const Zoom_level&) = delete;

@@ -63,7 +63,7 @@ public:
     : valence_(valence)
     , level_(scheme, valence, 2)
   {
-    const unsigned round = first_tuned_round(scheme);
+    const unsigned round = facts_of(scheme).first_round;
     const typename Scheme::Host host(level_.level(), round);
     const auto mask = scheme.template mask<FT>(level_.level(), round);
     const auto child = level_.children(level_.net());

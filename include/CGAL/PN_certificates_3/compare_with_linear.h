@@ -210,14 +210,12 @@ Comparison_with_linear compare_with_linear(const PolygonMesh& mesh, const Scheme
 {
   Comparison_with_linear comparison;
   internal::check_are_read<NamedParameters, internal::Read_of_control_mesh>();
-  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-      return compare_with_linear<Concurrency_tag>(mesh, s, others);
-    });
-  else if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_host<Comparison_with_linear,
-                             internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme, [&](const auto& s) { return compare_with_linear<Concurrency_tag>(mesh, s, np); });
+  if constexpr (internal::is_open_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call<Comparison_with_linear,
+                                         internal::Surface_call<PolygonMesh, NamedParameters>>(
+      scheme, np, [&](const auto& s, const auto& others) {
+        return compare_with_linear<Concurrency_tag>(mesh, s, others);
+      });
   else if constexpr (internal::check_pieces_arguments<PolygonMesh, Scheme, NamedParameters>()) {
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
     using FT = typename Parameters::FT;
@@ -278,7 +276,7 @@ compare_with_linear(const ControlMesh& control, const PolygonMesh& result,
     internal::with_mesh_access(mesh, [&](const auto& access) {
       level.level = internal::checked_level(access);
       level.points = internal::read_given_values<Linear_average<FT, 3>>(
-        access, Own::const_point_map(mesh, parameters_of_mesh), internal::No_normal_map(),
+        access, Own::const_point_map(mesh, parameters_of_mesh), internal::Not_given(),
         level.level.number_of_vertices());
       const auto edge_map = Own::edge_constraint_map(parameters_of_mesh);
       const internal::Edge_constraints<std::decay_t<decltype(access)>,

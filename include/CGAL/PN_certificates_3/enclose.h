@@ -96,7 +96,7 @@ Enclosure::Mesh mesh_of_intervals(const PolygonMesh& mesh, Point_map points,
   std::map<typename boost::graph_traits<PolygonMesh>::vertex_descriptor, Mesh::Vertex_index> copy;
   for (auto v : vertices(mesh)) {
     copy[v] = result.add_vertex(in_intervals<Enclosure::Kernel::Point_3>(get(points, v)));
-    if constexpr (!std::is_same_v<Normal_map, No_normal_map>)
+    if constexpr (is_there_v<Normal_map>)
       result_normals[copy[v]] = in_intervals<Vector>(get(normals, v));
   }
   std::vector<Mesh::Vertex_index> corners;
@@ -184,16 +184,16 @@ Enclosure enclose(const PolygonMesh& mesh, const Scheme& scheme, unsigned rounds
           .first;
 
       const auto refine = [&](const auto& call) {
-        if constexpr (std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>)
+        if constexpr (!internal::is_there_v<typename Parameters::Normal_map>)
           subdivide(result.mesh, scheme, call);
         else
           subdivide(result.mesh, scheme, call.vertex_normal_map(normals));
       };
-      if constexpr (internal::is_given_roundness_v<typename Parameters::Roundness_map>)
+      if constexpr (internal::is_there_v<typename Parameters::Roundness_map>)
         refine(PN_subdivision_3::parameters::vertex_roundness_map(
                  internal::roundness_in_intervals(mesh, result.mesh, Parameters::roundness_map(np)))
                  .number_of_iterations(rounds));
-      else if constexpr (internal::is_given_roundness_v<typename Parameters::Roundness>)
+      else if constexpr (internal::is_there_v<typename Parameters::Roundness>)
         refine(PN_subdivision_3::parameters::roundness(
                  internal::measure_number<CGAL::Gmpfi>(Parameters::roundness(np)))
                  .number_of_iterations(rounds));

@@ -349,7 +349,7 @@ auto mesh_deviation(const PolygonMesh& mesh, const Shape& shape,
   for (Vertex v : vertices(mesh)) {
     const auto p = internal::checked_coordinates<Point>(get(points, v), "position", name);
     all.add_point(v, p);
-    if constexpr (!std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>)
+    if constexpr (internal::is_there_v<typename Parameters::Normal_map>)
       all.add_normal(
         v, p,
         internal::checked_coordinates<Point>(get(Parameters::normal_map(np), v), "normal", name));

@@ -247,7 +247,7 @@ void subdivide_as_cgal(PolygonMesh& mesh, const Scheme& scheme, const Given& giv
   const auto& np = parameters_of_method(given);
   using Parameters = Surface_parameters<PolygonMesh, std::decay_t<decltype(np)>>;
   const auto ordered = in_order_of_cgal<recycles_v<PolygonMesh>>(scheme);
-  if constexpr (std::is_same_v<typename Parameters::Normal_map, No_normal_map>)
+  if constexpr (!is_there_v<typename Parameters::Normal_map>)
     PN_subdivision_3::subdivide(mesh, linear(ordered), np);
   else
     PN_subdivision_3::subdivide(mesh, ordered, np);

@@ -30,7 +30,7 @@ struct Curve_vector
   using type = typename boost::property_traits<Normal_map>::value_type;
 };
 template <class Points>
-struct Curve_vector<Points, No_curve_normal_map>
+struct Curve_vector<Points, Not_given>
 {
   using type = typename Points::Vector;
 };
@@ -48,10 +48,10 @@ struct Curve_parameters : Curve_maps<Range, NamedParameters>
                                                  typename CGAL::Kernel_traits<Point>::Kernel>::type;
   using FT = typename Geom_traits::FT;
 
-  using Roundness = Parameter_type<roundness_t, NamedParameters, No_roundness>;
+  using Roundness = Parameter_type<roundness_t, NamedParameters>;
 
   static constexpr int dimension = CGAL::Ambient_dimension<Point>::value;
-  static constexpr bool has_roundness = is_given_roundness_v<Roundness>;
+  static constexpr bool has_roundness = is_there_v<Roundness>;
 
   static FT roundness([[maybe_unused]] const NamedParameters& np)
   {

@@ -60,7 +60,7 @@ interpolate_without_creases(const Access& access, const Scheme& scheme,
 {
   using Parameters = Surface_parameters<Mesh, NamedParameters>;
   using Normal_map = typename Parameters::Normal_map;
-  constexpr bool has_normal_map = !std::is_same_v<Normal_map, No_normal_map>;
+  constexpr bool has_normal_map = is_there_v<Normal_map>;
   constexpr bool finds_normals = is_pn_v<Scheme> && has_normal_map;
   const auto normal_map = Parameters::normal_map(np);
   const auto read = [&](const auto& normals) {
@@ -69,7 +69,7 @@ interpolate_without_creases(const Access& access, const Scheme& scheme,
   Undoable_vertices<Access, Normal_map> natural(access, normal_map);
   if (options.normals == Limit_interpolation::Normals::natural) {
     if constexpr (finds_normals)
-      put_natural_normals<FT>(scheme, level, for_chunks, read(No_normal_map()), natural);
+      put_natural_normals<FT>(scheme, level, for_chunks, read(Not_given()), natural);
     else
       throw std::invalid_argument("PN_subdivision_3: natural normals need a "
                                   "vertex_normal_map, and a scheme that is not linear");
@@ -91,7 +91,7 @@ interpolate_without_creases(const Access& access, const Scheme& scheme,
   if constexpr (finds_normals)
     write(normal_map);
   else
-    write(No_normal_map());
+    write(Not_given());
   natural.commit();
   return result.report;
 }
@@ -188,15 +188,13 @@ interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
                            internal::interpolation_mode_t, internal::interpolation_normals_t,
                            internal::free_vertices_t, internal::vertex_is_interpolated_map_t,
                            internal::tolerance_t, internal::max_depth_t, internal::max_steps_t>();
-  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-      return interpolate_limit_points<Concurrency_tag>(mesh, s, others);
-    });
-  else if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_interpolated_host<Limit_interpolation,
-                                          internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme,
-      [&](const auto& s) { return interpolate_limit_points<Concurrency_tag>(mesh, s, np); });
+  if constexpr (internal::is_open_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call<Limit_interpolation,
+                                         internal::Surface_call<PolygonMesh, NamedParameters>,
+                                         internal::Hosts::of_interpolation>(
+      scheme, np, [&](const auto& s, const auto& others) {
+        return interpolate_limit_points<Concurrency_tag>(mesh, s, others);
+      });
   else {
     internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;

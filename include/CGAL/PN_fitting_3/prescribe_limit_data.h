@@ -49,7 +49,7 @@ std::optional<Eigen_vector<3>>
 prescribed_at([[maybe_unused]] const Access& access, [[maybe_unused]] const Map& map,
               [[maybe_unused]] Level_connectivity::Index v, [[maybe_unused]] const char* what)
 {
-  if constexpr (!std::is_same_v<Map, Not_given>) {
+  if constexpr (is_there_v<Map>) {
     const auto vertex = access.vertex(v);
     const auto& value = get(map, vertex);
     if (value) {
@@ -118,7 +118,7 @@ constexpr void check_prescribed_curvatures()
   static_assert(!has_curvatures || !Is_linear<Scheme>::value,
                 "PN_subdivision_3: curvature is prescribed by the control normals too, and linear "
                 "schemes have none");
-  static_assert(!has_curvatures || !std::is_same_v<Normal_map, No_normal_map>,
+  static_assert(!has_curvatures || is_there_v<Normal_map>,
                 "PN_subdivision_3: prescribed curvatures change the control normals: give a "
                 "vertex_normal_map that takes them");
 }
@@ -157,7 +157,7 @@ Limit_interpolation prescribe_on(const Access& access, Mesh& mesh, const Scheme&
   if constexpr (has_curvatures)
     write(Parameters::normal_map(np));
   else
-    write(No_normal_map());
+    write(Not_given());
   return result.report;
 }
 
@@ -227,14 +227,13 @@ Limit_interpolation prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme
                            internal::prescribed_curvature_map_t, internal::tolerance_t,
                            internal::max_depth_t, internal::rings_t,
                            internal::curvature_tolerance_t, internal::max_curvature_steps_t>();
-  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-      return prescribe_limit_data<Concurrency_tag>(mesh, s, others);
-    });
-  else if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_interpolated_host<Limit_interpolation,
-                                          internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme, [&](const auto& s) { return prescribe_limit_data<Concurrency_tag>(mesh, s, np); });
+  if constexpr (internal::is_open_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call<Limit_interpolation,
+                                         internal::Surface_call<PolygonMesh, NamedParameters>,
+                                         internal::Hosts::of_interpolation>(
+      scheme, np, [&](const auto& s, const auto& others) {
+        return prescribe_limit_data<Concurrency_tag>(mesh, s, others);
+      });
   else {
     internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
     const internal::Interpolation_options options = internal::interpolation_options(np);

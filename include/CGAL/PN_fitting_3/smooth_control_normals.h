@@ -58,7 +58,7 @@ constexpr bool check_smoothing_arguments()
   using Parameters = Surface_parameters<Mesh, NamedParameters>;
   using Edge_map = typename Parameters::Edge_constraint_map;
   constexpr bool has_wedges =
-    !is_constraint_map_v<Edge_map> ||
+    !is_there_v<Edge_map> ||
     is_property_map_of_v<Normal_map, typename boost::graph_traits<Mesh>::halfedge_descriptor>;
   static_assert(has_wedges,
                 "PN_subdivision_3: a mesh with creases has several normals at a vertex: "
@@ -220,7 +220,7 @@ smooth_control_normals(const PolygonMesh& mesh, NormalMap normals,
       } else {
         const internal::Creases<FT> creases = internal::Make_creases<FT>(level, Border::surface)(
           [&](Index e) {
-            if constexpr (internal::is_constraint_map_v<typename Parameters::Edge_constraint_map>)
+            if constexpr (internal::is_there_v<typename Parameters::Edge_constraint_map>)
               return internal::checked_sharpness(
                 internal::sharpness_in(Parameters::edge_constraint_map(np), access.edge_at(e)),
                 [&] { return internal::Edge_of_mesh::name(access, e); });
@@ -228,8 +228,8 @@ smooth_control_normals(const PolygonMesh& mesh, NormalMap normals,
               return 0.;
           },
           [](Index) { return 0.; });
-        auto values = internal::read_given_values<Average>(
-          access, points, internal::No_normal_map(), level.number_of_vertices());
+        auto values = internal::read_given_values<Average>(access, points, internal::Not_given(),
+                                                           level.number_of_vertices());
         for (const Index v : internal::vertices_of_extra_slots(creases, level.number_of_vertices()))
           values.push_back(values[v]);
         internal::read_corner_normals<FT>(access, level, creases, normals, values);

@@ -82,8 +82,8 @@ struct Parameters_in_double : Surface_parameters<PolygonMesh, NamedParameters>
   template <bool are_used>
   static auto normals([[maybe_unused]] const NamedParameters& np)
   {
-    if constexpr (!are_used || std::is_same_v<typename Base::Normal_map, No_normal_map>)
-      return No_normal_map();
+    if constexpr (!are_used || !is_there_v<typename Base::Normal_map>)
+      return Not_given();
     else
       return Map_in_double<typename Base::Normal_map, Kernel::Vector_3>{Base::normal_map(np)};
   }
@@ -215,11 +215,8 @@ public:
   {
     internal::check_are_read<NamedParameters, internal::Read_of_control_mesh, internal::tolerance_t,
                              internal::normal_tolerance_t>();
-    if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-      internal::with_scheme_of_call(
-        scheme, np, [&](const auto& s, const auto& others) { this->read_any(mesh, s, others); });
-    else
-      read_any(mesh, scheme, np);
+    internal::with_scheme_of_call<void, internal::Number_call<double>>(
+      scheme, np, [&](const auto& s, const auto& others) { this->read(mesh, s, others); });
   }
 
   /// \name Tolerances
@@ -342,16 +339,6 @@ private:
         }
       });
     }
-  }
-
-  template <class Scheme, class NamedParameters>
-  void read_any(const FaceGraph& mesh, const Scheme& scheme, const NamedParameters& np)
-  {
-    if constexpr (internal::Is_any<Scheme>::value)
-      internal::on_host<void, internal::Number_call<double>>(
-        scheme, [&](const auto& s) { this->read(mesh, s, np); });
-    else
-      read(mesh, scheme, np);
   }
 
   template <class Parameters, class Access, class Scheme, class NamedParameters>

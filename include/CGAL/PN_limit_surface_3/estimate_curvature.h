@@ -98,7 +98,7 @@ Curvature_data curvature_data(const Access& access, Point_map points, Normal_map
   data.vertices.reserve(n);
   for (const auto& value : values)
     data.vertices.push_back({vector(value.point), vector(value.normal)});
-  if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
+  if constexpr (is_there_v<Normal_map>) {
     data.fits_normals = true;
     data.face_normals.resize(n);
     for (Index v = 0; v < n; ++v) {

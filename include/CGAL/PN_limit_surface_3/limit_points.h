@@ -92,26 +92,19 @@ template <class Concurrency_tag, class PolygonMesh, class Scheme, class LimitMap
 Limit_report limits_of_call(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
                             const NamedParameters& np)
 {
-  using Call = Surface_call<PolygonMesh, NamedParameters>;
-  const auto of_scheme = [&](const auto& s) {
-    return limits_of_call<Concurrency_tag>(mesh, s, limits, np);
-  };
-  if constexpr (adapts_scheme_v<Scheme, NamedParameters>)
-    return with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-      return limits_of_call<Concurrency_tag>(mesh, s, limits, others);
+  constexpr Hosts hosts =
+    is_of_faces_v<PolygonMesh, LimitMap> ? Hosts::of_face_limits : Hosts::of_vertex_limits;
+  return with_scheme_of_call<Limit_report, Surface_call<PolygonMesh, NamedParameters>, hosts>(
+    scheme, np, [&](const auto& s, const auto& others) -> Limit_report {
+      using Hosted_scheme = std::decay_t<decltype(s)>;
+      if constexpr (Has_grid_rows<Hosted_scheme>::value) {
+        check_no_grid_rows<Hosted_scheme>(); // nothing below, of which compilers would say more
+        return {};
+      } else if constexpr (Hosted_scheme::Host::keeps_vertices)
+        return vertex_limit_points<Concurrency_tag>(mesh, s, limits, others);
+      else
+        return face_limit_points<Concurrency_tag>(mesh, s, limits, others);
     });
-  else if constexpr (!Is_any<Scheme>::value) {
-    if constexpr (Has_grid_rows<
-                    Scheme>::value) { // nothing below, of which compilers would say more
-      check_no_grid_rows<Scheme>();
-      return {};
-    } else if constexpr (Scheme::Host::keeps_vertices)
-      return vertex_limit_points<Concurrency_tag>(mesh, scheme, limits, np);
-    else
-      return face_limit_points<Concurrency_tag>(mesh, scheme, limits, np);
-  } else
-    return on_host_of_limits<!is_of_faces_v<PolygonMesh, LimitMap>, Limit_report, Call>(scheme,
-                                                                                        of_scheme);
 }
 
 // the keys of elements that have limits, by the map of points, normals or errors that is given
@@ -137,17 +130,12 @@ template <class Concurrency_tag, class PolygonMesh, class Scheme, class NamedPar
 Limit_report move_to_limit_of_call(PolygonMesh& mesh, const Scheme& scheme,
                                    const NamedParameters& np)
 {
-  if constexpr (adapts_scheme_v<Scheme, NamedParameters>)
-    return with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-      return move_to_limit_of_call<Concurrency_tag>(mesh, s, others);
+  return with_scheme_of_call<Limit_report, Surface_call<PolygonMesh, NamedParameters>,
+                             Hosts::of_vertex_limits>(
+    scheme, np, [&](const auto& s, const auto& others) {
+      using Parameters = Surface_parameters<PolygonMesh, std::decay_t<decltype(others)>>;
+      return move_to_limit<Concurrency_tag, Parameters>(mesh, s, others);
     });
-  else if constexpr (Is_any<Scheme>::value)
-    return on_host_of_limits<true, Limit_report, Surface_call<PolygonMesh, NamedParameters>>(
-      scheme, [&](const auto& s) { return move_to_limit_of_call<Concurrency_tag>(mesh, s, np); });
-  else {
-    using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
-    return move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, np);
-  }
 }
 
 } // namespace internal

@@ -140,12 +140,8 @@ public:
                              internal::points_t, internal::surface_normals_t>();
     if constexpr (internal::check_named_parameters<NamedParameters>()) {
       number_of_pieces_ = internal::parameter_or<internal::number_of_pieces_t>(np, std::size_t(1));
-      if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-        internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-          this->read_scheme(mesh, s, others);
-        });
-      else
-        read_scheme(mesh, scheme, np);
+      internal::with_scheme_of_call<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
+        scheme, np, [&](const auto& s, const auto& others) { this->read_mesh(mesh, s, others); });
     }
   }
 
@@ -301,16 +297,6 @@ private:
     return piece;
   }
 
-  template <class PolygonMesh, class Scheme_of_call, class NamedParameters>
-  void read_scheme(const PolygonMesh& mesh, const Scheme_of_call& scheme, const NamedParameters& np)
-  {
-    if constexpr (internal::Is_any<Scheme>::value)
-      internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
-        scheme, [&](const auto& s) { this->read_mesh(mesh, s, np); });
-    else
-      read_mesh(mesh, scheme, np);
-  }
-
   Piece piece_at_limit(std::size_t i, unsigned rings) const
   {
     const internal::Limit_options& options = limits_->options;
@@ -370,7 +356,7 @@ private:
                                                         NamedParameters>() &&
                        internal::check_attributes<PolygonMesh, NamedParameters, false>()) {
       using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-      ghost_rings_ = internal::ghost_rings(scheme);
+      ghost_rings_ = internal::facts_of(scheme).ghost_rings;
       if (ghost_rings_ == 0)
         throw std::invalid_argument("PN_subdivision_3: " + internal::name_in_message(scheme) +
                                     " has no ghost_rings: it does not say how many rings of "
@@ -395,7 +381,7 @@ private:
         if constexpr (is_pn)
           read(Parameters::normal_map(np));
         else
-          read(internal::No_normal_map());
+          read(internal::Not_given());
       });
     }
   }
@@ -410,14 +396,12 @@ private:
     using Host = typename Hosted_scheme::Host;
     if constexpr (!internal::check_corner_normals<Hosted_scheme, Access, Normal_map>()) return;
     internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
-    Level_connectivity level = internal::checked_level(access);
-    internal::check_scheme<Hosted_scheme, internal::Element_names>(scheme, level, access);
     const internal::With_roundness<Hosted_scheme, FT> with_roundness{{scheme}, &roundness};
-    const internal::Mesh_values_of_call<std::decay_t<decltype(with_roundness)>, FT, Access,
-                                        Normal_map, Edge_map, Vertex_map>
-      of_mesh(with_roundness, access, level, edge_map, vertex_map);
-    auto creases = of_mesh.creases(level);
-    using Level_creases = decltype(creases);
+    internal::Control_mesh control(with_roundness, access, normals, edge_map, vertex_map, FT());
+    using Level_creases = typename decltype(control)::Level_creases;
+    Level_connectivity& level = control.level;
+    auto& of_mesh = control.maps;
+    auto& creases = control.creases;
     of_mesh.read_tangents(creases);
     rounds_ = internal::number_of_rounds(level, rounds);
     if (limits_)
@@ -433,7 +417,7 @@ private:
     is_near_overflow_ = std::any_of(values.begin(), values.end(), [](const Value& v) {
       return internal::is_near_overflow(internal::point_of(v));
     });
-    constexpr bool has_attributes = !std::is_same_v<Attributes, internal::No_attributes>;
+    constexpr bool has_attributes = internal::is_there_v<Attributes>;
     // as calls for all of a surface have them; no roundness of the call is read any more
     using Round_scheme = internal::Scheme_of_rounds<internal::With_roundness<Hosted_scheme, FT>>;
     using Refiner = internal::Piece_refiner<Round_scheme, Average, Level_creases, has_attributes>;

@@ -96,11 +96,10 @@ private:
                          Vertex_map vertex_map, const Attributes& attributes,
                          const NamedParameters& np) const
   {
-    Level_connectivity level = checked_level(access);
-    check_scheme<Scheme, Element_names>(scheme_, level, access);
-    Mesh_values_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
-      scheme_, access, level, edge_map, vertex_map);
-    auto creases = of_mesh.creases(level);
+    Control_mesh control(scheme_, access, normals, edge_map, vertex_map, FT());
+    Level_connectivity& level = control.level;
+    auto& of_mesh = control.maps;
+    auto& creases = control.creases;
     const unsigned rounds = number_of_rounds(level, rounds_);
     require_sharp_for_ever<FT>(access, creases, rounds);
     of_mesh.read_tangents(creases);
@@ -111,7 +110,8 @@ private:
     auto attribute_rounds =
       attribute_rounds_of_call<FT, Host>(attributes, access, level, creases, of_mesh, for_chunks_);
     const Scheme_of_rounds<Scheme>& round_scheme = scheme_of_rounds(scheme_);
-    Level_refiner<Scheme_of_rounds<Scheme>, Average, decltype(creases)> refiner(
+    using Level_creases = typename decltype(control)::Level_creases;
+    Level_refiner<Scheme_of_rounds<Scheme>, Average, Level_creases> refiner(
       round_scheme, std::move(level), std::move(creases), {values.begin(), values.end()},
       for_chunks_);
     std::vector<Value>().swap(values);
@@ -150,7 +150,7 @@ private:
     if (puts_normals())
       put(Writers::vertex_map(normals));
     else
-      put(No_normal_map());
+      put(Not_given());
     if constexpr (Attributes::visited.any())
       attributes.visit(access, size, attribute_rounds->rules(last.round(), refiner.level()));
     limits.resize(size.vertices);
@@ -291,14 +291,13 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
                            internal::max_depth_t, internal::points_t, internal::surface_normals_t,
                            internal::rounds_done_t, internal::limit_point_map_t,
                            internal::limit_normal_map_t, internal::limit_error_map_t>();
-  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-      return subdivide_to_limit<Concurrency_tag>(mesh, s, others);
-    });
-  else if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_host_of_limits<true, Limit_report,
-                                       internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme, [&](const auto& s) { return subdivide_to_limit<Concurrency_tag>(mesh, s, np); });
+  if constexpr (internal::is_open_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call<Limit_report,
+                                         internal::Surface_call<PolygonMesh, NamedParameters>,
+                                         internal::Hosts::of_vertex_limits>(
+      scheme, np, [&](const auto& s, const auto& others) {
+        return subdivide_to_limit<Concurrency_tag>(mesh, s, others);
+      });
   else {
     static_assert(Scheme::Host::keeps_vertices,
                   "the limit points of a dual scheme belong to the faces: see limit_points()");

@@ -128,7 +128,7 @@ private:
     if constexpr (is_pn_v<Scheme>)
       return Parameters::normal_map(np_);
     else
-      return No_normal_map();
+      return Not_given();
   }
 
   Tessellation_demand demand(double box) const
@@ -188,7 +188,7 @@ private:
   template <class Normal_map>
   static auto vertex_normals([[maybe_unused]] const Tessellation_mesh<FT>& mesh)
   {
-    if constexpr (std::is_same_v<Normal_map, No_normal_map>)
+    if constexpr (!is_there_v<Normal_map>)
       return std::vector<char>();
     else {
       std::vector<typename boost::property_traits<Normal_map>::value_type> normals;
@@ -211,7 +211,7 @@ Attribute_table* attribute_table(const NamedParameters& np)
   if constexpr (!is_given_v<attributes_t, NamedParameters>)
     return nullptr;
   else {
-    using Given = Parameter_type<attributes_t, NamedParameters, Not_given>;
+    using Given = Parameter_type<attributes_t, NamedParameters>;
     static_assert(std::is_same_v<Given, std::reference_wrapper<Attribute_table>>,
                   "PN_subdivision_3: tessellate() carries the arrays of an Attribute_table: give "
                   "parameters::attributes(table)");
@@ -315,15 +315,11 @@ Tessellation_result tessellate(const FaceGraph& control, const Scheme& scheme, d
   internal::check_are_read<NamedParameters, internal::Read_of_control_mesh, internal::attributes_t,
                            internal::proven_bound_t>();
   internal::check_are_read<NamedParametersOut>();
-  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-      return tessellate<Concurrency_tag>(control, s, chord_error, out, others, np_out);
-    });
-  else if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_host<Tessellation_result,
-                             internal::Surface_call<FaceGraph, NamedParameters>>(
-      scheme, [&](const auto& s) {
-        return tessellate<Concurrency_tag>(control, s, chord_error, out, np, np_out);
+  if constexpr (internal::is_open_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call<Tessellation_result,
+                                         internal::Surface_call<FaceGraph, NamedParameters>>(
+      scheme, np, [&](const auto& s, const auto& others) {
+        return tessellate<Concurrency_tag>(control, s, chord_error, out, others, np_out);
       });
   else if constexpr (!internal::halves_edges_v<Scheme>)
     throw std::invalid_argument(internal::no_halves(scheme, "by which a tessellation is refined"));

@@ -184,19 +184,19 @@ std::size_t surface_creases(const FaceGraph& mesh, FacePatchMap patch_map,
       number += is_crease;
     }
     using Corner_map = typename Parameters::Vertex_constraint_map;
-    if constexpr (internal::is_constraint_map_v<Corner_map>) {
+    if constexpr (internal::is_there_v<Corner_map>) {
       const Corner_map corners = Parameters::vertex_constraint_map(np);
       for (Index v = 0; v < part.level.number_of_vertices(); ++v)
         put(corners, access.vertex(v), tags.is_corner(v));
     }
-    if constexpr (internal::is_given_roundness_v<typename Parameters::Roundness_map>) {
+    if constexpr (internal::is_there_v<typename Parameters::Roundness_map>) {
       const auto roundness = Parameters::roundness_map(np);
       using Number = typename boost::property_traits<decltype(roundness)>::value_type;
       for (Index v = 0; v < part.level.number_of_vertices(); ++v)
         put(roundness, access.vertex(v), Number(tags.is_unknown(v) ? 0 : 1));
     }
     using Normal_map = typename Parameters::Normal_map;
-    if constexpr (!std::is_same_v<Normal_map, internal::No_normal_map>) {
+    if constexpr (internal::is_there_v<Normal_map>) {
       static_assert(internal::has_corner_normals_v<std::decay_t<decltype(access)>, Normal_map>,
                     "PN_subdivision_3: the normals of surfaces belong to the corners of faces: "
                     "the vertex_normal_map must be one of half-edges");
@@ -204,7 +204,7 @@ std::size_t surface_creases(const FaceGraph& mesh, FacePatchMap patch_map,
       const Normal_map normals = Parameters::normal_map(np);
       for (Index h = 0; h < part.level.number_of_halfedges(); ++h) {
         const auto n = tags.normal(h);
-        put(normals, access.halfedge_at(h), Normal(n.x, n.y, n.z));
+        put(normals, access.halfedge_at(h), Normal(n[0], n[1], n[2]));
       }
     }
   });

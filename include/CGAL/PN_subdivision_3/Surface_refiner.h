@@ -143,12 +143,13 @@ public:
                              internal::attributes_t>();
     if constexpr (internal::check_named_parameters<NamedParameters>()) {
       control_vertices_ = internal::Control_vertices<PolygonMesh>(mesh, np);
-      if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-        internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-          this->read_scheme(mesh, s, others);
+      internal::with_scheme_of_call<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
+        scheme, np, [&](const auto& s, const auto& others) {
+          if (internal::facts_of(s).transfers_curvature)
+            throw std::invalid_argument("PN_subdivision_3: Surface_refiner takes no scheme that "
+                                        "transfers curvature");
+          this->read_mesh(mesh, s, others);
         });
-      else
-        read_scheme(mesh, scheme, np);
     }
   }
 
@@ -312,8 +313,7 @@ public:
             "PN_subdivision_3: the mesh has another number of vertices than the refined surface");
         for (const Index v : changed_) {
           put(points, access.vertex(v), points_[v]);
-          if constexpr (is_pn &&
-                        !std::is_same_v<std::decay_t<decltype(map)>, internal::No_normal_map>)
+          if constexpr (is_pn && internal::is_there_v<std::decay_t<decltype(map)>>)
             put(map, access.vertex(v), normals_[v]);
         }
       });
@@ -323,21 +323,6 @@ public:
 
 private:
   using Coordinates = PN_subdivision_3::Coordinates<FT, 3>;
-
-  template <class Scheme_of_call, class NamedParameters>
-  void read_scheme(const PolygonMesh& mesh, const Scheme_of_call& scheme, const NamedParameters& np)
-  {
-    if constexpr (internal::Is_any<Scheme>::value)
-      internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
-        scheme, [&](const auto& s) {
-          if (internal::transfers_curvature(s))
-            throw std::invalid_argument("PN_subdivision_3: Surface_refiner takes no scheme that "
-                                        "transfers curvature");
-          this->read_mesh(mesh, s, np);
-        });
-    else
-      read_mesh(mesh, scheme, np);
-  }
 
   // the scheme has a host
   template <class Hosted_scheme, class NamedParameters>
@@ -366,7 +351,7 @@ private:
     if constexpr (is_pn)
       return Parameters::normal_map(np);
     else
-      return internal::No_normal_map();
+      return internal::Not_given();
   }
 
   template <class Access, class Hosted_scheme, class Point_map, class Normal_map, class Edge_map,
@@ -375,16 +360,14 @@ private:
             Edge_map edge_map, Vertex_map vertex_map, unsigned rounds,
             const internal::Given_roundness<FT>& roundness, const Attributes& attributes)
   {
-    Level_connectivity level = internal::checked_level(access);
-    internal::check_scheme<Hosted_scheme, internal::Element_names>(scheme, level, access);
+    internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+    internal::Control_mesh control(scheme, access, normals, edge_map, vertex_map, FT());
+    using Level_creases = typename decltype(control)::Level_creases;
+    Level_connectivity& level = control.level;
+    auto& creases = control.creases;
     rounds = internal::number_of_rounds(level, rounds);
     const Level_size size = internal::checked_refined_size<typename Hosted_scheme::Host>(
       level.size(), rounds, Level_connectivity::null);
-    internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
-    const internal::Mesh_values_of_call<Hosted_scheme, FT, Access, Normal_map, Edge_map, Vertex_map>
-      of_mesh(scheme, access, level, edge_map, vertex_map);
-    auto creases = of_mesh.creases(level);
-    using Level_creases = decltype(creases);
     if (rounds == 0) creases = Level_creases(level.number_of_vertices());
     using Writers = internal::Normal_writers<Access, Normal_map>;
     constexpr bool takes_corners = Writers::Corner_writer::takes_corners;
@@ -410,9 +393,9 @@ private:
     }
     control_->set_roundness(roundness);
     const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
-    if constexpr (!std::is_same_v<Attributes, internal::No_attributes>)
-      attributes_.refine<FT>(scheme, access, level, creases, of_mesh.sharpness(level), rounds, size,
-                             attributes, for_chunks);
+    if constexpr (internal::is_there_v<Attributes>)
+      attributes_.refine<FT>(scheme, access, level, creases, control.maps.sharpness(level), rounds,
+                             size, attributes, for_chunks);
     points_.assign(size.vertices, Point_3(0, 0, 0));
     if (is_pn) normals_.assign(size.vertices, Vector_3(0, 0, 0));
     rounds_ = std::make_unique<internal::Stored_rounds<Hosted_scheme, Average, Level_creases>>(

@@ -49,7 +49,7 @@ void put_constraints([[maybe_unused]] Map map,
                      [[maybe_unused]] const std::vector<double>& sharpness,
                      [[maybe_unused]] const Element& element)
 {
-  if constexpr (is_constraint_map_v<Map>)
+  if constexpr (is_there_v<Map>)
     for (Level_connectivity::Index i = 0; i < sharpness.size(); ++i)
       put(map, element(i),
           constraint_as<typename boost::property_traits<Map>::value_type>(sharpness[i]));
@@ -96,7 +96,7 @@ written_normals(const Access& access, const Level_connectivity& level, const Nor
   };
   if constexpr (std::is_same_v<Key_of_map<Normal_map>, typename Access::vertex_descriptor>) {
     for (Index v = 0; v < all.size(); ++v) add(v, get(map, access.vertex(v)), 1);
-  } else if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
+  } else if constexpr (is_there_v<Normal_map>) {
     for (Index h = 0; h < level.number_of_halfedges(); ++h) {
       if (level.is_border(h)) continue;
       const auto whole = get_whole(map, access.halfedge_at(h));
@@ -156,9 +156,9 @@ void write_ply(std::ostream& out, const PolygonMesh& mesh, const NamedParameters
   using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
   using Normal_map = typename Parameters::Normal_map;
   using Index = Level_connectivity::Index;
-  constexpr bool has_edges = is_constraint_map_v<typename Parameters::Edge_constraint_map>,
-                 has_corners = is_constraint_map_v<typename Parameters::Vertex_constraint_map>,
-                 has_roundness = is_given_roundness_v<typename Parameters::Roundness_map>;
+  constexpr bool has_edges = is_there_v<typename Parameters::Edge_constraint_map>,
+                 has_corners = is_there_v<typename Parameters::Vertex_constraint_map>,
+                 has_roundness = is_there_v<typename Parameters::Roundness_map>;
   with_mesh_access(mesh, [&](const auto& access) {
     const Level_connectivity level = checked_level(access);
     const auto points = Parameters::const_point_map(mesh, np);
@@ -174,7 +174,7 @@ void write_ply(std::ostream& out, const PolygonMesh& mesh, const NamedParameters
       add(std::array{"x", "y", "z"}[i],
           [&](Index v) { return CGAL::to_double(get(points, access.vertex(v))[i]); });
     for (const int i : {0, 1, 2})
-      if (!std::is_same_v<Normal_map, No_normal_map>)
+      if (is_there_v<Normal_map>)
         add(std::array{"nx", "ny", "nz"}[i], [&](Index v) { return normals[v][i]; });
     if constexpr (has_roundness)
       add("roundness", [&](Index v) {
@@ -270,7 +270,7 @@ auto read_control_mesh(const std::string& file_name, PolygonMesh& mesh,
     for (const auto& p : file.points) points.emplace_back(FT(p.x()), FT(p.y()), FT(p.z()));
     internal::with_mesh_access(mesh, [&](auto& access) {
       internal::build_mesh(access, level, Parameters::point_map(mesh, np), points,
-                           internal::No_normal_map(), std::vector<char>(), [] {});
+                           internal::Not_given(), std::vector<char>(), [] {});
       internal::Growth growth(access);
       internal::put_constraints(Parameters::edge_constraint_map(np), sharpness,
                                 [&](auto e) { return access.edge_at(e); });

@@ -143,7 +143,7 @@ std::size_t detect_creases(const PolygonMesh& mesh, double degrees, EdgeMap edge
     return internal::with_mesh_access(mesh, [&](const auto& access) {
       const Level_connectivity level = internal::checked_level(access);
       const auto values = internal::read_values<Linear_average<FT, 3>>(
-        access, level, Parameters::const_point_map(mesh, np), internal::No_normal_map(),
+        access, level, Parameters::const_point_map(mesh, np), internal::Not_given(),
         Control_normal_estimate::angle);
       const std::vector<bool> is_sharp =
         internal::edges_of_greater_angle<FT>(level, values, degrees);

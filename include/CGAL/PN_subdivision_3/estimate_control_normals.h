@@ -35,7 +35,7 @@ namespace internal {
 template <class Map, class Key, class FT>
 void put_roundness(const Map& map, const Key& key, const FT& w)
 {
-  if constexpr (!std::is_same_v<Map, No_roundness>)
+  if constexpr (is_there_v<Map>)
     put(map, key, roundness_as<std::decay_t<typename boost::property_traits<Map>::value_type>>(w));
 }
 
@@ -99,7 +99,7 @@ void estimate_vertex_normals(const Access& access, const PolygonMesh& mesh,
   const Control_normal_estimate estimate =
     parameter_or<control_normal_estimate_t>(np, Control_normal_estimate::coherent);
   const auto values = read_values<PN_average<FT, 3>>(
-    access, level, Parameters::const_point_map(mesh, np), No_normal_map(), estimate);
+    access, level, Parameters::const_point_map(mesh, np), Not_given(), estimate);
   for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v) {
     const Coordinates<FT, 3>& n = values[v].normal;
     put(normals, access.vertex(v), Normal(n[0], n[1], n[2]));
@@ -297,12 +297,11 @@ void estimate_control_normals(const PolygonMesh& mesh, VertexNormalMap normals,
 {
   internal::check_are_read<NamedParameters, internal::control_normal_estimate_t, internal::border_t,
                            internal::vertex_roundness_map_t>();
-  using Given = internal::Parameter_type<internal::vertex_roundness_map_t, NamedParameters,
-                                         internal::No_roundness>;
+  using Given = internal::Parameter_type<internal::vertex_roundness_map_t, NamedParameters>;
   const auto written = internal::normals_of<false, true>(normals);
   if constexpr (internal::Check_map<internal::vertex_roundness_map_t>::check<
                   Given, PolygonMesh, NamedParameters, internal::Writable>()) {
-    if constexpr (internal::is_given_roundness_v<Given>)
+    if constexpr (internal::is_there_v<Given>)
       internal::estimate_into(
         mesh, written, parameters::get_parameter(np, internal::vertex_roundness_map_t()), np);
     else

@@ -213,13 +213,10 @@ void subdivide(PolygonMesh& mesh, const Scheme& scheme,
 {
   internal::check_are_read<NamedParameters, internal::Read_of_control_mesh,
                            internal::attributes_t>();
-  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-      return subdivide<Concurrency_tag>(mesh, s, others);
-    });
-  else if constexpr (internal::Is_any<Scheme>::value)
-    internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme, [&](const auto& s) { subdivide<Concurrency_tag>(mesh, s, np); });
+  if constexpr (internal::is_open_v<Scheme, NamedParameters>)
+    internal::with_scheme_of_call<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
+      scheme, np,
+      [&](const auto& s, const auto& others) { subdivide<Concurrency_tag>(mesh, s, others); });
   else if constexpr (internal::check_subdivision_arguments<PolygonMesh, Scheme,
                                                            NamedParameters>() &&
                      internal::check_attributes<PolygonMesh, NamedParameters>()) {

@@ -262,36 +262,6 @@ TEST(Piece_division, EqualFacesAreHalvedByCount)
   }
 }
 
-TEST(Piece_division, LowestBits)
-{
-  for (unsigned i = 0; i < 64; ++i)
-    for (const std::uint64_t above : {std::uint64_t(0), ~std::uint64_t(0), std::uint64_t(0xa5a5)}) {
-      const std::uint64_t bit = std::uint64_t(1) << i;
-      EXPECT_EQ(in::lowest_bit((above & ~(bit - 1)) | bit), i);
-    }
-}
-
-TEST(Piece_division, NumbersComeInOrder)
-{
-  std::mt19937 random(1);
-  for (const std::uint32_t bound : {1u, 2u, 63u, 64u, 65u, 4096u, 4097u, 300000u}) {
-    in::Number_set set(bound);
-    std::vector<std::uint32_t> numbers;
-    for (int round = 0; round < 20; ++round) {
-      std::set<std::uint32_t> expected;
-      for (int i = 0; i < 10 * round; ++i) {
-        const std::uint32_t x = random() % bound;
-        expected.insert(x);
-        set.add(x);
-      }
-      set.add(bound - 1);
-      expected.insert(bound - 1);
-      set.move_to(numbers);
-      EXPECT_EQ(numbers, std::vector<std::uint32_t>(expected.begin(), expected.end()));
-    }
-  }
-}
-
 // One list after the other in the same table.
 TEST(Piece_division, ListsKnowTheirPlaces)
 {

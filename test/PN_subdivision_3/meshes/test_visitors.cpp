@@ -45,7 +45,7 @@ void visit(Visitor& visitor)
 
 template <class Visitor>
 constexpr PN::internal::Level_origins::Kinds visited =
-  PN::internal::Call_attributes<Mesh, Visitor, PN::internal::No_attributes>::visited;
+  PN::internal::Call_attributes<Mesh, Visitor, PN::internal::Not_given>::visited;
 
 struct Faces : PN::Default_visitor
 {
@@ -77,7 +77,7 @@ TEST(Visitors, MembersThatHideThoseOfTheDefaultAreCalled)
   PN::Default_visitor nothing;
   visit(nothing);
   static_assert(PN::internal::Call_attributes<Mesh, PN::Default_visitor,
-                                              const PN::internal::No_attributes>::is_empty,
+                                              const PN::internal::Not_given>::is_empty,
                 "nor does the default");
 }
 

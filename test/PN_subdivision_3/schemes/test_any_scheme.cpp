@@ -295,7 +295,7 @@ TEST(Any_scheme, Pieces)
       const auto piece = pieces.piece(i, 1);
       for (const auto& p : piece.points()) mesh.add_vertex(p);
     }
-    EXPECT_THROW(pieces.piece(0, PN::internal::ghost_rings(PN::Loop_scheme()) + 7),
+    EXPECT_THROW(pieces.piece(0, PN::internal::facts_of(PN::Loop_scheme()).ghost_rings + 7),
                  std::invalid_argument);
     EXPECT_GT(pieces.memory(s, {4, 6, 4, 12}, 3, 3), 0);
   };

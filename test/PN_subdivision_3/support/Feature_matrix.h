@@ -145,7 +145,7 @@ struct Case
     return result;
   }
 
-  PN::internal::Scheme_with_border<PN::Any_scheme<>> scheme;
+  PN::internal::Scheme_of_call<PN::Any_scheme<>, true, PN::internal::Not_given> scheme;
   Mesh mesh;
   Mesh::Property_map<Mesh::Vertex_index, Vector> normals;
   Mesh::Property_map<Mesh::Halfedge_index, Vector> corner_normals;

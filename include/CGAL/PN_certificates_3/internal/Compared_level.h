@@ -81,31 +81,29 @@ Level_with_points<FT> refined_aside(const Scheme& scheme, const Access& access, 
                                     Point_map points, Normal_map normals, Edge_map edge_map,
                                     Vertex_map vertex_map)
 {
-  if constexpr (!is_pn_v<Scheme> && !std::is_same_v<Normal_map, No_normal_map>)
-    return refined_aside<Concurrency_tag, FT>(scheme, access, rounds, points, No_normal_map(),
-                                              edge_map, vertex_map);
+  if constexpr (!is_pn_v<Scheme> && is_there_v<Normal_map>)
+    return refined_aside<Concurrency_tag, FT>(scheme, access, rounds, points, Not_given(), edge_map,
+                                              vertex_map);
   else if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
     using Average = Average_of_scheme<Scheme, FT>;
     require_crease_rules(scheme, access, normals, edge_map, vertex_map);
-    Level_connectivity level = checked_level(access);
-    check_scheme<Scheme, Element_names>(scheme, level, access);
-    const Mesh_values_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
-      scheme, access, level, edge_map, vertex_map);
-    auto creases = of_mesh.creases(level);
-    of_mesh.read_tangents(creases);
-    rounds = number_of_rounds(level, rounds);
-    checked_refined_size<typename Scheme::Host>(level.size(), rounds, Level_connectivity::null);
-    const auto values = of_mesh.values(level, points, normals, creases);
+    Control_mesh control(scheme, access, normals, edge_map, vertex_map, FT());
+    using Level_creases = typename decltype(control)::Level_creases;
+    control.maps.read_tangents(control.creases);
+    rounds = number_of_rounds(control.level, rounds);
+    checked_refined_size<typename Scheme::Host>(control.level.size(), rounds,
+                                                Level_connectivity::null);
+    const auto values = control.maps.values(control.level, points, normals, control.creases);
     Level_with_points<FT> result;
-    count_roundness(values, level.number_of_vertices(), result);
+    count_roundness(values, control.level.number_of_vertices(), result);
     const Scheme_of_rounds<Scheme>& round_scheme = scheme_of_rounds(scheme);
-    Level_refiner<Scheme_of_rounds<Scheme>, Average, decltype(creases)> refiner(
-      round_scheme, std::move(level), std::move(creases), {values.begin(), values.end()},
-      For_chunks::with(Concurrency_tag()));
+    Level_refiner<Scheme_of_rounds<Scheme>, Average, Level_creases> refiner(
+      round_scheme, std::move(control.level), std::move(control.creases),
+      {values.begin(), values.end()}, For_chunks::with(Concurrency_tag()));
     while (refiner.rounds_done() < rounds) refiner.refine();
     result.level = refiner.level();
     result.points = points_of<Average>(refiner.values(), result.level.number_of_vertices());
-    if constexpr (are_creases_v<decltype(creases)>) {
+    if constexpr (are_creases_v<Level_creases>) {
       result.is_sharp.assign(result.level.number_of_edges(), false);
       for (const auto& e : refiner.creases().edges) result.is_sharp[e.edge] = e.sharpness > 0;
     }

@@ -46,9 +46,17 @@ public:
     return halfedge(h >= first_inner_of_sqrt3_ ? h - 2 : h);
   }
 
-  // Every edge is split in its order, and a face then begins at its last half-edge, c_0, the others following. The
-  // new vertices of c_1 and c_2 are joined, that edge is split by the new vertex of the face, which is joined to those
-  // of c_3, ..., c_0.
+  // Every edge is split in its order. The half-edges c_1, ..., c_m of a face then are those from its last one on, which is c_m
+  // and comes before c_1. The new vertices of c_1 and c_2 are joined, the new vertex of the face splits that edge, and is
+  // joined to the new vertices of c_3, ..., c_m:
+  //
+  //          c_3
+  //       .---+---.        The spokes have the order of the c_i. Spoke 2, the second half of an edge, leads to c_2, all
+  //       | 3 | 2 |        others to the new vertex of the face.
+  //   c_4 +---*---+ c_2
+  //       | 4 | 1 |        Quadrilateral 2 keeps the number of the face; 1, 3, ..., m come behind all faces.
+  //       `---+---'
+  //          c_1
   void number(const PQQ_host&, const Level_connectivity& level, bool)
   {
     set_room(2 * level.number_of_edges(), level.size().corners, level.size().corners);
@@ -59,12 +67,13 @@ public:
       const Start start(level, f);
       const Index m = start.degree, later = faces + corner - f;
       for (Index k = 0; k < m; ++k) {
-        const Index j = start.turned(k);
-        const Index spoke = corner + (j == 0 ? m - 1 : j - 1);
-        halfedge_[corner + k] = 2 * (first_ + spoke) + (j == 2 ? 1 : 0);
+        const Index turned = start.turned(k), c = turned == 0 ? m : turned;
+        halfedge_[corner + k] = 2 * (first_ + corner + c - 1) + (c == 2 ? 1 : 0);
         const Index quad = k == 0 ? f : later + k - 1, next = k + 1 == m ? 0 : k + 1;
-        face_[quad] = j == 2 ? f : j == 1 ? later : j == 0 ? later + m - 2 : later + j - 2;
-        start_[quad] = 2 * (first_ + corner + (j < 2 ? k : next)) + (j < 2 ? 1 : 0);
+        face_[quad] = c == 2 ? f : later + (c == 1 ? 0 : c - 2);
+        const bool begins_at_own_spoke = c == 1 || c == m;
+        start_[quad] =
+          begins_at_own_spoke ? 2 * (first_ + corner + k) + 1 : 2 * (first_ + corner + next);
       }
       corner += m;
     }

@@ -28,14 +28,11 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-struct No_curve_normal_map
-{};
-
 template <class Item>
 struct Default_curve_maps
 {
   using Points = CGAL::Identity_property_map<const Item>;
-  using Normals = No_curve_normal_map;
+  using Normals = Not_given;
 };
 template <class Point, class Vector>
 struct Default_curve_maps<std::pair<Point, Vector>>
@@ -105,7 +102,7 @@ struct Curve_points : Curve_maps<Range, NamedParameters>
   using FT = typename Kernel::FT;
 
   static constexpr int dimension = CGAL::Ambient_dimension<Point>::value;
-  static constexpr bool has_normals = !std::is_same_v<Normal_map, No_curve_normal_map>;
+  static constexpr bool has_normals = is_there_v<Normal_map>;
   using Vector =
     std::conditional_t<dimension == 2, typename Kernel::Vector_2, typename Kernel::Vector_3>;
 

@@ -113,7 +113,7 @@ public:
 
   Limit_distance(const Scheme& scheme, const For_chunks& for_chunks)
     : scheme_(scheme)
-    , neighborhood_(limit_neighborhood(scheme))
+    , neighborhood_(facts_of(scheme).limit_neighborhood)
     , for_chunks_(for_chunks)
   {}
 
@@ -174,7 +174,7 @@ private:
       return is_regular ? Piece_vertex::interior : Piece_vertex::irregular;
     });
     const bool is_spline =
-      neighborhood_.is_spline && piece.is_regular() && rounds + 1 >= first_tuned_round(scheme_);
+      neighborhood_.is_spline && piece.is_regular() && rounds + 1 >= facts_of(scheme_).first_round;
     const auto at = [&](double u, double v) {
       std::vector<Jet_entry> entries;
       if (is_spline) {

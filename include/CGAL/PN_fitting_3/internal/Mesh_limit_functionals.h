@@ -147,7 +147,7 @@ private:
                 const std::vector<std::size_t>& positions, unsigned next_round, unsigned depth,
                 std::vector<Functionals>& result)
   {
-    const unsigned first_final_round = first_tuned_round(scheme_);
+    const unsigned first_final_round = facts_of(scheme_).first_round;
     const Has_final_rules<Scheme> has_final_rules(scheme_, stage.level,
                                                   next_round >= first_final_round);
     std::vector<const Ring_of_kind*> kinds(vertices.size(), nullptr);
@@ -300,7 +300,7 @@ private:
 
   bool is_spline_at(const Level_connectivity& level, Index v) const
   {
-    return limit_neighborhood(scheme_).is_spline &&
+    return facts_of(scheme_).limit_neighborhood.is_spline &&
            level.valence(v) == Has_final_rules<Scheme>::regular_valence;
   }
 

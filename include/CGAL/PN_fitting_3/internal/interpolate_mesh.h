@@ -69,7 +69,7 @@ void write_control_net(const Access& access, Point_map points, [[maybe_unused]] 
 {
   Undoable_vertices<Access, Point_map> new_point(access, points);
   put_changed<FT>(new_point, old_points, new_points);
-  if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
+  if constexpr (is_there_v<Normal_map>) {
     Undoable_vertices<Access, Normal_map> new_normal(access, normals);
     put_changed<FT>(new_normal, old_normals, new_normals);
     new_normal.commit();
@@ -143,7 +143,7 @@ Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme
 {
   using Parameters = Surface_parameters<Mesh, NamedParameters>;
   check_scheme(scheme, level, access);
-  if (!limit_neighborhood(scheme).has_tangent_planes)
+  if (!facts_of(scheme).limit_neighborhood.has_tangent_planes)
     throw std::invalid_argument("PN_subdivision_3: surfaces of " + name_in_message(scheme) +
                                 " pass through the control points as they are, and have no "
                                 "tangent planes there: nothing is left to interpolate");

@@ -230,7 +230,7 @@ private:
     for (const Index p : seeds) {
       const Vec3& n = c_.patches[p].normal;
       covariance.add(n - mean);
-      system.add({n.x, n.y, n.z}, dot(n, c_.patches[p].mean - origin));
+      system.add({n[0], n[1], n[2]}, dot(n, c_.patches[p].mean - origin));
     }
     const Least_squares::Row x = system.solve();
     Shape s;

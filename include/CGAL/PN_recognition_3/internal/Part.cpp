@@ -121,8 +121,8 @@ private:
       const Vec3 p{std::ldexp(x[0], -exponent), std::ldexp(x[1], -exponent),
                    std::ldexp(x[2], -exponent)};
       part_.points.push_back(p);
-      low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
-      high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z)};
+      low = {(std::min)(low[0], p[0]), (std::min)(low[1], p[1]), (std::min)(low[2], p[2])};
+      high = {(std::max)(high[0], p[0]), (std::max)(high[1], p[1]), (std::max)(high[2], p[2])};
     }
     if (order_.empty()) return;
     const double diagonal = norm(high - low);

@@ -23,8 +23,8 @@ CGAL_PN_RECOGNITION_3_INLINE void Plane_of_polygon::set(std::vector<Vec3> p, boo
 {
   std::vector<double> coordinates;
   for (const Vec3& q : p) {
-    coordinates.insert(coordinates.end(), {q.x, q.y});
-    if (is_in_space) coordinates.push_back(q.z);
+    coordinates.insert(coordinates.end(), {q[0], q[1]});
+    if (is_in_space) coordinates.push_back(q[2]);
   }
   scale(p);
   tolerance_ = tolerance > 0 ? tolerance / scale_ : 2 * file_rounding(coordinates) / scale_ + 1e-8;
@@ -34,20 +34,20 @@ CGAL_PN_RECOGNITION_3_INLINE void Plane_of_polygon::set(std::vector<Vec3> p, boo
 
 CGAL_PN_RECOGNITION_3_INLINE std::array<double, 3> Plane_of_polygon::in_space(const Point& p) const
 {
-  return as_array(origin_ + scale_ * (p[0] * u_ + p[1] * v_ + height_ * cross(u_, v_)));
+  return origin_ + scale_ * (p[0] * u_ + p[1] * v_ + height_ * cross(u_, v_));
 }
 
 CGAL_PN_RECOGNITION_3_INLINE Plane_of_polygon::Point
 Plane_of_polygon::in_plane(const std::array<double, 3>& p) const
 {
-  const Vec3 d = (1 / scale_) * (as_vec3(p) - origin_);
+  const Vec3 d = (1 / scale_) * (Vec3(p) - origin_);
   return {dot(u_, d), dot(v_, d)};
 }
 
 CGAL_PN_RECOGNITION_3_INLINE std::array<double, 3>
 Plane_of_polygon::direction_in_space(const Point& d) const
 {
-  return as_array(d[0] * u_ + d[1] * v_);
+  return d[0] * u_ + d[1] * v_;
 }
 
 inline void Plane_of_polygon::scale(std::vector<Vec3>& p)
@@ -55,15 +55,15 @@ inline void Plane_of_polygon::scale(std::vector<Vec3>& p)
   if (p.empty()) return;
   Vec3 low = p[0], high = p[0];
   for (const Vec3& q : p) {
-    low = {(std::min)(low.x, q.x), (std::min)(low.y, q.y), (std::min)(low.z, q.z)};
-    high = {(std::max)(high.x, q.x), (std::max)(high.y, q.y), (std::max)(high.z, q.z)};
+    low = {(std::min)(low[0], q[0]), (std::min)(low[1], q[1]), (std::min)(low[2], q[2])};
+    high = {(std::max)(high[0], q[0]), (std::max)(high[1], q[1]), (std::max)(high[2], q[2])};
   }
   origin_ = 0.5 * low + 0.5 * high;
   const Vec3 d = 0.5 * high - 0.5 * low;
-  const double size = std::hypot(d.x, d.y, d.z);
+  const double size = std::hypot(d[0], d[1], d[2]);
   if (size > 0) scale_ = 2 * size;
   for (Vec3& q : p)
-    q = {(q.x - origin_.x) / scale_, (q.y - origin_.y) / scale_, (q.z - origin_.z) / scale_};
+    q = {(q[0] - origin_[0]) / scale_, (q[1] - origin_[1]) / scale_, (q[2] - origin_[2]) / scale_};
 }
 
 inline int turns(const std::vector<Vec3>& p, const Vec3& normal, bool closed)

@@ -93,8 +93,8 @@ CGAL_PN_RECOGNITION_3_INLINE Recognized_surface as_surface(const Shape& s, doubl
     result.radius = scale * s.radius;
     break;
   }
-  result.point = as_array(scale * (s.kind == Kind::cone ? s.apex() : s.center) + shift);
-  if (s.kind != Kind::sphere) result.direction = as_array(s.axis);
+  result.point = scale * (s.kind == Kind::cone ? s.apex() : s.center) + shift;
+  if (s.kind != Kind::sphere) result.direction = s.axis;
   return result;
 }
 
@@ -103,8 +103,8 @@ CGAL_PN_RECOGNITION_3_INLINE Shape as_shape(const Recognized_surface& surface, d
 {
   Shape s;
   s.kind = surface.kind;
-  s.center = (1 / scale) * (as_vec3(surface.point) - shift);
-  s.axis = as_vec3(surface.direction);
+  s.center = (1 / scale) * (Vec3(surface.point) - shift);
+  s.axis = surface.direction;
   s.radius = s.kind == Kind::cone ? 0 : surface.radius / scale; // the center is the apex
   s.tube = surface.tube_radius / scale;
   s.set_angle(surface.half_angle);
@@ -183,7 +183,7 @@ private:
     Least_squares system(facts_of(s.kind).unknowns);
     for (const Vec3& p : points_) {
       const Vec3 n = s.normal(p);
-      system.add({-n.x, -n.y, -n.z, -1}, -s.distance(p));
+      system.add({-n[0], -n[1], -n[2], -1}, -s.distance(p));
     }
     const Least_squares::Row x = system.solve();
     s.center += Vec3{x[0], x[1], x[2]};
@@ -298,7 +298,7 @@ inline bool sphere_through(const std::vector<Vec3>& points, Shape& s)
   Least_squares system(4);
   for (const Vec3& p : points) {
     const Vec3 q = p - mean;
-    system.add({2 * q.x, 2 * q.y, 2 * q.z, 1}, dot(q, q));
+    system.add({2 * q[0], 2 * q[1], 2 * q[2], 1}, dot(q, q));
   }
   const Least_squares::Row x = system.solve();
   const Vec3 c{x[0], x[1], x[2]};

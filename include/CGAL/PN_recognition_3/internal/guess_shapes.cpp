@@ -230,14 +230,14 @@ private:
     s.axis = axis;
     if (!circle_through({a, b, third}, {0, 0, 1}, middle, s.radius)) return;
     const double r = s.radius;
-    s.center = center + middle.y * axis;
-    if (std::abs(middle.x) < 0.05 * r) {
+    s.center = center + middle[1] * axis;
+    if (std::abs(middle[0]) < 0.05 * r) {
       s.kind = Kind::sphere;
       found_.try_shape(s, seeds, Found_regions::Guess::may_be_fitted);
     }
-    if (middle.x > 0.02 * r) {
+    if (middle[0] > 0.02 * r) {
       s.kind = Kind::torus;
-      s.radius = middle.x;
+      s.radius = middle[0];
       s.tube = r;
       found_.try_shape(s, seeds, Found_regions::Guess::may_be_fitted);
     }

@@ -8,43 +8,49 @@
 #ifndef CGAL_PN_RECOGNITION_3_INTERNAL_LINEAR_ALGEBRA_H
 #define CGAL_PN_RECOGNITION_3_INTERNAL_LINEAR_ALGEBRA_H
 
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+
 #include <array>
 #include <cmath>
 
 namespace CGAL::PN_subdivision_3::internal::recognition {
 
-struct Vec3
+using internal::cross;
+using internal::dot;
+
+// coordinates that begin as zero, and that expressions are written with
+struct Vec3 : Coordinates<double, 3>
 {
-  double x = 0, y = 0, z = 0;
+  Vec3()
+    : Vec3(0, 0, 0)
+  {}
+  Vec3(double x, double y, double z)
+    : Coordinates<double, 3>{x, y, z}
+  {}
+  Vec3(const Coordinates<double, 3>& a)
+    : Coordinates<double, 3>(a)
+  {}
 };
 
 inline Vec3 operator+(const Vec3& a, const Vec3& b)
 {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 inline Vec3 operator-(const Vec3& a, const Vec3& b)
 {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
+  return difference(a, b);
 }
 inline Vec3 operator-(const Vec3& a)
 {
-  return {-a.x, -a.y, -a.z};
+  return opposite_vector(a);
 }
 inline Vec3 operator*(double s, const Vec3& a)
 {
-  return {s * a.x, s * a.y, s * a.z};
+  return multiple(s, a);
 }
 inline Vec3& operator+=(Vec3& a, const Vec3& b)
 {
   return a = a + b;
-}
-inline double dot(const Vec3& a, const Vec3& b)
-{
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-inline Vec3 cross(const Vec3& a, const Vec3& b)
-{
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline double norm(const Vec3& a)
 {
@@ -59,18 +65,6 @@ inline Vec3 unit(const Vec3& a)
 inline double angle_between(const Vec3& a, const Vec3& b)
 {
   return std::atan2(norm(cross(a, b)), dot(a, b));
-}
-inline std::array<double, 3> as_array(const Vec3& a)
-{
-  return {a.x, a.y, a.z};
-}
-inline Vec3 as_vec3(const std::array<double, 3>& a)
-{
-  return {a[0], a[1], a[2]};
-}
-inline bool is_less(const Vec3& a, const Vec3& b)
-{
-  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 inline double radians(double degrees)
 {
@@ -90,7 +84,7 @@ struct Cross_section
 {
   explicit Cross_section(const Vec3& axis)
   {
-    const double x = std::abs(axis.x), y = std::abs(axis.y), z = std::abs(axis.z);
+    const double x = std::abs(axis[0]), y = std::abs(axis[1]), z = std::abs(axis[2]);
     const Vec3 least = x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
     u = unit(cross(axis, least));
     v = cross(axis, u);
@@ -104,9 +98,8 @@ struct Cross_section
 class Covariance
 {
 public:
-  void add(const Vec3& d)
+  void add(const Vec3& a)
   {
-    const std::array<double, 3> a = as_array(d);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) m_[i][j] += a[i] * a[j];
   }

@@ -37,7 +37,7 @@ inline std::vector<Recognized_surface> surfaces_of(const Part& part, const Segme
     Shape shape = s.shape;
     const bool is_its_own_reverse =
       facts_of(shape.kind).turns_about_axis && shape.kind != Kind::cone;
-    if (is_its_own_reverse && is_less(shape.axis, Vec3())) shape.axis = -shape.axis;
+    if (is_its_own_reverse && shape.axis < Vec3()) shape.axis = -shape.axis;
     result.push_back(as_surface(shape, part.scale, part.shift));
     result.back().residual = part.scale * s.residual;
     result.back().number_of_faces = s.faces.size();

@@ -230,23 +230,26 @@ auto with_parameter_below(const K& value, const Named_function_parameters<T, Own
                                with_parameter<Tag>(value, static_cast<const Base&>(np)));
 }
 
+// stands for what a call does not give: a parameter, a map, a number, attributes
+struct Not_given
+{};
+template <class T>
+constexpr bool is_there_v = !std::is_same_v<T, Not_given>;
+
 // the value of a parameter, or what stands for it
-template <class Tag, class NamedParameters, class Default>
-auto parameter_or(const NamedParameters& np, const Default& value)
+template <class Tag, class NamedParameters, class Default = Not_given>
+auto parameter_or(const NamedParameters& np, const Default& value = Default())
 {
   return parameters::choose_parameter(parameters::get_parameter(np, Tag()), value);
 }
 
 // the type of a parameter, or of what stands for it
-template <class Tag, class NamedParameters, class Default>
+template <class Tag, class NamedParameters, class Default = Not_given>
 using Parameter_type =
   std::decay_t<typename internal_np::Lookup_named_param_def<Tag, NamedParameters, Default>::type>;
 
-struct Not_given
-{};
 template <class Tag, class NamedParameters>
-constexpr bool is_given_v =
-  !std::is_same_v<Parameter_type<Tag, NamedParameters, Not_given>, Not_given>;
+constexpr bool is_given_v = is_there_v<Parameter_type<Tag, NamedParameters>>;
 
 template <class T>
 constexpr bool are_named_parameters_v = false;

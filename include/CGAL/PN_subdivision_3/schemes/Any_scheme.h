@@ -67,7 +67,10 @@ public:
   }
 
   /// the name of the scheme, empty if it has none.
-  const std::string& name() const { return facts().name; }
+  const std::string& name() const
+  {
+    return visit([](const auto& s) -> const auto& { return s.name(); });
+  }
   /// whether its rules for borders serve along creases.
   bool has_crease_rules() const { return facts().has_crease_rules; }
   /// whether a round transfers curvature to the normals. Such a scheme goes with no normal scheme.
@@ -109,7 +112,7 @@ public:
   /// \endcond
 
 private:
-  const internal::Scheme_facts<FT>& facts() const
+  const internal::Scheme_facts& facts() const
   {
     return visit([](const auto& s) -> const auto& { return s.facts(); });
   }

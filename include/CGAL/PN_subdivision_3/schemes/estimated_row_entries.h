@@ -39,7 +39,7 @@ double estimated_row_entries(const Scheme& scheme, const Level_connectivity& lev
   else {
     constexpr double ordinary_row = 8;
     // a transfer evaluates the rows of its rings once more
-    const double times = internal::transfers_curvature(scheme) ? 2 : 1;
+    const double times = internal::facts_of(scheme).transfers_curvature ? 2 : 1;
     const double first = times * internal::dense_row_entries(scheme, level, 1);
     const double later = rounds < 2 ? 0 : times * internal::dense_row_entries(scheme, level, 2);
     double entries = 0;

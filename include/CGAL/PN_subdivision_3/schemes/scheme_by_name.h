@@ -33,41 +33,30 @@ constexpr bool takes_first_round_v =
 
 constexpr const char* first_round_name = "first-round";
 
-template <class Scheme>
-std::string known_parameters()
-{
-  std::string names;
-  if constexpr (has_parameter_v<Scheme>) names = Scheme::parameter_name();
-  if constexpr (takes_first_round_v<Scheme>) names += std::string(" and ") + first_round_name;
-  return names;
-}
-
-template <class Scheme>
-void check_parameters(const Scheme_parameters& parameters)
+// refuses what the scheme of a name does not take: the parameter `known`, if it has one, and perhaps the first round
+inline void check_parameters(const Scheme_parameters& parameters, const std::string& scheme,
+                             const std::string& known, bool takes_first_round)
 {
   for (const auto& [name, value] : parameters) {
-    bool is_known = false;
-    if constexpr (has_parameter_v<Scheme>) is_known = name == Scheme::parameter_name();
-    if constexpr (takes_first_round_v<Scheme>) {
+    if (takes_first_round && name == first_round_name) {
       const double round = value.to_double();
-      if (name == first_round_name && !(round >= 1 && round <= 1e6 && round == unsigned(round)))
+      if (!(round >= 1 && round <= 1e6 && round == unsigned(round)))
         throw std::invalid_argument(
           "PN_subdivision_3: first-round must be a whole number, at least 1");
-      is_known = is_known || name == first_round_name;
-    }
-    if (is_known) continue;
-    const std::string known = known_parameters<Scheme>();
-    throw std::invalid_argument("PN_subdivision_3: the scheme " + std::string(Scheme::name()) +
-                                " has no parameter '" + name + "': it takes " +
-                                (known.empty() ? "none" : known));
+    } else if (known.empty() || name != known)
+      throw std::invalid_argument(
+        "PN_subdivision_3: the scheme " + scheme + " has no parameter '" + name + "': it takes " +
+        (known.empty() ? "none" : known) +
+        (takes_first_round ? std::string(" and ") + first_round_name : ""));
   }
 }
 
 template <class Scheme>
-Scheme with_parameters([[maybe_unused]] const Scheme_parameters& parameters)
+Scheme with_parameters(const Scheme_parameters& parameters)
 {
-  check_parameters<Scheme>(parameters);
   if constexpr (has_parameter_v<Scheme>) {
+    check_parameters(parameters, Scheme::name(), Scheme::parameter_name(),
+                     takes_first_round_v<Scheme>);
     const auto given = parameters.find(Scheme::parameter_name());
     const Scheme_parameter value =
       given == parameters.end() ? Scheme_parameter(Scheme::default_parameter()) : given->second;
@@ -77,8 +66,10 @@ Scheme with_parameters([[maybe_unused]] const Scheme_parameters& parameters)
                     Tuned_valences::all);
     } else
       return Scheme(value);
-  } else
+  } else {
+    check_parameters(parameters, Scheme::name(), "", false);
     return Scheme();
+  }
 }
 
 } // namespace internal

@@ -163,7 +163,7 @@ public:
       return scheme.template mask<decltype(number)>(level, round);
     };
     set_rules(mask_of, valence, round, points_);
-    if (!has_normal_mask(scheme)) return;
+    if (!facts_of(scheme).has_normal_mask) return;
     if constexpr (Has_normal_mask<Scheme>::value) {
       has_own_normals_ = true;
       const auto normal_mask_of = [&](auto number, const Level_connectivity& level) {

@@ -55,7 +55,7 @@ public:
     , demand_(demand)
     , for_chunks_(for_chunks)
     , evaluation_(scheme, demand, for_chunks, std::move(rules_cache))
-    , any_round_((std::max)(101u, first_tuned_round(scheme)))
+    , any_round_((std::max)(101u, facts_of(scheme).first_round))
     , border_rules_(scheme)
   {}
 
@@ -164,7 +164,7 @@ private:
     for (const Crease_star& star : creases.stars)
       if (creases.rule(star) == Vertex_rule::dart) darts.emplace(star.vertex, &star);
     std::vector<Index> smooth, smooth_positions, rest;
-    const bool is_final = next_round >= first_tuned_round(scheme_);
+    const bool is_final = next_round >= facts_of(scheme_).first_round;
     const Has_final_rules<Scheme> has_final_rules(scheme_, level.level, is_final);
     for (Index i = 0; i < vertices.here.size(); ++i) {
       const Index v = vertices.here[i], whole = vertices.whole[i];

@@ -79,7 +79,7 @@ public:
   Limit_evaluation(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
                    std::shared_ptr<Rules_cache> rules_cache = nullptr)
     : scheme_(scheme)
-    , neighborhood_(limit_neighborhood(scheme))
+    , neighborhood_(facts_of(scheme).limit_neighborhood)
     , demand_(demand)
     , for_chunks_(for_chunks)
     , rules_cache_(rules_cache ? std::move(rules_cache) : std::make_shared<Rules_cache>(scheme))
@@ -273,7 +273,7 @@ auto Limit_evaluation<Scheme, FT, points_alone>::evaluate_settled(
   const Level& level, const std::vector<Index>& vertices, unsigned next_round, unsigned depth,
   Result_of result_of) -> std::vector<Index>
 {
-  const unsigned first_final_round = first_tuned_round(scheme_);
+  const unsigned first_final_round = facts_of(scheme_).first_round;
   const Has_final_rules<Scheme> has_final_rules(scheme_, level.level,
                                                 next_round >= first_final_round);
   const bool keeps_points =
@@ -325,7 +325,7 @@ template <class Scheme, class FT, bool points_alone>
 auto Limit_evaluation<Scheme, FT, points_alone>::require_depth(unsigned depth,
                                                                unsigned next_round) const -> void
 {
-  const unsigned first_final_round = first_tuned_round(scheme_);
+  const unsigned first_final_round = facts_of(scheme_).first_round;
   if (depth < most_rounds) return;
   if (next_round < first_final_round)
     throw std::invalid_argument(

@@ -94,7 +94,7 @@ void write_limits(const Access& access, Point_map points, Normal_map normals,
   new_normals.begin();
   for (Index v = 0; v < n; ++v) {
     if (moves) new_points.set_vector(v, point_of(results[v].value));
-    if constexpr (!std::is_same_v<Normal_map, No_normal_map>)
+    if constexpr (is_there_v<Normal_map>)
       if (puts_normals)
         new_normals.set_vector(v, limit_normal<Scheme>(results[v], surface_normals));
   }
@@ -135,13 +135,12 @@ struct Limit_maps
 template <class Tag, class Access, class NamedParameters>
 auto undoable_map_of_vertices(const Access& access, [[maybe_unused]] const NamedParameters& np)
 {
-  using Map = Parameter_type<Tag, NamedParameters, No_normal_map>;
+  using Map = Parameter_type<Tag, NamedParameters>;
   if constexpr (is_property_map_of_v<Map, typename Access::vertex_descriptor>)
     return Undoable_map<Access, Map, Vertex_of_mesh>(
-      access, parameter_or<Tag>(np, No_normal_map()),
-      static_cast<std::size_t>(access.size().vertices));
+      access, parameter_or<Tag>(np), static_cast<std::size_t>(access.size().vertices));
   else
-    return Undoable_map<Access, No_normal_map, Vertex_of_mesh>(access, No_normal_map());
+    return Undoable_map<Access, Not_given, Vertex_of_mesh>(access, {});
 }
 
 // The writer for a mesh that is moved to its limit: values in maps that can be read are taken back, unless commit() is called.

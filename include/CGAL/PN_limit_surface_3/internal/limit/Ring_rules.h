@@ -157,13 +157,13 @@ public:
     if (!masks) return;
     is_interpolating_ = points_.limit_row.size() == 1;
     if constexpr (may_have_normal_rows) {
-      has_normal_rows_ = has_normal_mask(scheme);
+      has_normal_rows_ = facts_of(scheme).has_normal_mask;
       const auto normal_mask_of = [&](auto number, const Ring_round& r) {
         return scheme.template normal_mask<decltype(number)>(r.level, r.number);
       };
       if (has_normal_rows_ && !set_rules(rounds, layout, normal_mask_of, normals_)) return;
     }
-    if (transfers_curvature(scheme) && !layout.at_border && layout.number > 2 &&
+    if (facts_of(scheme).transfers_curvature && !layout.at_border && layout.number > 2 &&
         layout.number != (Scheme::Host::refined_degree == 4 ? 4 : 6))
       transfer_valence_ = static_cast<Level_connectivity::Index>(layout.number);
     is_at_border_ = layout.at_border;

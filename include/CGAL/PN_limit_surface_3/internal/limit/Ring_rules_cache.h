@@ -119,7 +119,7 @@ public:
 
   explicit Ring_rules_cache(const Scheme& scheme)
     : scheme_(scheme)
-    , any_round_((std::max)(101u, first_tuned_round(scheme) | 1u))
+    , any_round_((std::max)(101u, facts_of(scheme).first_round | 1u))
   {}
 
   // the kind of a vertex with edges, in the round that is next; threads may ask at the same time

@@ -33,7 +33,7 @@ template <class Scheme>
 unsigned cut_rings(const Scheme& scheme)
 {
   constexpr unsigned least = 4, times = std::is_same_v<typename Scheme::Host, Sqrt3_host> ? 4 : 2;
-  const unsigned ghosts = ghost_rings(scheme);
+  const unsigned ghosts = facts_of(scheme).ghost_rings;
   return ghosts == 0 ? 8 : (std::max)(least, times * ghosts);
 }
 
@@ -62,9 +62,9 @@ public:
   // rules_are_final: whether the next round has the rules that all later ones have
   Has_final_rules(const Scheme& scheme, const Level_connectivity& level, bool rules_are_final)
     : level_(level)
-    , neighborhood_(limit_neighborhood(scheme))
+    , neighborhood_(facts_of(scheme).limit_neighborhood)
     , has_next_ring_(may_have_next_ring && neighborhood_.regular_rings <= 1 &&
-                     neighborhood_.takes_border && !transfers_curvature(scheme))
+                     neighborhood_.takes_border && !facts_of(scheme).transfers_curvature)
     , rules_are_final_(rules_are_final)
   {}
 

@@ -124,16 +124,13 @@ void with_slot_level(const Access& access, const Scheme& scheme, Point_map point
   static_assert(check_no_grid_rows<Scheme>());
   if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
     require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+    Control_mesh control(scheme, access, normals, edge_map, vertex_map, FT());
+    require_sharp_for_ever<FT>(access, control.creases, rounds);
+    control.maps.read_tangents(control.creases);
     Valued_level<typename Average_of_scheme<Scheme, FT>::Value> level;
-    level.level = checked_level(access);
-    check_scheme<Scheme, Element_names>(scheme, level.level, access);
-    Mesh_values_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
-      scheme, access, level.level, edge_map, vertex_map);
-    auto creases = of_mesh.creases(level.level);
-    require_sharp_for_ever<FT>(access, creases, rounds);
-    of_mesh.read_tangents(creases);
-    level.values = of_mesh.values(level.level, points, normals, creases);
-    sink(level, creases, of_mesh);
+    level.values = control.maps.values(control.level, points, normals, control.creases);
+    level.level = std::move(control.level);
+    sink(level, control.creases, control.maps);
   }
 }
 

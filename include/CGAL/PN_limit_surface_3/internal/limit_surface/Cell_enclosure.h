@@ -246,7 +246,7 @@ inline std::string text_of(double x)
 template <class Scheme>
 bool has_proven_bound(const Scheme& scheme)
 {
-  if (has_normal_mask(scheme)) return false;
+  if (facts_of(scheme).has_normal_mask) return false;
   if constexpr (Is_adaptor<Scheme>::value)
     return has_proven_bound(scheme.scheme);
   else

@@ -80,7 +80,7 @@ public:
 
   Scheme_evaluation(const Scheme& scheme, typename Cells::Level&& level, Level_creases&& creases)
     : cells_(scheme, std::move(level), std::move(creases))
-    , neighborhood_(limit_neighborhood(cells_.scheme()))
+    , neighborhood_(facts_of(cells_.scheme()).limit_neighborhood)
   {}
 
   const Level_connectivity& level() const override { return cells_.control().level; }
@@ -186,7 +186,8 @@ private:
     {
       Queries open;
       bool is_regular = false;
-      if (of_.neighborhood_.is_spline && cell.rounds + 1 >= first_tuned_round(of_.cells_.scheme()))
+      if (of_.neighborhood_.is_spline &&
+          cell.rounds + 1 >= facts_of(of_.cells_.scheme()).first_round)
         of_.cells_.with_kinds(cell, [&](const Level_connectivity& level, Index base,
                                         const auto& kind) {
           const Spline_piece piece(level, base, degree, of_.neighborhood_.regular_rings > 0, kind);

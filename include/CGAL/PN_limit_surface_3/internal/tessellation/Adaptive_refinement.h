@@ -198,7 +198,7 @@ private:
     const bool is_control = rounds_ == 0;
     const bool has_unseen = Selection::mark_unseen(level);
     if (!selection_.select(level, false, rounds_) && !has_unseen) return false;
-    if (!is_control && rounds_ + 1 >= first_tuned_round(scheme_) &&
+    if (!is_control && rounds_ + 1 >= facts_of(scheme_).first_round &&
         !is_anything_ending(level.creases))
       cut(level);
     Level next = refined(level);
@@ -247,7 +247,8 @@ private:
   // what a round needs to come out right in the rings that the next one needs, and the limits of the new vertices
   unsigned rings(const Level& level) const
   {
-    unsigned rings = limit_neighborhood(scheme_).regular_rings == 0 ? ghost_rings(scheme_) : 0;
+    unsigned rings =
+      facts_of(scheme_).limit_neighborhood.regular_rings == 0 ? facts_of(scheme_).ghost_rings : 0;
     if (rings == 0) rings = cut_rings(scheme_);
     return rings + (reads_wedges(level.creases) ? 1 : 0);
   }

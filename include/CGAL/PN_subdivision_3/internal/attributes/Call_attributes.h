@@ -141,8 +141,7 @@ struct Call_attributes
                                                 Visits<Visitor, Edge_created<Mesh>>::value,
                                                 Visits<Visitor, Face_created<Mesh>>::value};
   // there is nothing to refine, whatever the attributes
-  static constexpr bool is_empty =
-    std::is_same_v<std::decay_t<Attributes>, No_attributes> && !visited.any();
+  static constexpr bool is_empty = !is_there_v<std::decay_t<Attributes>> && !visited.any();
   static constexpr bool is_any() { return !is_empty; }
 
   template <class FT, class Access>

@@ -119,7 +119,7 @@ public:
     std::swap(table, copy);
   }
   template <class Access>
-  void put_all(const Access&, const Level_connectivity&, const No_attributes&) const
+  void put_all(const Access&, const Level_connectivity&, const Not_given&) const
   {}
 
 private:

@@ -231,7 +231,7 @@ struct Attributes
 };
 
 template <class T>
-using Is_attributes = std::disjunction<Is_instance<Attributes, T>, std::is_same<T, No_attributes>,
+using Is_attributes = std::disjunction<Is_instance<Attributes, T>, std::is_same<T, Not_given>,
                                        std::is_same<T, Attribute_table>>;
 
 template <class... Items>
@@ -246,8 +246,7 @@ inline bool is_empty(const Attribute_table& table)
 }
 
 template <class FT, class Access>
-Control_attributes<FT> read_attributes(const Access&, const Level_connectivity&,
-                                       const No_attributes&)
+Control_attributes<FT> read_attributes(const Access&, const Level_connectivity&, const Not_given&)
 {
   return {};
 }

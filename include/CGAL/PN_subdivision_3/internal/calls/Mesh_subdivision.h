@@ -70,9 +70,8 @@ public:
   void operator()(Access& access, Point_map points, Normal_map normals, Roundness_map roundness,
                   Edge_map edge_map, Vertex_map vertex_map, const Attributes& attributes) const
   {
-    if constexpr (!is_pn_v<Scheme> && (!std::is_same_v<Normal_map, No_normal_map> ||
-                                       is_given_roundness_v<Roundness_map>))
-      (*this)(access, points, No_normal_map(), No_roundness(), edge_map, vertex_map, attributes);
+    if constexpr (!is_pn_v<Scheme> && (is_there_v<Normal_map> || is_there_v<Roundness_map>))
+      (*this)(access, points, Not_given(), Not_given(), edge_map, vertex_map, attributes);
     else if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
       require_crease_rules(scheme_, access, normals, edge_map, vertex_map);
       subdivide(access, points, normals, roundness, edge_map, vertex_map, attributes);
@@ -167,11 +166,10 @@ private:
   void subdivide(Access& access, Point_map points, Normal_map normals, Roundness_map roundness,
                  Edge_map edge_map, Vertex_map vertex_map, const Attributes& attributes) const
   {
-    Level_connectivity level = checked_level(access);
-    check_scheme<Scheme, Element_names>(scheme_, level, access);
-    Mesh_values_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
-      scheme_, access, level, edge_map, vertex_map);
-    auto creases = of_mesh.creases(level);
+    Control_mesh control(scheme_, access, normals, edge_map, vertex_map, FT());
+    Level_connectivity& level = control.level;
+    auto& of_mesh = control.maps;
+    auto& creases = control.creases;
     of_mesh.read_tangents(creases);
     const unsigned rounds = number_of_rounds(level, rounds_);
     const Level_size size = checked_refined_size<Host>(level.size(), rounds, Access::index_limit());
@@ -186,7 +184,7 @@ private:
     auto attribute_rounds =
       attribute_rounds_of_call<FT, Host>(attributes, access, level, creases, of_mesh, for_chunks_);
     const Round_scheme& round_scheme = scheme_of_rounds(scheme_);
-    Level_refiner<Round_scheme, Average, decltype(creases)> refiner(
+    Level_refiner<Round_scheme, Average, typename decltype(control)::Level_creases> refiner(
       round_scheme, std::move(level), std::move(creases), {values.begin(), values.end()},
       for_chunks_);
     std::vector<Value>().swap(values);

@@ -115,9 +115,6 @@ struct Map_of_creases;
 
 template <class Map, class Access_tag, class Tag>
 constexpr bool lacks_v = std::is_convertible_v<Access_tag, Tag> && !has_category_v<Map, Tag>;
-template <class Map>
-constexpr bool is_given_map_v = !std::is_same_v<Map, No_normal_map> && is_constraint_map_v<Map> &&
-                                !std::is_same_v<Map, No_roundness>;
 
 #define CGAL_PN_SUBDIVISION_3_MAP(PARAMETER, KEY, is_value_v, MAP, KEYS, VALUES)                   \
   template <>                                                                                      \
@@ -126,7 +123,7 @@ constexpr bool is_given_map_v = !std::is_same_v<Map, No_normal_map> && is_constr
     template <class Map, class Mesh, class Parameters, class Access_tag>                           \
     static constexpr bool check()                                                                  \
     {                                                                                              \
-      constexpr bool is_given = is_given_map_v<Map>;                                               \
+      constexpr bool is_given = is_there_v<Map>;                                                   \
       constexpr bool has_keys = !is_given || is_property_map_of_v<Map, KEY<Mesh>>;                 \
       constexpr bool is_map = is_given && has_keys;                                                \
       constexpr bool is_read = !is_map || !lacks_v<Map, Access_tag, Readable>;                     \
@@ -203,8 +200,8 @@ constexpr bool check_sharpness_and_roundness()
 {
   using Roundness = typename Parameters::Roundness;
   using Roundness_map = typename Parameters::Roundness_map;
-  constexpr bool is_given = is_given_map_v<Roundness>;
-  constexpr bool is_one = !is_given || !is_given_map_v<Roundness_map>;
+  constexpr bool is_given = is_there_v<Roundness>;
+  constexpr bool is_one = !is_given || !is_there_v<Roundness_map>;
   constexpr bool is_number = !is_given || is_roundness_v<Roundness, Parameters>;
   static_assert(is_one, "PN_subdivision_3: roundness and vertex_roundness_map are both given");
   static_assert(is_number, "PN_subdivision_3: the roundness is no number");
@@ -266,7 +263,7 @@ constexpr bool check_attributes()
     return false;
   else {
     using Given = std::remove_reference_t<decltype(unwrapped(
-      std::declval<Parameter_type<attributes_t, NamedParameters, No_attributes>&>()))>;
+      std::declval<Parameter_type<attributes_t, NamedParameters>&>()))>;
     constexpr bool is_changeable = !are_changed || !std::is_same_v<Given, const Attribute_table>;
     constexpr bool are_attributes = Is_attributes<std::remove_const_t<Given>>::value;
     constexpr bool have_keys = are_attributes_of_v<Mesh, std::remove_const_t<Given>>;

@@ -16,11 +16,14 @@
 #include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 namespace CGAL::PN_subdivision_3 {
+
+enum class Control_normal_estimate;
 
 template <class Scheme, class Normal_scheme>
 struct Scheme_with_normals;
@@ -29,11 +32,11 @@ namespace internal {
 
 template <class Host, class FT>
 class Scheme_on_host;
-template <class Scheme>
-struct Scheme_with_border;
+template <class Scheme, bool has_border, class HalfedgeVectorMap>
+struct Scheme_of_call;
 
 // What the type of a scheme says of the scheme. If the scheme is chosen at run time the type says what it may have, and
-// the functions below what it has.
+// facts_of() what it has.
 
 template <template <class...> class Template, class T>
 struct Is_instance : std::false_type
@@ -84,8 +87,8 @@ void check_scheme(const Scheme& scheme, const Level_connectivity& level, const E
 }
 
 template <class Scheme>
-using Dense_row_entries_of =
-  decltype(Scheme::dense_row_entries(std::declval<const Level_connectivity&>(), 1u));
+using Dense_row_entries_of = decltype(std::declval<const Scheme&>().dense_row_entries(
+  std::declval<const Level_connectivity&>(), 1u));
 template <class Scheme>
 using Has_dense_row_entries = boost::is_detected<Dense_row_entries_of, Scheme>;
 
@@ -122,7 +125,11 @@ constexpr bool check_no_grid_rows()
 template <class Scheme>
 using Is_with_normals = Is_instance<Scheme_with_normals, Scheme>;
 template <class Scheme>
-using Is_with_border = Is_instance<Scheme_with_border, Scheme>;
+struct Is_with_border : std::false_type
+{};
+template <class Scheme, class Map>
+struct Is_with_border<Scheme_of_call<Scheme, true, Map>> : std::true_type
+{};
 
 // A pointer to the outermost one of nested schemes that is of a kind, or nullptr. Of the schemes of
 // points and of normals the one of points is searched.
@@ -164,6 +171,11 @@ template <class Scheme>
 using Has_limit_neighborhood = boost::is_detected<Limit_neighborhood_of, Scheme>;
 
 template <class Scheme>
+using Normal_estimate_of = decltype(std::declval<const Scheme&>().normal_estimate());
+template <class Scheme>
+using Has_normal_estimate = boost::is_detected<Normal_estimate_of, Scheme>;
+
+template <class Scheme>
 using Name_of = decltype(std::string(std::declval<const Scheme&>().name()));
 template <class Scheme>
 using Has_name = boost::is_detected<Name_of, Scheme>;
@@ -174,108 +186,60 @@ using Face_part_of = decltype(std::declval<const Mask&>().face_part_of_edge(0u))
 template <class Mask>
 using Has_face_parts = boost::is_detected<Face_part_of, Mask>;
 
-// What a scheme tells of itself: in its type or, if it was chosen at run time, as data.
-
-// f of the adapted scheme; what the schemes of points and of normals say is joined
-template <class Scheme, class Function, class Join>
-auto of_adapted(const Scheme& scheme, const Function& f, [[maybe_unused]] const Join& join)
+// What a scheme tells of itself, as data: the one place that asks for it. The defaults are those of a scheme that tells nothing.
+struct Scheme_facts
 {
-  if constexpr (Is_with_normals<Scheme>::value)
-    return join(f(scheme.scheme), f(scheme.normal_scheme));
-  else
-    return f(scheme.scheme);
+  bool has_crease_rules = false; // whether the border rules serve along creases
+  bool transfers_curvature = false;
+  bool has_normal_mask = false;
+  unsigned ghost_rings = 0;
+  unsigned first_round = 1; // from which on the rules are the same in all
+  Limit_neighborhood limit_neighborhood;
+  std::optional<Control_normal_estimate> normal_estimate;
+};
+
+// those of the scheme that refines points by one scheme, normals by another one
+inline Scheme_facts facts_of_both(const Scheme_facts& points, const Scheme_facts& normals)
+{
+  const Limit_neighborhood &a = points.limit_neighborhood, &b = normals.limit_neighborhood;
+  Scheme_facts both;
+  both.has_crease_rules = points.has_crease_rules && normals.has_crease_rules;
+  both.has_normal_mask = true;
+  if (points.ghost_rings != 0 && normals.ghost_rings != 0)
+    both.ghost_rings = (std::max)(points.ghost_rings, normals.ghost_rings);
+  both.first_round = (std::max)(points.first_round, normals.first_round);
+  both.limit_neighborhood.regular_rings = (std::max)(a.regular_rings, b.regular_rings);
+  both.limit_neighborhood.takes_border = a.takes_border && b.takes_border;
+  both.limit_neighborhood.keeps_points = a.keeps_points && b.keeps_points;
+  both.limit_neighborhood.has_tangent_planes = a.has_tangent_planes && b.has_tangent_planes;
+  both.normal_estimate = normals.normal_estimate ? normals.normal_estimate : points.normal_estimate;
+  return both;
 }
 
-// whether the border rules serve along creases
+// What the type says holds, but if the scheme is chosen at run time the type says what it may have.
 template <class Scheme>
-bool has_crease_rules([[maybe_unused]] const Scheme& scheme)
+Scheme_facts facts_of([[maybe_unused]] const Scheme& scheme)
 {
-  if constexpr (!is_chosen_at_run_time<Scheme>())
-    return Has_crease_rules<Scheme>::value;
-  else if constexpr (Is_on_host<Scheme>::value)
-    return scheme.facts().has_crease_rules;
-  else
-    return of_adapted(
-      scheme, [](const auto& s) { return has_crease_rules(s); },
-      [](bool points, bool normals) { return points && normals; });
-}
-
-// whether a round transfers curvature to the normals
-template <class Scheme>
-bool transfers_curvature([[maybe_unused]] const Scheme& scheme)
-{
-  if constexpr (!is_chosen_at_run_time<Scheme>() || !Has_curvature_transfer<Scheme>::value)
-    return Has_curvature_transfer<Scheme>::value;
-  else if constexpr (Is_on_host<Scheme>::value)
-    return scheme.facts().transfers_curvature;
-  else
-    return transfers_curvature(scheme.scheme);
-}
-
-// whether the normals have a mask of their own
-template <class Scheme>
-bool has_normal_mask([[maybe_unused]] const Scheme& scheme)
-{
-  if constexpr (!is_chosen_at_run_time<Scheme>() || !Has_normal_mask<Scheme>::value ||
-                Is_with_normals<Scheme>::value)
-    return Has_normal_mask<Scheme>::value;
-  else if constexpr (Is_on_host<Scheme>::value)
-    return scheme.facts().has_normal_mask();
-  else
-    return has_normal_mask(scheme.scheme);
-}
-
-// how many rings of faces around its own a piece needs to be refined without the rest, 0 if the scheme
-// does not tell
-template <class Scheme>
-unsigned ghost_rings([[maybe_unused]] const Scheme& scheme)
-{
-  if constexpr (!is_chosen_at_run_time<Scheme>())
-    return Ghost_rings<Scheme>::value;
-  else if constexpr (Is_on_host<Scheme>::value)
-    return scheme.facts().ghost_rings;
-  else
-    return of_adapted(
-      scheme, [](const auto& s) { return ghost_rings(s); },
-      [](unsigned points, unsigned normals) {
-        return points == 0 || normals == 0 ? 0u : (std::max)(points, normals);
-      });
-}
-
-// the first round from which on the rules are the same in all
-template <class Scheme>
-unsigned first_tuned_round([[maybe_unused]] const Scheme& scheme)
-{
-  if constexpr (Has_first_round<Scheme>::value)
-    return scheme.first_round();
-  else if constexpr (Is_adaptor<Scheme>::value)
-    return of_adapted(
-      scheme, [](const auto& s) { return first_tuned_round(s); },
-      [](unsigned points, unsigned normals) { return (std::max)(points, normals); });
-  else
-    return 1;
-}
-
-template <class Scheme>
-Limit_neighborhood limit_neighborhood([[maybe_unused]] const Scheme& scheme)
-{
+  Scheme_facts facts;
   if constexpr (Is_on_host<Scheme>::value)
-    return scheme.facts().limit_neighborhood;
-  else if constexpr (Has_limit_neighborhood<Scheme>::value)
-    return Scheme::limit_neighborhood;
+    facts = scheme.facts();
+  else if constexpr (Is_with_normals<Scheme>::value)
+    facts = facts_of_both(facts_of(scheme.scheme), facts_of(scheme.normal_scheme));
   else if constexpr (Is_adaptor<Scheme>::value)
-    return of_adapted(
-      scheme, [](const auto& s) { return limit_neighborhood(s); },
-      [](const Limit_neighborhood& points, const Limit_neighborhood& normals) {
-        Limit_neighborhood both;
-        both.regular_rings = (std::max)(points.regular_rings, normals.regular_rings);
-        both.takes_border = points.takes_border && normals.takes_border;
-        both.keeps_points = points.keeps_points && normals.keeps_points;
-        both.has_tangent_planes = points.has_tangent_planes && normals.has_tangent_planes;
-        return both;
-      });
-  else
-    return {};
+    facts = facts_of(scheme.scheme);
+  constexpr bool is_known = !is_chosen_at_run_time<Scheme>();
+  const auto holds = [](bool may, bool does) { return may && (is_known || does); };
+  facts.has_crease_rules = holds(Has_crease_rules<Scheme>::value, facts.has_crease_rules);
+  facts.transfers_curvature =
+    holds(Has_curvature_transfer<Scheme>::value, facts.transfers_curvature);
+  facts.has_normal_mask = holds(Has_normal_mask<Scheme>::value, facts.has_normal_mask);
+  if (is_known) facts.ghost_rings = Ghost_rings<Scheme>::value;
+  if constexpr (Has_first_round<Scheme>::value) facts.first_round = scheme.first_round();
+  if constexpr (Has_limit_neighborhood<Scheme>::value)
+    facts.limit_neighborhood = Scheme::limit_neighborhood;
+  if constexpr (Has_normal_estimate<Scheme>::value)
+    facts.normal_estimate = scheme.normal_estimate();
+  return facts;
 }
 
 // the number that a scheme tells, see estimated_row_entries()
@@ -284,14 +248,13 @@ double dense_row_entries([[maybe_unused]] const Scheme& scheme,
                          [[maybe_unused]] const Level_connectivity& level,
                          [[maybe_unused]] unsigned round)
 {
-  if constexpr (Is_on_host<Scheme>::value)
-    return scheme.facts().dense_row_entries(level, round);
-  else if constexpr (Has_dense_row_entries<Scheme>::value)
-    return Scheme::dense_row_entries(level, round);
+  if constexpr (Has_dense_row_entries<Scheme>::value)
+    return scheme.dense_row_entries(level, round);
+  else if constexpr (Is_with_normals<Scheme>::value)
+    return dense_row_entries(scheme.scheme, level, round) +
+           dense_row_entries(scheme.normal_scheme, level, round);
   else if constexpr (Is_adaptor<Scheme>::value)
-    return of_adapted(
-      scheme, [&](const auto& s) { return dense_row_entries(s, level, round); },
-      [](double points, double normals) { return points + normals; });
+    return dense_row_entries(scheme.scheme, level, round);
   else
     return 0;
 }

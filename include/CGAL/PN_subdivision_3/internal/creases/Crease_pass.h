@@ -126,7 +126,7 @@ private:
                                           star.is_border && merge.has_inner_end);
     Rule_value value = rules.vertex(star, parent, all);
     keep_tangents(merge, value);
-    if constexpr (is_pn) {
+    if (is_pn) {
       // a corner that becomes a crease vertex passes on one direction of travel
       if (parent == Vertex_rule::corner && child == Vertex_rule::crease)
         make_opposite_vectors<FT>(value.tangents[0], value.tangents[1]);
@@ -166,14 +166,13 @@ private:
   {
     const Crease_edge<FT>& e = data_.creases.edges[i];
     Rule_value value = rules.edge(e);
-    if constexpr (!is_pn)
-      if (e.sharpness < 1)
-        value.point = mixed<FT>(value.point, rules.smooth_edge(e).point, FT(e.sharpness));
+    if (!is_pn && e.sharpness < 1)
+      value.point = mixed<FT>(value.point, rules.smooth_edge(e).point, FT(e.sharpness));
     const Index rank = refined_.rank[i];
     if (rank == null) {
       Wedge_merge merge;
       merge.wedge = {0, 0};
-      if constexpr (is_pn) value.normals = merge_normals<FT>(value.normals, merge);
+      if (is_pn) value.normals = merge_normals<FT>(value.normals, merge);
     }
     const Index first_side = e.has_after(0) ? 0 : 1;
     put(static_cast<Index>(data_.creases.stars.size()) + i, star_of_edge(i), new_vertex(i), value,
@@ -185,20 +184,21 @@ private:
   }
 
   // \name Both
-  // normal_of(w) is the position in `value` of the normal of wedge w of the refined star
+  // place_of_normal(w) is the position in `value` of the normal of wedge w of the refined star
   template <class Normal_of>
   void put(Index owner, Index refined_star, Index vertex, const Rule_value& value,
-           [[maybe_unused]] const Normal_of& normal_of)
+           const Normal_of& place_of_normal)
   {
     Slot_value* result = results_.data() + first_result_[owner];
     const Index wedges =
       refined_star == null ? 1 : refined_.creases.stars[refined_star].number_of_wedges;
     for (Index w = 0; w < wedges; ++w, ++result) {
       result->first = refined_star == null ? vertex : refined_.creases.stars[refined_star].slot(w);
-      if constexpr (is_pn)
-        result->second = {value.point, value.normals[normal_of(w)], value.roundness[w]};
+      if (is_pn)
+        result->second =
+          made_value<Value>(value.point, value.normals[place_of_normal(w)], value.roundness[w]);
       else
-        result->second = value.point;
+        point_of(result->second) = value.point;
     }
   }
 

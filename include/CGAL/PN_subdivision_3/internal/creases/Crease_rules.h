@@ -92,14 +92,13 @@ public:
           entries, {side == 0 ? e.before[1] : e.after[1], side == 0 ? e.after[0] : e.before[0]}));
     const Rule average(entries.data(), entries.data() + 2, largest(roundness));
     Value result{average.point(), {}, {average.tangent()}, roundness};
-    if constexpr (is_pn) {
-      const Vector none = zero_vector<FT, 3>();
-      result.normals = {none, none};
-      if (e.has_after(0))
-        result.normals[0] = normal<2>(average, {normal(e.before[1]), normal(e.after[0])});
-      if (e.has_after(1))
-        result.normals[1] = normal<2>(average, {normal(e.after[1]), normal(e.before[0])});
-    }
+    if (!is_pn) return result;
+    const Vector none = zero_vector<FT, 3>();
+    result.normals = {none, none};
+    if (e.has_after(0))
+      result.normals[0] = normal<2>(average, {normal(e.before[1]), normal(e.after[0])});
+    if (e.has_after(1))
+      result.normals[1] = normal<2>(average, {normal(e.after[1]), normal(e.before[0])});
     return result;
   }
 
@@ -120,7 +119,7 @@ public:
       smooth([star_index](const Smooth_rows<FT>& rows) { return rows.of_star(star_index); });
     for (const Index i : merge.ends) {
       Vector t = data_.creases.tangent_from(data_.creases.end(star, i));
-      if constexpr (is_pn) {
+      if (is_pn) {
         const FT length = root_of_square<FT>(dot(t, t));
         add_multiple(t, FT(-dot(t, result.normals[0])), result.normals[0]);
         t = unit_or_zero(t, length);
@@ -135,27 +134,9 @@ private:
   using Entry = typename Rule::Entry;
   using Row = Entry_row<FT>;
 
-  Vector point(Index slot) const
-  {
-    const typename Average::Value value = data_.old[slot];
-    if constexpr (is_pn)
-      return value.point;
-    else
-      return value;
-  }
-  Vector normal(Index slot) const
-  {
-    const typename Average::Value value = data_.old[slot];
-    return value.normal;
-  }
-  FT roundness(Index slot) const
-  {
-    if constexpr (is_pn) {
-      const typename Average::Value value = data_.old[slot];
-      return value.roundness;
-    } else
-      return FT(1);
-  }
+  Vector point(Index slot) const { return point_of(data_.old[slot]); }
+  Vector normal(Index slot) const { return normal_of(data_.old[slot]); }
+  FT roundness(Index slot) const { return roundness_of_value(data_.old[slot]); }
   template <std::size_t n>
   FT averaged_roundness(const std::array<Entry, n>& entries,
                         const std::array<Index, n>& slot_ids) const
@@ -178,7 +159,7 @@ private:
   Value corner(const Crease_star& star) const
   {
     Value result{point(star.vertex), {}, {}, {}};
-    if constexpr (is_pn)
+    if (is_pn)
       for (Index w = 0; w < star.number_of_wedges; ++w) {
         result.normals.push_back(normal(star.slot(w)));
         result.roundness.push_back(roundness(star.slot(w)));
@@ -201,7 +182,7 @@ private:
        {weights[1], point(b), to_last},
        {weights[2], point(star.vertex), data_.creases.tangent_from(to_b)}}};
     std::vector<FT> roundness;
-    if constexpr (is_pn) {
+    if (is_pn) {
       roundness.resize(star.number_of_wedges, FT(1));
       for_each_wedge(star, to_a, to_b, [&](Index w, const std::array<Index, 3>& slot_ids) {
         roundness[w] = averaged_roundness(entries, slot_ids);
@@ -210,7 +191,7 @@ private:
     const Rule average(entries.data(), entries.data() + 3, largest(roundness));
     Value result{average.point(), {}, {}, roundness};
     result.tangents = {opposite_vector(average.tangent()), average.tangent()};
-    if constexpr (is_pn) {
+    if (is_pn) {
       result.normals.resize(star.number_of_wedges, zero_vector<FT, 3>());
       for_each_wedge(star, to_a, to_b, [&](Index w, const std::array<Index, 3>& slot_ids) {
         result.normals[w] =

@@ -170,25 +170,34 @@ struct Creases
     return vertex_rule(star.sharpness, star.number_of_ends, star.is_border && has_inner);
   }
 
-  // adds a star, to which the ends from first_end on belong, and numbers its wedges: the first wedge begins behind
-  // the first end, or at the border
+  // Adds a star, to which the ends from first_end on belong, and numbers its wedges, clockwise as the ends:
+  //
+  //            end 0                      border | wedge 0
+  //     wedge 2  |  wedge 0                      |
+  //    ----------*----------                     *---------- an end
+  //    end 2  wedge 1   end 1                    |
+  //                                       border | wedge 1
+  //
+  // Inside wedge i begins at end i. At the border wedge 0 begins at the border, and an end inside the surface begins the next wedge.
   void add_star(Crease_star star, Index first_end)
   {
     star.first_end = first_end;
     star.number_of_ends = static_cast<Index>(ends.size()) - first_end;
     star.first_extra_slot = number_of_slots;
     const Index k = star.number_of_ends;
-    Index wedge = star.is_border || k == 0 ? 0 : k - 1;
+    star.number_of_wedges = star.is_border || k == 0 ? 1 : k;
     for (Index i = 0; i < k; ++i) {
       const Crease_halfedge& e = ends[first_end + i];
       Crease_edge<FT>& crease = edges[e.crease];
-      if (crease.has_before(e.side)) crease.before[e.side] = star.slot(wedge);
-      if (crease.has_before(e.side) && crease.has_after(e.side))
-        wedge = !star.is_border && i == 0 ? 0 : wedge + 1;
-      if (crease.has_after(e.side)) crease.after[e.side] = star.slot(wedge);
+      Index before = i == 0 ? k - 1 : i - 1, after = i;
+      if (star.is_border) {
+        before = star.number_of_wedges - 1;
+        after = crease.is_border() ? before : star.number_of_wedges++;
+      }
+      if (crease.has_before(e.side)) crease.before[e.side] = star.slot(before);
+      if (crease.has_after(e.side)) crease.after[e.side] = star.slot(after);
     }
-    star.number_of_wedges = wedge + 1;
-    number_of_slots += wedge;
+    number_of_slots += star.number_of_wedges - 1;
     stars.push_back(star);
   }
 

@@ -59,18 +59,17 @@ template <class Scheme, class Access>
 void refuse_crease_borders(const Scheme& scheme, const Access& access,
                            const Level_connectivity& level, const std::string& what)
 {
-  refuse_sharp_elements(scheme, access, level, No_constraint_map(), No_constraint_map(),
-                        [&](const std::string& element) {
-                          throw std::invalid_argument("PN_subdivision_3: border makes " + element +
-                                                      " a crease, for which " + what +
-                                                      ": take the scheme without it");
-                        });
+  refuse_sharp_elements(
+    scheme, access, level, Not_given(), Not_given(), [&](const std::string& element) {
+      throw std::invalid_argument("PN_subdivision_3: border makes " + element +
+                                  " a crease, for which " + what + ": take the scheme without it");
+    });
 }
 
 // whether a call tells of anything that may be sharp, or of normals of wedges
 template <class Scheme, class Access, class Normal_map, class Edge_map, class Vertex_map>
 constexpr bool may_be_sharp_v =
-  is_constraint_map_v<Edge_map> || is_constraint_map_v<Vertex_map> || Border_of<Scheme>::is_given ||
+  is_there_v<Edge_map> || is_there_v<Vertex_map> || Border_of<Scheme>::is_given ||
   has_crease_tangents_v<Scheme> || has_corner_normals_v<Access, Normal_map>;
 
 // whether creases are looked for; a scheme without rules for creases refuses sharp edges and vertices
@@ -96,7 +95,7 @@ void require_crease_rules([[maybe_unused]] const Scheme& scheme,
                           [[maybe_unused]] Vertex_map vertex_map)
 {
   if constexpr (may_be_sharp_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>) {
-    if (has_crease_rules(scheme)) return;
+    if (facts_of(scheme).has_crease_rules) return;
     if constexpr (has_corner_normals_v<Access, Normal_map>)
       throw std::invalid_argument("PN_subdivision_3: " + name_in_message(scheme) +
                                   " has no rules for creases and takes a normal per vertex, not "
@@ -196,8 +195,7 @@ public:
   }
 
 private:
-  using Tangent_map =
-    std::conditional_t<is_pn_v<Scheme>, Crease_tangent_map<Scheme>, No_tangent_map>;
+  using Tangent_map = std::conditional_t<is_pn_v<Scheme>, Crease_tangent_map<Scheme>, Not_given>;
 
   // a linear scheme has no use for tangents
   static Tangent_map tangent_map([[maybe_unused]] const Scheme& scheme)
@@ -241,7 +239,7 @@ private:
           make_control_tangents(level, creases, values, is_given,
                                 normal_estimate(scheme_) == Control_normal_estimate::coherent);
         is_given.assign(values.size(), true);
-      } else if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
+      } else if constexpr (is_there_v<Normal_map>) {
         std::fill_n(is_given.begin(), n, true);
         for (const Crease_star& star : creases.stars)
           if (star.number_of_wedges > 1) is_given[star.vertex] = false;
@@ -300,11 +298,27 @@ private:
   const Access& access_;
 };
 
-// as the creases that a call has, or may have, demand
+// What functions read of a mesh: its level, checked, what its maps tell, and its creases, which lack their tangents.
 template <class Scheme, class FT, class Access, class Normal_map, class Edge_map, class Vertex_map>
-using Mesh_values_of_call =
-  Mesh_values<Scheme, FT, Access, Edge_map, Vertex_map,
-              may_have_creases_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>>;
+struct Control_mesh
+{
+  Control_mesh(const Scheme& scheme, const Access& access, const Normal_map&, Edge_map edge_map,
+               Vertex_map vertex_map, FT)
+    : level(checked_level(access))
+    , maps((check_scheme<Scheme, Element_names>(scheme, level, access), scheme), access, level,
+           edge_map, vertex_map)
+    , creases(maps.creases(level))
+  {}
+
+  using Maps = Mesh_values<Scheme, FT, Access, Edge_map, Vertex_map,
+                           may_have_creases_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>>;
+  using Level_creases =
+    decltype(std::declval<const Maps&>().creases(std::declval<const Level_connectivity&>()));
+
+  Level_connectivity level;
+  Maps maps;
+  Level_creases creases;
+};
 
 } // namespace CGAL::PN_subdivision_3::internal
 

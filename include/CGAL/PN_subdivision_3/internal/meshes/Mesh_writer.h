@@ -32,11 +32,11 @@ namespace CGAL::PN_subdivision_3::internal {
 // Lets a mesh grow and puts points, normals and roundness of its new vertices. Unless commit() is called, the mesh
 // and its maps get back their old values.
 template <class Value, class Access, class Point_map, class Normal_map,
-          class Roundness_map = No_roundness>
+          class Roundness_map = Not_given>
 class Mesh_writer
 {
   static constexpr bool has_roundness_map = is_writable_map_v<Roundness_map>;
-  static constexpr bool has_normal_map = !std::is_same_v<Normal_map, No_normal_map>;
+  static constexpr bool has_normal_map = is_there_v<Normal_map>;
 
 public:
   using Index = Level_connectivity::Index;
@@ -138,7 +138,7 @@ void build_mesh(Access& access, const Level_connectivity& level, Point_map point
   access.grow(size);
   for (Index v = 0; v < points.size(); ++v) {
     put(point_map, access.vertex(v), points[v]);
-    if constexpr (!std::is_same_v<Normal_map, No_normal_map>)
+    if constexpr (is_there_v<Normal_map>)
       if (v < normals.size()) put(normal_map, access.vertex(v), normals[v]);
   }
   put_others();

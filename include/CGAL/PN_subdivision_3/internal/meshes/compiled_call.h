@@ -72,12 +72,12 @@ constexpr bool is_compiled_call()
       std::is_same_v<typename Parameters::Point_map,
                      typename boost::property_map<Mesh, vertex_point_t>::type>;
     constexpr bool has_usual_maps =
-      is_one_of_v<Edges, No_constraint_map, Usual_edge_map<Mesh>> &&
-      is_one_of_v<typename Parameters::Normal_map, No_normal_map, Usual_normal_map<Mesh>> &&
-      std::is_same_v<typename Parameters::Vertex_constraint_map, No_constraint_map>;
+      is_one_of_v<Edges, Not_given, Usual_edge_map<Mesh>> &&
+      is_one_of_v<typename Parameters::Normal_map, Not_given, Usual_normal_map<Mesh>> &&
+      !is_there_v<typename Parameters::Vertex_constraint_map>;
     return is_usual_scheme_v<Scheme> && has_usual_points && has_usual_maps &&
-           !is_given_roundness_v<typename Parameters::Roundness> &&
-           !is_given_roundness_v<typename Parameters::Roundness_map>;
+           !is_there_v<typename Parameters::Roundness> &&
+           !is_there_v<typename Parameters::Roundness_map>;
   }
 }
 

@@ -81,8 +81,8 @@ using Value = typename Average<Scheme>::Value;
   CGAL_PN_SUBDIVISION_3_CREASED_ROUNDS(EXTERN, Linear_of_triangles)                                \
   CGAL_PN_SUBDIVISION_3_ROUNDS(EXTERN, Linear_of_corners)                                          \
   CGAL_PN_SUBDIVISION_3_ROUNDS(EXTERN, Linear_of_sqrt3)                                            \
-  EXTERN template Scheme_facts<double> facts_of(const CatmullClark_scheme&);                       \
-  EXTERN template Scheme_facts<double> facts_of(const Loop_scheme&);
+  EXTERN template Erased_scheme<double> erased_scheme(const CatmullClark_scheme&);                 \
+  EXTERN template Erased_scheme<double> erased_scheme(const Loop_scheme&);
 
 #ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
 namespace CGAL::PN_subdivision_3::internal {

@@ -92,7 +92,7 @@ public:
 
   double sharpness([[maybe_unused]] Index i) const
   {
-    if constexpr (is_constraint_map_v<Map>)
+    if constexpr (is_there_v<Map>)
       return checked_sharpness(sharpness_of(Value(map_.old()[i])),
                                [&] { return Element::name(map_.access(), i); });
     else

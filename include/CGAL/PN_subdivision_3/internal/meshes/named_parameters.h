@@ -34,25 +34,6 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// stands for a map of constraints that the user has not given
-struct No_constraint_map
-{};
-
-template <class Map>
-constexpr bool is_constraint_map_v = !std::is_same_v<Map, No_constraint_map>;
-
-// stands for a normal map that the user has not given
-struct No_normal_map
-{};
-
-// stands for roundness that the user has not given
-struct No_roundness
-{};
-
-// stands for attributes that the user has not given
-struct No_attributes
-{};
-
 template <class Map>
 using Key_type_of = typename boost::property_traits<Map>::key_type;
 template <class Map>
@@ -77,7 +58,7 @@ auto roundness_of([[maybe_unused]] const Map& normals)
   if constexpr (Is_estimate<Map>::value && is_beside)
     return normals.roundness_map();
   else
-    return No_roundness();
+    return Not_given();
 }
 
 // this package's parameters that tell of a control mesh
@@ -93,9 +74,8 @@ struct Surface_parameters
   using Point_map = typename GetVertexPointMap<PolygonMesh, NamedParameters>::type;
   using Geom_traits = typename GetGeomTraits<PolygonMesh, NamedParameters>::type;
   using FT = typename Geom_traits::FT;
-  using Given_normals =
-    Parameter_type<internal_np::vertex_normal_map_t, NamedParameters, No_normal_map>;
-  using Roundness = Parameter_type<roundness_t, NamedParameters, No_roundness>;
+  using Given_normals = Parameter_type<internal_np::vertex_normal_map_t, NamedParameters>;
+  using Roundness = Parameter_type<roundness_t, NamedParameters>;
 
   static constexpr bool has_roundness_of_estimate =
     Is_estimate<Given_normals>::value && !is_given_v<vertex_roundness_map_t, NamedParameters> &&
@@ -111,10 +91,9 @@ struct Surface_parameters
                                        decltype(roundness_of<are_beside_roundness>(
                                          std::declval<const Given_normals&>()))>;
 
-  using Edge_constraint_map =
-    Parameter_type<internal_np::edge_is_constrained_t, NamedParameters, No_constraint_map>;
+  using Edge_constraint_map = Parameter_type<internal_np::edge_is_constrained_t, NamedParameters>;
   using Vertex_constraint_map =
-    Parameter_type<internal_np::vertex_is_constrained_t, NamedParameters, No_constraint_map>;
+    Parameter_type<internal_np::vertex_is_constrained_t, NamedParameters>;
 
   static unsigned number_of_iterations(const NamedParameters& np)
   {
@@ -145,21 +124,15 @@ struct Surface_parameters
     return parameter_or<vertex_roundness_map_t>(
       np, roundness_of<are_beside_roundness>(given_normals(np)));
   }
-  static Roundness roundness(const NamedParameters& np)
-  {
-    return parameter_or<roundness_t>(np, No_roundness());
-  }
-  static auto attributes(const NamedParameters& np)
-  {
-    return parameter_or<attributes_t>(np, No_attributes());
-  }
+  static Roundness roundness(const NamedParameters& np) { return parameter_or<roundness_t>(np); }
+  static auto attributes(const NamedParameters& np) { return parameter_or<attributes_t>(np); }
   static Edge_constraint_map edge_constraint_map(const NamedParameters& np)
   {
-    return parameter_or<internal_np::edge_is_constrained_t>(np, No_constraint_map());
+    return parameter_or<internal_np::edge_is_constrained_t>(np);
   }
   static Vertex_constraint_map vertex_constraint_map(const NamedParameters& np)
   {
-    return parameter_or<internal_np::vertex_is_constrained_t>(np, No_constraint_map());
+    return parameter_or<internal_np::vertex_is_constrained_t>(np);
   }
   static auto visitor(const NamedParameters& np)
   {
@@ -169,7 +142,7 @@ struct Surface_parameters
 private:
   static Given_normals given_normals(const NamedParameters& np)
   {
-    return parameter_or<internal_np::vertex_normal_map_t>(np, No_normal_map());
+    return parameter_or<internal_np::vertex_normal_map_t>(np);
   }
 };
 
@@ -196,14 +169,11 @@ auto find_property_map(const Mesh& mesh, const std::string& name)
     return found.second ? Found(found.first) : Found();
 }
 
-template <class T>
-constexpr bool is_given_roundness_v = !std::is_same_v<T, No_roundness>;
-
 // whether edges may be sharp for a number of rounds: a map of bool has edges that are so for ever
 template <class Edge_map>
 constexpr bool may_be_semi_sharp()
 {
-  if constexpr (is_constraint_map_v<Edge_map>)
+  if constexpr (is_there_v<Edge_map>)
     return !std::is_same_v<std::decay_t<typename boost::property_traits<Edge_map>::value_type>,
                            bool>;
   else
@@ -214,14 +184,13 @@ constexpr bool may_be_semi_sharp()
 // edges that end take it away, and it may be given as a map. A call of which its type says that it does not has no time
 // for it.
 template <class Scheme, class Parameters>
-constexpr bool
-  varies_in_roundness_v = is_pn_v<Scheme> &&
-                          ((std::is_same_v<typename Parameters::Normal_map, No_normal_map> &&
-                            !is_given_roundness_v<typename Parameters::Roundness>) ||
-                           is_given_roundness_v<typename Parameters::Roundness_map> ||
-                           goes_with_roundness_v<typename Parameters::Normal_map> ||
-                           (Has_crease_rules<Scheme>::value &&
-                            may_be_semi_sharp<typename Parameters::Edge_constraint_map>()));
+constexpr bool varies_in_roundness_v =
+  is_pn_v<Scheme> &&
+  ((!is_there_v<typename Parameters::Normal_map> && !is_there_v<typename Parameters::Roundness>) ||
+   is_there_v<typename Parameters::Roundness_map> ||
+   goes_with_roundness_v<typename Parameters::Normal_map> ||
+   (Has_crease_rules<Scheme>::value &&
+    may_be_semi_sharp<typename Parameters::Edge_constraint_map>()));
 
 // Whether what a call names as sharp may end. The libraries are compiled for maps of all kinds, as are calls that name nothing.
 template <class Parameters>
@@ -229,8 +198,7 @@ constexpr bool creases_may_end_in_call()
 {
   using Edge_map = typename Parameters::Edge_constraint_map;
   using Vertex_map = typename Parameters::Vertex_constraint_map;
-  return is_linked_to_library ||
-         (!is_constraint_map_v<Edge_map> && !is_constraint_map_v<Vertex_map>) ||
+  return is_linked_to_library || (!is_there_v<Edge_map> && !is_there_v<Vertex_map>) ||
          may_be_semi_sharp<Edge_map>() || may_be_semi_sharp<Vertex_map>();
 }
 
@@ -249,10 +217,10 @@ Given_roundness<FT> read_roundness(const Access& access, const NamedParameters& 
 {
   Given_roundness<FT> given;
   given.is_of_estimate = Parameters::has_roundness_of_estimate;
-  if constexpr (is_given_roundness_v<typename Parameters::Roundness>)
+  if constexpr (is_there_v<typename Parameters::Roundness>)
     given.of_all = checked_roundness<FT>(FT(Parameters::roundness(np)), false,
                                          [] { return std::string("all vertices"); });
-  if constexpr (is_given_roundness_v<typename Parameters::Roundness_map>) {
+  if constexpr (is_there_v<typename Parameters::Roundness_map>) {
     const auto map = Parameters::roundness_map(np);
     const auto n = static_cast<Level_connectivity::Index>(access.size().vertices);
     given.of_vertices.reserve(n);

@@ -113,7 +113,7 @@ std::vector<typename Average::Value> read_given_values(const Access& access, Poi
   for (Level_connectivity::Index v = 0; v < number_of_vertices; ++v)
     point_of(values[v]) = checked_point<FT>(access, points, v);
   if constexpr (has_normal_v<Value>) {
-    if constexpr (std::is_same_v<Normal_map, No_normal_map>)
+    if constexpr (!is_there_v<Normal_map>)
       for (Value& value : values) value.normal.fill(FT(0));
     else
       read_normals<FT>(access, normals, values);
@@ -130,7 +130,7 @@ read_values(const Access& access, const Level_connectivity& level, Point_map poi
   using FT = typename Average::FT;
   auto values = read_given_values<Average>(access, points, normals, level.number_of_vertices());
   using Value = typename Average::Value;
-  if constexpr (has_normal_v<Value> && std::is_same_v<Normal_map, No_normal_map>)
+  if constexpr (has_normal_v<Value> && !is_there_v<Normal_map>)
     estimate_normals_of<FT>(level, estimate, values);
   return values;
 }

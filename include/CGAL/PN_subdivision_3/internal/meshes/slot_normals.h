@@ -134,7 +134,7 @@ struct Normal_writers
 template <class Access, class Map>
 struct Normal_writers<Access, Map, true>
 {
-  using Vertex_map = No_normal_map;
+  using Vertex_map = Not_given;
   using Corner_writer = Corner_normal_writer<Access, Map>;
   static Vertex_map vertex_map(const Map&) { return {}; }
 };

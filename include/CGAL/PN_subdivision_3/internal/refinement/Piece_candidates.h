@@ -12,9 +12,7 @@
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -22,73 +20,6 @@
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
-
-// any six consecutive bits occur nowhere else (de Bruijn)
-constexpr std::uint64_t sequence_of_places = 0x03f79d71b4cb0a89;
-constexpr std::array<unsigned char, 64> make_places()
-{
-  std::array<unsigned char, 64> places{};
-  for (unsigned char i = 0; i < 64; ++i) places[(sequence_of_places << i) >> 58] = i;
-  return places;
-}
-
-// the place of the lowest bit \pre bits != 0
-inline unsigned lowest_bit(std::uint64_t bits)
-{
-  static constexpr std::array<unsigned char, 64> places = make_places();
-  return places[((bits & (~bits + 1)) * sequence_of_places) >> 58];
-}
-
-// Numbers below a bound, which are moved out in increasing order: a bit for each number, a bit for each word of
-// such bits that is not zero, and so on. It sorts some hundred numbers of a piece in a fraction of the time of
-// std::sort(), whatever the bound is.
-class Number_set
-{
-public:
-  using Number = std::uint32_t;
-
-  explicit Number_set(std::size_t bound)
-  {
-    do {
-      bound = (bound + 63) / 64;
-      words_.emplace_back(bound == 0 ? 1 : bound, 0);
-    } while (bound > 1);
-  }
-
-  void add(Number i)
-  {
-    for (auto& words : words_) {
-      std::uint64_t& word = words[i >> 6];
-      const bool is_listed = word != 0;
-      word |= std::uint64_t(1) << (i & 63);
-      if (is_listed) return;
-      i >>= 6;
-    }
-  }
-
-  // moves all numbers to the list, in increasing order
-  void move_to(std::vector<Number>& numbers)
-  {
-    numbers.clear();
-    move(words_.size() - 1, 0, numbers);
-  }
-
-private:
-  void move(std::size_t level, std::size_t place, std::vector<Number>& numbers)
-  {
-    std::uint64_t& word = words_[level][place];
-    for (std::uint64_t bits = word; bits != 0; bits &= bits - 1) {
-      const std::size_t i = 64 * place + lowest_bit(bits);
-      if (level == 0)
-        numbers.push_back(static_cast<Number>(i));
-      else
-        move(level - 1, i, numbers);
-    }
-    word = 0;
-  }
-
-  std::vector<std::vector<std::uint64_t>> words_;
-};
 
 using Face_marks = std::vector<char>;
 
@@ -145,7 +76,6 @@ public:
 
   explicit Element_list(std::size_t elements_of_level)
     : place_(elements_of_level, 0)
-    , set_(elements_of_level)
   {}
 
   const std::vector<Index>& elements() const { return elements_; }
@@ -167,18 +97,16 @@ public:
     if (contains(i)) return;
     place_[i] = end_++;
     elements_.push_back(i);
-    set_.add(i);
   }
   void sort()
   {
-    set_.move_to(elements_);
+    std::sort(elements_.begin(), elements_.end());
     for (std::size_t k = 0; k < elements_.size(); ++k)
       place_[elements_[k]] = begin_ + static_cast<Index>(k);
   }
 
 private:
   std::vector<Index> elements_, place_;
-  Number_set set_;
   Index begin_ = 1, end_ = 1; // of the places of the list
 };
 

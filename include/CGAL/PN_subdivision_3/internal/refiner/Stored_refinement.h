@@ -123,7 +123,7 @@ public:
                 : read_values<Average>(access, level, points, normals, estimate))
     , is_changed_(values_.size(), true)
     , estimate_(estimate)
-    , is_estimated_(has_normals && std::is_same_v<Normal_map, No_normal_map>)
+    , is_estimated_(has_normals && !is_there_v<Normal_map>)
     , is_near_overflow_(std::any_of(values_.begin(), values_.end(), [](const Value& v) {
       return internal::is_near_overflow(point_of(v));
     }))

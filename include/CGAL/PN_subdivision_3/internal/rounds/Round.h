@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
+#include <CGAL/PN_subdivision_3/internal/package_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/internal/rows/PN_average_block.h>
@@ -61,7 +62,7 @@ public:
     , size_(Host::refined_size(level.size(), number))
     , mask_((cut(), scheme.template mask<FT>(level, number)))
     , normal_mask_(make_normal_mask(scheme, level, number))
-    , has_own_normals_(internal::has_normal_mask(scheme))
+    , has_own_normals_(internal::facts_of(scheme).has_normal_mask)
     , average_(average_of<Average>(scheme))
     , number_(number)
   {}
@@ -110,10 +111,7 @@ public:
 private:
   static constexpr bool has_normal_mask = Has_normal_mask<Scheme>::value;
 
-  struct No_mask
-  {};
-
-  using Normal_rows = std::conditional_t<has_normal_mask, Stencil_block<FT>, No_mask>;
+  using Normal_rows = std::conditional_t<has_normal_mask, Stencil_block<FT>, Not_given>;
 
   static auto make_normal_mask(const Scheme& scheme, const Level_connectivity& level,
                                unsigned number)
@@ -121,7 +119,7 @@ private:
     if constexpr (has_normal_mask)
       return scheme.template normal_mask<FT>(level, number);
     else
-      return No_mask();
+      return Not_given();
   }
 
   using Mask = decltype(std::declval<const Scheme&>().template mask<FT>(

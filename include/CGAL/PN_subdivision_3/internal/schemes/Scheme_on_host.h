@@ -23,7 +23,6 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -189,19 +188,13 @@ private:
 
 // All that is asked of a scheme but its host.
 template <class FT>
-struct Scheme_facts
+struct Erased_scheme : Scheme_facts
 {
   template <class Number>
   using Make_mask =
     std::function<std::shared_ptr<const Erased_mask<Number>>(const Level_connectivity&, unsigned)>;
 
   std::string name;
-  unsigned ghost_rings = 0;
-  bool has_crease_rules = false;
-  bool transfers_curvature = false;
-  unsigned first_round = 1;
-  Limit_neighborhood limit_neighborhood;
-  std::optional<Control_normal_estimate> normal_estimate;
   std::function<double(const Level_connectivity&, unsigned)> dense_row_entries;
   std::function<void(const Level_connectivity&, const Element_names&)> check;
   // the masks in the number type of the points, and in those in which limits are found and interpolated
@@ -227,8 +220,6 @@ struct Scheme_facts
   };
   Masks masks;
   Masks normal_masks; // empty unless the normals have masks of their own
-
-  bool has_normal_mask() const { return bool(normal_masks.in_ft); }
 };
 
 template <class Number, bool is_of_normals, class Scheme>
@@ -241,40 +232,35 @@ auto mask_maker(const Scheme& scheme)
 }
 
 template <class FT, bool is_of_normals, class Scheme>
-typename Scheme_facts<FT>::Masks erased_masks(const Scheme& scheme)
+typename Erased_scheme<FT>::Masks erased_masks(const Scheme& scheme)
 {
   return {mask_maker<FT, is_of_normals>(scheme), mask_maker<double, is_of_normals>(scheme),
           mask_maker<long double, is_of_normals>(scheme)};
 }
 
-// the facts without the masks
+// without the masks
 template <class FT, class Scheme>
-Scheme_facts<FT> stated_facts(const Scheme& scheme)
+Erased_scheme<FT> without_masks(const Scheme& scheme)
 {
-  Scheme_facts<FT> facts;
-  if constexpr (Has_name<Scheme>::value) facts.name = scheme.name();
-  facts.ghost_rings = ghost_rings(scheme);
-  facts.has_crease_rules = has_crease_rules(scheme);
-  facts.transfers_curvature = transfers_curvature(scheme);
-  facts.first_round = first_tuned_round(scheme);
-  facts.limit_neighborhood = limit_neighborhood(scheme);
-  facts.normal_estimate = stated_normal_estimate(scheme);
-  facts.dense_row_entries = [scheme](const Level_connectivity& level, unsigned round) {
+  Erased_scheme<FT> erased{facts_of(scheme), {}, {}, {}, {}, {}};
+  if constexpr (Has_name<Scheme>::value) erased.name = scheme.name();
+  erased.dense_row_entries = [scheme](const Level_connectivity& level, unsigned round) {
     return dense_row_entries(scheme, level, round);
   };
-  facts.check = [scheme](const Level_connectivity& level, const Element_names& names) {
+  erased.check = [scheme](const Level_connectivity& level, const Element_names& names) {
     check_scheme(scheme, level, names);
   };
-  return facts;
+  return erased;
 }
 
 template <class FT, class Scheme>
-Scheme_facts<FT> facts_of(const Scheme& scheme)
+Erased_scheme<FT> erased_scheme(const Scheme& scheme)
 {
-  Scheme_facts<FT> facts = stated_facts<FT>(scheme);
-  facts.masks = erased_masks<FT, false>(scheme);
-  if constexpr (Has_normal_mask<Scheme>::value) facts.normal_masks = erased_masks<FT, true>(scheme);
-  return facts;
+  Erased_scheme<FT> erased = without_masks<FT>(scheme);
+  erased.masks = erased_masks<FT, false>(scheme);
+  if constexpr (Has_normal_mask<Scheme>::value)
+    erased.normal_masks = erased_masks<FT, true>(scheme);
+  return erased;
 }
 
 // A scheme that was chosen at run time, on the host that it has: a model of PNSubdivisionScheme_3. What its type
@@ -296,48 +282,49 @@ public:
 
   template <class Scheme>
   explicit Scheme_on_host(const Scheme& scheme)
-    : facts_(std::make_shared<const Scheme_facts<FT>>(facts_of<FT>(scheme)))
+    : erased_(std::make_shared<const Erased_scheme<FT>>(erased_scheme<FT>(scheme)))
   {}
 
   // this scheme for the points, another one for the normals
   Scheme_on_host with_normals_of(const Scheme_on_host& normals) const
   {
-    Scheme_facts<FT> facts = stated_facts<FT>(with_normal_scheme(*this, normals));
-    facts.name = facts_->name;
-    facts.masks = facts_->masks;
-    facts.normal_masks = normals.facts_->masks;
-    return Scheme_on_host(std::make_shared<const Scheme_facts<FT>>(std::move(facts)));
+    Erased_scheme<FT> erased = without_masks<FT>(with_normal_scheme(*this, normals));
+    erased.name = name();
+    erased.masks = erased_->masks;
+    erased.normal_masks = normals.erased_->masks;
+    return Scheme_on_host(std::make_shared<const Erased_scheme<FT>>(std::move(erased)));
   }
 
-  const Scheme_facts<FT>& facts() const { return *facts_; }
-
-  const std::string& name() const { return facts_->name; }
-  unsigned first_round() const { return facts_->first_round; }
-  std::optional<Control_normal_estimate> normal_estimate() const { return facts_->normal_estimate; }
+  const Scheme_facts& facts() const { return *erased_; }
+  const std::string& name() const { return erased_->name; }
+  double dense_row_entries(const Level_connectivity& level, unsigned round) const
+  {
+    return erased_->dense_row_entries(level, round);
+  }
   void check(const Level_connectivity& level, const Element_names& names) const
   {
-    facts_->check(level, names);
+    erased_->check(level, names);
   }
 
   template <class Number>
   Any_mask<Number> mask(const Level_connectivity& level, unsigned round) const
   {
-    return Any_mask<Number>(facts_->masks.template of<Number>()(level, round));
+    return Any_mask<Number>(erased_->masks.template of<Number>()(level, round));
   }
   // not to be asked if the normals have no mask of their own
   template <class Number>
   Any_mask<Number> normal_mask(const Level_connectivity& level, unsigned round) const
   {
-    if (!facts_->has_normal_mask()) return Any_mask<Number>(nullptr);
-    return Any_mask<Number>(facts_->normal_masks.template of<Number>()(level, round));
+    if (!facts().has_normal_mask) return Any_mask<Number>(nullptr);
+    return Any_mask<Number>(erased_->normal_masks.template of<Number>()(level, round));
   }
 
 private:
-  explicit Scheme_on_host(std::shared_ptr<const Scheme_facts<FT>> facts)
-    : facts_(std::move(facts))
+  explicit Scheme_on_host(std::shared_ptr<const Erased_scheme<FT>> erased)
+    : erased_(std::move(erased))
   {}
 
-  std::shared_ptr<const Scheme_facts<FT>> facts_;
+  std::shared_ptr<const Erased_scheme<FT>> erased_;
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -47,20 +47,11 @@ auto adapted_alike(const Linear_scheme<Scheme>&, const Other& other)
 {
   return linear(other);
 }
-template <class Scheme, class Other>
-auto adapted_alike(const Scheme_with_border<Scheme>& adaptor, const Other& other)
+template <class Scheme, bool has_border, class Map, class Other>
+auto adapted_alike(const Scheme_of_call<Scheme, has_border, Map>& adaptor, const Other& other)
 {
-  return with_border(other, adaptor.border);
-}
-template <class Scheme, class Map, class Other>
-auto adapted_alike(const Scheme_with_crease_tangents<Scheme, Map>& adaptor, const Other& other)
-{
-  return with_crease_tangents(other, adaptor.tangents);
-}
-template <class Scheme, class Other>
-auto adapted_alike(const Scheme_with_normal_estimate<Scheme>& adaptor, const Other& other)
-{
-  return with_normal_estimate(other, adaptor.estimate);
+  return Scheme_of_call<Other, has_border, Map>{
+    {other}, adaptor.border, adaptor.estimate, adaptor.tangents};
 }
 
 // a call for points of a number type, without normals of corners
@@ -79,7 +70,7 @@ Result with_host(const Scheme& scheme, const Function& f)
     return with_host<Result>(scheme.scheme, [&](const auto& points) -> Result {
       return with_host<Result>(
         scheme.normal_scheme, [&]([[maybe_unused]] const auto& normals) -> Result {
-          if (transfers_curvature(points) || transfers_curvature(normals))
+          if (facts_of(points).transfers_curvature || facts_of(normals).transfers_curvature)
             throw std::invalid_argument("PN_subdivision_3: a scheme that transfers curvature "
                                         "refines points and normals together: it goes with no "
                                         "other scheme of normals");
@@ -163,11 +154,38 @@ Result on_interpolated_host(const Scheme& scheme, const Function& f)
 {
   return on_host<Result, Call>(scheme, [&](const auto& s) -> Result {
     if constexpr (halves_edges_v<std::decay_t<decltype(s)>>)
-      if (!transfers_curvature(s)) return f(s);
+      if (!facts_of(s).transfers_curvature) return f(s);
     throw std::invalid_argument("PN_subdivision_3: interpolation is not known for " +
                                 name_in_message(s) +
                                 ": take Catmull-Clark or Loop, or their modified forms");
   });
+}
+
+// which schemes that are chosen at run time a call takes
+enum class Hosts { all, of_vertex_limits, of_face_limits, of_interpolation };
+
+// whether something of a call has still to be put around its scheme, or its host to be found
+template <class Scheme, class NamedParameters>
+constexpr bool is_open_v = adapts_scheme_v<Scheme, NamedParameters> || Is_any<Scheme>::value;
+
+// f(scheme, np), with the scheme as the call says, on its host, and parameters that do not say it again
+template <class Result, class Call, Hosts hosts = Hosts::all, class Scheme, class NamedParameters,
+          class Function>
+Result with_scheme_of_call(const Scheme& scheme, const NamedParameters& np, const Function& f)
+{
+  [[maybe_unused]] const auto hosted = [&](const auto& s) -> Result { return f(s, np); };
+  if constexpr (adapts_scheme_v<Scheme, NamedParameters>)
+    return with_adapted_scheme(scheme, np, [&](const auto& s, const auto& others) -> Result {
+      return with_scheme_of_call<Result, Call, hosts>(s, others, f);
+    });
+  else if constexpr (!Is_any<Scheme>::value)
+    return f(scheme, np);
+  else if constexpr (hosts == Hosts::all)
+    return on_host<Result, Call>(scheme, hosted);
+  else if constexpr (hosts == Hosts::of_interpolation)
+    return on_interpolated_host<Result, Call>(scheme, hosted);
+  else
+    return on_host_of_limits<hosts == Hosts::of_vertex_limits, Result, Call>(scheme, hosted);
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -15,8 +15,6 @@
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/Uncertain.h>
 
-#include <boost/type_traits/is_detected.hpp>
-
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -31,52 +29,52 @@ struct Loop_scheme;
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// What a call says by named parameters of the border, of the tangents of creases and of the estimate of normals is put
-// around its scheme. Of two adaptors of a kind the outer one counts.
+// What a call says by named parameters of the border, of the tangents of creases and of the estimate of normals, put around its
+// scheme. The type tells whether it says something of the border. Of two adaptors that say something the outer one counts.
+template <class Scheme, bool has_border, class HalfedgeVectorMap>
+struct Scheme_of_call : Scheme_adaptor<Scheme>
+{
+  std::optional<Control_normal_estimate> normal_estimate() const
+  {
+    return estimate ? estimate : facts_of(this->scheme).normal_estimate;
+  }
 
-template <class Scheme>
-struct Scheme_with_border : Scheme_adaptor<Scheme>
-{
-  Border border;
-};
-template <class Scheme, class = typename Scheme::Host>
-Scheme_with_border<Scheme> with_border(const Scheme& scheme, Border border)
-{
-  return {{scheme}, border};
-}
-
-template <class Scheme, class HalfedgeVectorMap>
-struct Scheme_with_crease_tangents : Scheme_adaptor<Scheme>
-{
+  Border border = Border::surface;
+  std::optional<Control_normal_estimate> estimate;
   HalfedgeVectorMap tangents;
 };
-template <class Scheme, class HalfedgeVectorMap, class = typename Scheme::Host>
-Scheme_with_crease_tangents<Scheme, HalfedgeVectorMap>
-with_crease_tangents(const Scheme& scheme, HalfedgeVectorMap tangents)
-{
-  return {{scheme}, tangents};
-}
 
-template <class Scheme>
-struct Scheme_with_normal_estimate : Scheme_adaptor<Scheme>
-{
-  std::optional<Control_normal_estimate> normal_estimate() const { return estimate; }
-
-  Control_normal_estimate estimate;
-};
 template <class Scheme, class = typename Scheme::Host>
-Scheme_with_normal_estimate<Scheme> with_normal_estimate(const Scheme& scheme,
-                                                         Control_normal_estimate estimate)
+Scheme_of_call<Scheme, true, Not_given> with_border(const Scheme& scheme, Border border)
 {
-  return {{scheme}, estimate};
+  return {{scheme}, border, {}, {}};
+}
+template <class Scheme, class HalfedgeVectorMap, class = typename Scheme::Host>
+Scheme_of_call<Scheme, false, HalfedgeVectorMap> with_crease_tangents(const Scheme& scheme,
+                                                                      HalfedgeVectorMap tangents)
+{
+  return {{scheme}, {}, {}, tangents};
+}
+template <class Scheme, class = typename Scheme::Host>
+Scheme_of_call<Scheme, false, Not_given> with_normal_estimate(const Scheme& scheme,
+                                                              Control_normal_estimate estimate)
+{
+  return {{scheme}, {}, estimate, {}};
 }
 
 template <class Scheme>
-using Is_with_crease_tangents = Is_instance<Scheme_with_crease_tangents, Scheme>;
-// whether a scheme is one of the adaptors above
+struct Is_said_by_call : std::false_type
+{};
+template <class Scheme, bool has_border, class Map>
+struct Is_said_by_call<Scheme_of_call<Scheme, has_border, Map>> : std::true_type
+{};
 template <class Scheme>
-using Is_said_by_call = std::disjunction<Is_with_border<Scheme>, Is_with_crease_tangents<Scheme>,
-                                         Is_instance<Scheme_with_normal_estimate, Scheme>>;
+struct Is_with_crease_tangents : std::false_type
+{};
+template <class Scheme, bool has_border, class Map>
+struct Is_with_crease_tangents<Scheme_of_call<Scheme, has_border, Map>>
+  : std::bool_constant<is_there_v<Map>>
+{};
 
 // The border of a scheme and of the adaptors around it.
 template <class Scheme>
@@ -93,16 +91,12 @@ struct Border_of
   }
 };
 
-// stands in the place of a map of tangents
-struct No_tangent_map
-{};
-
 // the map of a scheme and of the adaptors around it
 template <class Scheme>
 auto crease_tangents([[maybe_unused]] const Scheme& scheme)
 {
   if constexpr (std::is_null_pointer_v<Outermost<Is_with_crease_tangents, Scheme>>)
-    return No_tangent_map();
+    return Not_given();
   else
     return outermost<Is_with_crease_tangents>(scheme)->tangents;
 }
@@ -110,30 +104,12 @@ template <class Scheme>
 using Crease_tangent_map = decltype(crease_tangents(std::declval<const Scheme&>()));
 
 template <class Scheme>
-constexpr bool has_crease_tangents_v = !std::is_same_v<Crease_tangent_map<Scheme>, No_tangent_map>;
-
-template <class Scheme>
-using Normal_estimate_of = decltype(std::declval<const Scheme&>().normal_estimate());
-
-// What a scheme or an adaptor says about the estimate, if anything. The scheme of the normals is asked before the scheme of the points.
-template <class Scheme>
-std::optional<Control_normal_estimate> stated_normal_estimate(const Scheme& scheme)
-{
-  if constexpr (Is_with_normals<Scheme>::value) {
-    const auto stated = stated_normal_estimate(scheme.normal_scheme);
-    return stated ? stated : stated_normal_estimate(scheme.scheme);
-  } else if constexpr (boost::is_detected<Normal_estimate_of, Scheme>::value)
-    return scheme.normal_estimate();
-  else if constexpr (Is_adaptor<Scheme>::value)
-    return stated_normal_estimate(scheme.scheme);
-  else
-    return std::nullopt;
-}
+constexpr bool has_crease_tangents_v = is_there_v<Crease_tangent_map<Scheme>>;
 
 template <class Scheme>
 Control_normal_estimate normal_estimate(const Scheme& scheme)
 {
-  return stated_normal_estimate(scheme).value_or(Control_normal_estimate::coherent);
+  return facts_of(scheme).normal_estimate.value_or(Control_normal_estimate::coherent);
 }
 
 // whether a call says something of its scheme that is not yet put around it
@@ -147,29 +123,19 @@ inline constexpr bool adapts_scheme_v<Scheme, Named_function_parameters<T, Tag, 
    is_given_v<crease_tangent_map_t, Named_function_parameters<T, Tag, Base>> ||
    is_given_v<control_normal_estimate_t, Named_function_parameters<T, Tag, Base>>);
 
-// the scheme with what adapt(scheme, value) puts around it, if the parameter is given
-template <class Tag, class Scheme, class NamedParameters, class Adapt>
-auto adapted_if_given(const Scheme& scheme, [[maybe_unused]] const NamedParameters& np,
-                      [[maybe_unused]] const Adapt& adapt)
-{
-  if constexpr (is_given_v<Tag, NamedParameters>)
-    return adapt(scheme, parameters::get_parameter(np, Tag()));
-  else
-    return scheme;
-}
-
 // f(scheme, np), with the scheme as the call says, and parameters that do not say it again
 template <class Scheme, class NamedParameters, class Function>
-decltype(auto) with_scheme_of_call(const Scheme& scheme, const NamedParameters& np,
+decltype(auto) with_adapted_scheme(const Scheme& scheme, const NamedParameters& np,
                                    const Function& f)
 {
-  const auto estimated = adapted_if_given<control_normal_estimate_t>(
-    scheme, np, [](const auto& s, auto estimate) { return with_normal_estimate(s, estimate); });
-  const auto bordered = adapted_if_given<border_t>(
-    estimated, np, [](const auto& s, auto border) { return with_border(s, border); });
+  using Tangents = Parameter_type<crease_tangent_map_t, NamedParameters>;
+  using Estimate = std::optional<Control_normal_estimate>;
   return f(
-    adapted_if_given<crease_tangent_map_t>(
-      bordered, np, [](const auto& s, auto tangents) { return with_crease_tangents(s, tangents); }),
+    Scheme_of_call<Scheme, is_given_v<border_t, NamedParameters>, Tangents>{
+      {scheme},
+      parameter_or<border_t>(np, Border::surface),
+      parameter_or<control_normal_estimate_t>(np, Estimate()),
+      parameter_or<crease_tangent_map_t>(np)},
     with_parameter<scheme_is_adapted_t>(true, np));
 }
 
