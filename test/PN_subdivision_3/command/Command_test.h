@@ -172,6 +172,10 @@ protected:
     "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n"
     "-1 1 1\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
 
+  static constexpr const char* octahedron_off =
+    "OFF\n6 8 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n3 0 1 2\n3 1 3 2\n3 3 4 2\n3 4 0 2\n"
+    "3 1 0 5\n3 3 1 5\n3 4 3 5\n3 0 4 5\n";
+
   std::string program = PN_SUBDIVIDE_COMMAND;
   Temporary_folder folder; // of the user
   Temporary_folder work;   // of these tests

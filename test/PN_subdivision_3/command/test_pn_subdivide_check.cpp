@@ -10,56 +10,37 @@
 // the files that the command writes, with --linear and without.
 
 #include "Command_test.h"
+#include "Part_files.h"
 
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 
-namespace {
+using namespace pn_subdivide;
 
-using Triple = std::array<double, 3>;
+namespace {
 
 // of the edges 2a, 2b, 2c
 std::string box(double a, double b, double c)
 {
-  std::ostringstream off;
-  off << "OFF\n8 6 0\n";
-  for (int i = 0; i < 8; ++i)
-    off << (i % 4 == 1 || i % 4 == 2 ? a : -a) << ' ' << (i % 4 >= 2 ? b : -b) << ' '
-        << (i >= 4 ? c : -c) << '\n';
-  off << "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
-  return off.str();
+  return box_of_squares(1, {-a, -b, -c}, {2 * a, 2 * b, 2 * c}).off();
 }
 
 // a plane of n x n squares, with normals of any direction or without
 enum class Normals { none, of_any_direction };
-std::string plane(int n, Normals normals)
+std::string plane(std::size_t n, Normals normals)
 {
-  const bool has_normals = normals == Normals::of_any_direction;
+  const Part squares = grid(n, n);
   std::mt19937 random(5);
-  const auto number = [&] { return int(random() % 2001) - 1000; };
-  std::ostringstream obj;
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; j <= n; ++j) obj << "v " << i << ' ' << j << " 0\n";
-  for (int i = 0; has_normals && i < (n + 1) * (n + 1); ++i) {
-    const int x = number(), y = number(), z = number();
-    obj << "vn " << x << ' ' << y << ' ' << z << '\n';
+  const auto number = [&] { return double(random() % 2001) - 1000; };
+  std::vector<Triple> of_vertices;
+  while (normals == Normals::of_any_direction && of_vertices.size() < squares.points.size()) {
+    const double x = number(), y = number(), z = number();
+    of_vertices.push_back({x, y, z});
   }
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      obj << 'f';
-      const std::array<int, 4> corners{i * (n + 1) + j, (i + 1) * (n + 1) + j,
-                                       (i + 1) * (n + 1) + j + 1, i * (n + 1) + j + 1};
-      for (const int v : corners) {
-        obj << ' ' << v + 1;
-        if (has_normals) obj << "//" << v + 1;
-      }
-      obj << '\n';
-    }
-  return obj.str();
+  return squares.obj(of_vertices);
 }
 
 // The points and faces of an OFF or OBJ file.
@@ -247,9 +228,8 @@ TEST_F(Pn_subdivide_check, TheShapeOfTheControlMeshCounts)
 
 TEST_F(Pn_subdivide_check, SharpEdgesAreNoFolds)
 {
-  std::string prism = "OFF\n6 5 0\n0 0 0\n1 0 0\n0.5 0.8 0\n0 0 1\n1 0 1\n0.5 0.8 1\n"
-                      "3 2 1 0\n3 3 4 5\n4 0 1 4 3\n4 1 2 5 4\n4 2 0 3 5\n";
-  prism = folder.write("prism.off", prism); // at three edges by some 120 degrees
+  const std::string prism = // three edges of it turn by some 120 degrees
+    folder.write("prism.off", pn_subdivide::prism({{0, 0, 0}, {1, 0, 0}, {0.5, 0.8, 0}}, 1).off());
   expect_part(check(prism, "--levels 2 --sharp angle:40"),
               "check: 0 edges fold by more than 90 degrees (linear 0)");
   expect_no_part(check(prism, "--sharp angle:40 --chord 0.1"), "check: 0 edges fold");

@@ -15,23 +15,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-// of 2 x 2 x 2, about the origin
-std::string cube(const std::string& more_of_vertices = "")
-{
-  std::ostringstream off;
-  off << "OFF\n8 6 0\n";
-  for (int i = 0; i < 8; ++i)
-    off << (i % 4 == 1 || i % 4 == 2 ? 1 : -1) << ' ' << (i % 4 >= 2 ? 1 : -1) << ' '
-        << (i >= 4 ? 1 : -1) << more_of_vertices << '\n';
-  off << "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
-  return off.str();
-}
-std::string octahedron()
-{
-  return "OFF\n6 8 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 "
-         "0 "
-         "4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n";
-}
 // A square of 3 x 3 unequal faces in a plane, with an index and texture coordinates; x is an attribute, too.
 std::string plate()
 {
@@ -59,8 +42,8 @@ class Pn_subdivide_chord : public Refined_files
 protected:
   void SetUp() override
   {
-    folder.write("cube.off", cube());
-    folder.write("octahedron.off", octahedron());
+    folder.write("cube.off", cube_off);
+    folder.write("octahedron.off", octahedron_off);
     folder.write("plate.ply", plate());
   }
   std::string ball() const { return " --normals sphere:0,0,0 "; }

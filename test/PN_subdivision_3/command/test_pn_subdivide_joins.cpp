@@ -9,6 +9,7 @@
 // Points that are joined, and those that are left apart although borders lie on each other.
 
 #include "Command_test.h"
+#include "Part_files.h"
 
 #include "io/mesh_io.h"
 #include "io/soup_repair.h"
@@ -29,28 +30,15 @@ using Triangle = std::array<Triple, 3>;
 using Shift = std::function<Triple(std::size_t, std::size_t)>;
 std::vector<Triangle> box(int m, const Triple& low, double size, const Shift& shift)
 {
+  const Part part = triangulated(box_of_squares(m, low, {size, size, size}));
   std::vector<Triangle> triangles;
-  const auto add = [&](Triangle t) {
+  for (const auto& face : part.faces) {
+    triangles.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
-      const Triple d = shift(triangles.size(), i);
-      for (std::size_t k = 0; k < 3; ++k) t[i][k] = low[k] + size * t[i][k] / m + d[k];
+      const Triple d = shift(triangles.size() - 1, i);
+      for (std::size_t k = 0; k < 3; ++k) triangles.back()[i][k] = part.points[face[i]][k] + d[k];
     }
-    triangles.push_back(t);
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const int end : {0, m})
-      for (int i = 0; i < m; ++i)
-        for (int j = 0; j < m; ++j) {
-          const auto at = [&](int a, int b) {
-            Triple p{};
-            p[axis] = end;
-            p[(axis + 1) % 3] = i + (end == 0 ? b : a);
-            p[(axis + 2) % 3] = j + (end == 0 ? a : b);
-            return p;
-          };
-          add({at(0, 0), at(1, 0), at(1, 1)});
-          add({at(0, 0), at(1, 1), at(0, 1)});
-        }
+  }
   return triangles;
 }
 
@@ -80,14 +68,13 @@ std::string stl(const std::vector<Triangle>& triangles, bool is_float)
 // Every triangle has vertices of its own.
 std::string split_off(const std::vector<Triangle>& triangles)
 {
-  std::ostringstream s;
-  s.precision(17);
-  s << "OFF\n" << 3 * triangles.size() << ' ' << triangles.size() << " 0\n";
-  for (const Triangle& t : triangles)
-    for (const Triple& p : t) s << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
-  for (std::size_t f = 0; f < triangles.size(); ++f)
-    s << "3 " << 3 * f << ' ' << 3 * f + 1 << ' ' << 3 * f + 2 << "\n";
-  return s.str();
+  Part part;
+  for (const Triangle& t : triangles) {
+    const std::size_t v = part.points.size();
+    part.points.insert(part.points.end(), t.begin(), t.end());
+    part.faces.push_back({v, v + 1, v + 2});
+  }
+  return part.off();
 }
 
 class Pn_subdivide_joins : public Command_test
@@ -450,27 +437,15 @@ TEST_F(Pn_subdivide_joins, DifferentNormalsBecomeThoseOfCorners)
     SCOPED_TRACE(name);
     const Mesh_data part = read_mesh(bolt + name + ".obj");
     ASSERT_TRUE(part.has_corner_normals());
-    std::ostringstream ply;
-    ply.precision(17);
-    ply << "ply\nformat ascii 1.0\nelement vertex " << part.number_of_corners()
-        << "\nproperty double x\nproperty double y\nproperty double z\nproperty double nx\n"
-           "property double ny\nproperty double nz\nelement face "
-        << part.number_of_faces() << "\nproperty list uchar int vertex_indices\nend_header\n";
-    std::size_t corner = 0;
-    for (std::size_t f = 0; f < part.number_of_faces(); ++f)
-      for (const Mesh_data::Index v : part.face(f)) {
-        for (const double x : part.points[v]) ply << x << ' ';
-        for (const double x : part.corner_normals[corner]) ply << x << ' ';
-        ply << "\n";
-        ++corner;
-      }
-    corner = 0;
+    Part corners;
     for (std::size_t f = 0; f < part.number_of_faces(); ++f) {
-      ply << part.face(f).size();
-      for (std::size_t i = 0; i < part.face(f).size(); ++i) ply << ' ' << corner++;
-      ply << "\n";
+      corners.faces.emplace_back();
+      for (const Mesh_data::Index v : part.face(f)) {
+        corners.faces.back().push_back(corners.points.size());
+        corners.points.push_back(part.points[v]);
+      }
     }
-    const std::string split = folder.write("split.ply", ply.str());
+    const std::string split = folder.write("split.ply", corners.ply(part.corner_normals));
     const auto refined = [&](const std::string& input, const std::string& options) {
       done(surface(input, "out.obj", "--levels 2 --quiet " + options));
       std::multiset<Triple> points;
