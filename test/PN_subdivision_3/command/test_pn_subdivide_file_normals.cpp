@@ -109,24 +109,6 @@ std::string flat_obj(const Part& s, int digits, double degrees = 0)
   return obj.str();
 }
 
-std::string with_vertex_normals(const Part& s, const std::vector<Triple>& normals)
-{
-  std::ostringstream off;
-  off.precision(17);
-  off << "NOFF\n" << s.points.size() << ' ' << s.faces.size() << " 0\n";
-  for (std::size_t v = 0; v < s.points.size(); ++v) {
-    for (const double x : s.points[v]) off << x << ' ';
-    for (const double x : normals[v]) off << x << ' ';
-    off << "\n";
-  }
-  for (const std::vector<std::size_t>& f : s.faces) {
-    off << f.size();
-    for (const std::size_t v : f) off << ' ' << v;
-    off << "\n";
-  }
-  return off.str();
-}
-
 class Pn_subdivide_file_normals : public Command_test
 {
 protected:
@@ -274,7 +256,7 @@ TEST_F(Pn_subdivide_file_normals, FlatShadingOfVertices)
       normals.push_back(normal(joined, f));
     }
   }
-  const std::string input = folder.write("flat.off", with_vertex_normals(split, normals));
+  const std::string input = folder.write("flat.off", split.off(normals));
   const Outcome outcome = refine(input, "--merge-points");
   expect_part(outcome.err, "for flat shading (72 different on 72 faces): ");
   expect_part(outcome.err, "estimated normals");
@@ -333,7 +315,7 @@ TEST_F(Pn_subdivide_file_normals, ZeroEverywhereIsNone)
     line += "//1";
   }
   for (const std::string& input :
-       {folder.write("zero.off", with_vertex_normals(pipe, zero)), folder.write("zero.obj", obj)})
+       {folder.write("zero.off", pipe.off(zero)), folder.write("zero.obj", obj)})
     for (const std::string sharp : {"", " --sharp angle:30", " --border curve"}) {
       const Outcome outcome = refine(input, sharp);
       expect_part(outcome.err, "the normals of the file are all zero");
@@ -346,27 +328,6 @@ TEST_F(Pn_subdivide_file_normals, ZeroEverywhereIsNone)
 }
 
 // --- normals that oppose their faces ---
-
-TEST_F(Pn_subdivide_file_normals, ThoseThatOpposeTheirFacesAreCounted)
-{
-  const Part s = ball(8);
-  for (const std::size_t step : {1u, 7u, 20u}) {
-    std::vector<Triple> normals = s.points;
-    std::size_t turned = 0;
-    for (std::size_t v = 3 % step; v < normals.size(); v += step, ++turned)
-      for (double& x : normals[v]) x = -x;
-    const std::string input = folder.write("turned.off", with_vertex_normals(s, normals));
-    for (const std::string options : {"--quiet", "--quiet --sharp angle:80", "--quiet --levels 0"})
-      expect_part(refine(input, options).err,
-                  "warning: " + input + ": " + std::to_string(turned) + " of " +
-                    std::to_string(normals.size()) +
-                    " normals point against the faces (first: at vertex " +
-                    std::to_string(3 % step) + ")");
-    for (const std::string options : {"--normals estimate", "--normals sphere:0,0,0", "--linear"})
-      expect_no_part(refine(input, options).err, "point against");
-  }
-  EXPECT_EQ(refine(folder.write("good.off", with_vertex_normals(s, s.points)), "--quiet").err, "");
-}
 
 TEST_F(Pn_subdivide_file_normals, ThoseOfCornersAreCountedToo)
 {
@@ -407,7 +368,7 @@ TEST_F(Pn_subdivide_file_normals, EverySourceIsHonoredWithCreases)
     return std::vector<Triple>(all.begin() + 9, all.begin() + 27);
   };
   const std::vector<Triple> normals(s.points.size(), Triple{0, 0, 1});
-  const std::string given = folder.write("given.off", with_vertex_normals(s, normals));
+  const std::string given = folder.write("given.off", s.off(normals));
   for (const std::string options :
        {"--normals angle", "--normals sphere:0.1,0,1", "--normals cylinder:0,0,0,0,0.1,1"})
     for (const std::string& input : {plain, given}) {

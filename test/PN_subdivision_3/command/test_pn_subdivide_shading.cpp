@@ -551,13 +551,16 @@ TEST_F(Pn_subdivide_shading, RepairTurnsNormalsOver)
       const std::string input = written(s, normals, format, 15);
       const std::string number = std::to_string(turned);
       const Outcome without = refine(input, "--quiet");
-      expect_part(without.err, number + " of " + std::to_string(normals.size()));
+      const std::string place = " (first: at vertex " + std::to_string(3 % step) + ")",
+                        all = std::to_string(normals.size());
+      expect_part(without.err, "warning: " + input + ": " + number + " of " + all +
+                                 (turned == 1 ? " normals points" : " normals point") +
+                                 " against the faces" + place);
       expect_part(without.err, "--repair turns");
       const std::string report = folder.file("r.json");
       const Outcome with = refine(input, "--quiet --repair --report '" + report + "'");
       expect_part(with.err, number + (turned == 1 ? " normal " : " normals ") +
-                              "that opposed all faces turned over (first: at vertex " +
-                              std::to_string(3 % step) + ")");
+                              "that opposed all faces turned over" + place);
       expect_no_part(with.err, "point against");
       EXPECT_EQ(nlohmann::json::parse(Temporary_folder::content(report)).at("repaired"),
                 nlohmann::json({{"turned_normals", turned}}));
@@ -565,10 +568,16 @@ TEST_F(Pn_subdivide_shading, RepairTurnsNormalsOver)
         EXPECT_EQ(refined(input, "--levels 2 --repair"), expected);
       }
       // which are not taken
-      for (const std::string options : {"--linear", "--normals estimate", "--normals sphere:0,0,0"})
+      for (const std::string options :
+           {"--linear", "--normals estimate", "--normals sphere:0,0,0"}) {
         EXPECT_EQ(refine(input, "--quiet --repair " + options).err, "");
+        expect_no_part(refine(input, options).err, "point against");
+      }
+      for (const std::string options : {"--sharp angle:80", "--levels 0"})
+        expect_part(refine(input, "--quiet " + options).err, place);
     }
-  EXPECT_EQ(refine(good, "--quiet --repair").err, "");
+  for (const char* const repair : {"--quiet --repair", "--quiet"})
+    EXPECT_EQ(refine(good, repair).err, "");
 }
 
 // Of a box inside out with normals that point outwards the faces are turned, and the normals are right then.
