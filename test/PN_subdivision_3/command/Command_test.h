@@ -49,6 +49,28 @@ inline void expect_no_part(const std::string& text, const std::string& part)
   EXPECT_EQ(text.find(part), std::string::npos) << text << "\nhas: " << part;
 }
 // The command run as a program.
+inline std::vector<std::string> lines(const std::string& text)
+{
+  std::istringstream in(text);
+  std::vector<std::string> all;
+  for (std::string line; std::getline(in, line);) all.push_back(line);
+  return all;
+}
+
+// of a file of points
+using Rows = std::vector<std::vector<double>>;
+inline Rows rows_of(const std::string& text)
+{
+  Rows rows;
+  for (const std::string& line : lines(text)) {
+    std::istringstream in(line);
+    rows.emplace_back();
+    for (double x = 0; in >> x;) rows.back().push_back(x);
+    EXPECT_TRUE(in.eof()) << line;
+  }
+  return rows;
+}
+
 class Command_test : public testing::Test
 {
 protected:
@@ -150,6 +172,17 @@ protected:
     EXPECT_EQ(outcome.err.rfind("pn_subdivide: ", 0), 0u) << outcome.err;
     expect_part(outcome.err, part);
     EXPECT_EQ(outcome.out, "");
+  }
+
+  // refused in one line that has all parts; the output stays as it was
+  void expect_refusal(const std::string& input, const std::string& output,
+                      const std::string& options, const std::vector<std::string>& parts,
+                      int code = 2) const
+  {
+    folder.write(output, "old");
+    for (const std::string& part : parts)
+      expect_one_line(surface(input, output, options), code, part);
+    EXPECT_EQ(content(output), "old");
   }
 
   static bool contains(const std::string& text, const std::string& part)

@@ -51,6 +51,21 @@ std::string raw(T x, bool big_endian)
   return big_endian == host_is_big_endian ? s : std::string(s.rbegin(), s.rend());
 }
 
+// the numbers of an array of a VTP file with raw data
+template <class T>
+std::vector<T> raw_array(const std::string& vtp, const std::string& name)
+{
+  const std::size_t tag = vtp.find("Name=\"" + name + "\"");
+  if (tag == std::string::npos) return {};
+  const std::size_t offset = std::stoul(vtp.substr(vtp.find("offset=\"", tag) + 8));
+  const std::size_t begin = vtp.find("\n_", vtp.find("<AppendedData")) + 2 + offset;
+  std::uint64_t bytes = 0;
+  std::memcpy(&bytes, vtp.data() + begin, sizeof bytes);
+  std::vector<T> values(bytes / sizeof(T));
+  std::memcpy(values.data(), vtp.data() + begin + sizeof bytes, bytes);
+  return values;
+}
+
 class File_test : public testing::Test
 {
 protected:

@@ -101,6 +101,20 @@ struct Part
     }
     return s.str();
   }
+  // with one normal for each face
+  std::string obj_of_faces(const std::vector<Triple>& normals) const
+  {
+    std::ostringstream s;
+    s.precision(17);
+    s << Part{points, {}}.obj();
+    for (const Triple& n : normals) s << "vn " << n[0] << ' ' << n[1] << ' ' << n[2] << "\n";
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      s << "f";
+      for (const std::size_t v : faces[f]) s << ' ' << v + 1 << "//" << f + 1;
+      s << "\n";
+    }
+    return s.str();
+  }
   // every triangle has corners of its own, which are off by a unit in the last place here and there
   std::string stl() const
   {
@@ -247,6 +261,18 @@ inline Part regular_prism(int n, double height)
   return prism(corners, height);
 }
 
+// n quads about a point above the plane; the others are on the unit circle.
+inline Part cone_of_quads(std::size_t n)
+{
+  Part part;
+  part.points = {{0, 0, 1}};
+  for (std::size_t i = 0; i < 2 * n; ++i)
+    part.points.push_back(on_circle(1, 180. * double(i) / double(n), 0));
+  for (std::size_t i = 1; i < 2 * n; i += 2)
+    part.faces.push_back({0, i, i + 1, (i + 1) % (2 * n) + 1});
+  return part;
+}
+
 // A square plate of height 1 with a hole of radius 1, whose 24 sides, from an angle on, are rows of quads.
 inline Part drilled_plate(int rows = 1, double width = 4, double from = 0)
 {
@@ -290,6 +316,16 @@ inline Part turned(const Profile& profile, int n = 24, bool is_open_above = fals
   if (profile.front()[0] > 0) part.add(bottom);
   if (profile.back()[0] > 0 && !is_open_above) part.add(top);
   return part;
+}
+
+// A number "surface" of the user's for each face, whose degree is the same everywhere.
+inline std::string with_own_surfaces(std::string ply, const std::string& degree)
+{
+  const std::string list = "property list uchar int vertex_indices\n", row = "\n" + degree + " ";
+  ply.replace(ply.find(list), list.size(), list + "property int surface\n");
+  for (std::size_t line = ply.find(row); line != std::string::npos; line = ply.find(row, line + 1))
+    ply.insert(ply.find('\n', line + 1), " 77");
+  return ply;
 }
 
 // Cylinders of radius 2 up to z = 1 and of radius 1 above.

@@ -10,6 +10,7 @@
 // exit code. Meshes are written and read here with the functions that test_pn_subdivide_io checks.
 
 #include "Command_test.h"
+#include "Part_files.h"
 
 #include "io/mesh_io.h"
 
@@ -112,15 +113,7 @@ TEST_F(Pn_subdivide, ModifiedSchemesAreModifiedWhereVerticesAreSeparated)
 // The policy of the paper: a plain first round, and no rules for valence 3.
 TEST_F(Pn_subdivide, TheFirstRoundOfModifiedSchemesIsAnOption)
 {
-  std::string off = "OFF\n15 7 0\n0 0 1\n"; // seven quads about a vertex
-  for (int i = 0; i < 14; ++i) {
-    const double angle = std::acos(-1.) * i / 7;
-    off += std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
-  }
-  for (int i = 0; i < 7; ++i)
-    off += "4 0 " + std::to_string(1 + 2 * i) + " " + std::to_string(2 + 2 * i) + " " +
-           std::to_string(1 + (2 * i + 2) % 14) + "\n";
-  const std::string input = folder.write("seven.off", off);
+  const std::string input = folder.write("seven.off", cone_of_quads(7).off());
   const auto points = [&](const std::string& file, const std::string& options) {
     return refined(file, options).points;
   };

@@ -43,24 +43,14 @@ std::string plane(std::size_t n, Normals normals)
   return squares.obj(of_vertices);
 }
 
-// The points and faces of an OFF or OBJ file.
-struct Faces_of_file
+struct Faces_of_file : Part
 {
-  explicit Faces_of_file(const std::string& obj)
+  explicit Faces_of_file(const std::string& file)
   {
-    std::istringstream in(obj);
-    for (std::string line; std::getline(in, line);) {
-      std::istringstream words(line);
-      std::string key;
-      words >> key;
-      if (key == "v") {
-        points.emplace_back();
-        for (double& x : points.back()) words >> x;
-      } else if (key == "f") {
-        faces.emplace_back();
-        for (std::string corner; words >> corner;) faces.back().push_back(std::stoul(corner) - 1);
-      }
-    }
+    const Mesh_data mesh = read_mesh(file);
+    points = mesh.points;
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      faces.emplace_back(mesh.face(f).begin(), mesh.face(f).end());
   }
 
   // the pyramids over the means of the faces, as triangles
@@ -105,9 +95,6 @@ struct Faces_of_file
     }
     return number;
   }
-
-  std::vector<Triple> points;
-  std::vector<std::vector<std::size_t>> faces;
 };
 
 class Pn_subdivide_check : public Command_test
@@ -166,7 +153,7 @@ TEST_F(Pn_subdivide_check, VolumesAndFoldsAreThoseOfTheFiles)
     const std::string text = check(input, options), linear_file = folder.file("l.obj");
     const std::size_t normals = options.find(" --normals");
     done(run(words(input, linear_file) + options.substr(0, normals) + " --linear"));
-    const Faces_of_file result(content("o.obj")), linear(Temporary_folder::content(linear_file));
+    const Faces_of_file result(path("o.obj")), linear(linear_file);
     ASSERT_EQ(result.points.size(), linear.points.size());
     if (input == beam)
       expect_part(text, ratio_text(result.volume() / 80, linear.volume() / 80));
@@ -242,7 +229,7 @@ TEST_F(Pn_subdivide_check, DistancesAreFromTheControlMesh)
   for (const std::string options : {"--levels 2 --normals none", "--chord 0.01 --normals none"}) {
     const std::string text = check(cube, options);
     double largest = 0;
-    for (const Triple& p : Faces_of_file(content("o.obj")).points) {
+    for (const Triple& p : Faces_of_file(path("o.obj")).points) {
       const double outmost = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
       largest = (std::max)(largest, 1 - outmost);
     }
@@ -320,7 +307,7 @@ TEST_F(Pn_subdivide_check, TheReportHasTheNumbers)
     return nlohmann::json::parse(Temporary_folder::content(file)).at("check");
   };
   nlohmann::json json = report(beam, "--levels 3 --normals angle --check");
-  const Faces_of_file result(content("o.obj"));
+  const Faces_of_file result(path("o.obj"));
   EXPECT_NEAR(json.at("volume"), result.volume() / 80, 1e-9);
   EXPECT_LT(json.at("linear_volume"), 0.5);
   EXPECT_EQ(json.at("edges_that_turn_by_40_degrees"), 12);
@@ -381,13 +368,8 @@ TEST_F(Pn_subdivide_check, TheClosingLineNamesEdgesThatTurn)
 // What the file tags is not named again.
 TEST_F(Pn_subdivide_check, TaggedEdgesAreNotCounted)
 {
-  std::string obj;
-  for (int i = 0; i < 8; ++i)
-    obj += "v " + std::to_string(i % 4 == 1 || i % 4 == 2) + ' ' + std::to_string(i % 4 >= 2) +
-           ' ' + std::to_string(i >= 4) + '\n';
-  obj += "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-  const std::string input =
-    folder.write("tagged.obj", obj + "t crease 2/1/0 0 1 3.0\nt crease 2/1/0 1 2 3.0\n");
+  const std::string input = folder.write(
+    "tagged.obj", uneven_box().obj() + "t crease 2/1/0 0 1 3.0\nt crease 2/1/0 1 2 3.0\n");
   const std::string line = run(words(input, folder.file("o.obj")) + "--levels 2").err;
   expect_part(line, ", 2 sharp edges");
   expect_part(line, ", 10 edges turn by more than 40 degrees: --part, ");

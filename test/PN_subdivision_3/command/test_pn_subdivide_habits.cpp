@@ -45,14 +45,6 @@ protected:
   std::string help() const { return run("surface --help").out + run("curve --help").out; }
 };
 
-std::vector<std::string> lines(const std::string& text)
-{
-  std::istringstream in(text);
-  std::vector<std::string> all;
-  for (std::string line; std::getline(in, line);) all.push_back(line);
-  return all;
-}
-
 std::set<std::string> options_in(const std::string& text)
 {
   std::set<std::string> options;

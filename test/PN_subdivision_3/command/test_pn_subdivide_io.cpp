@@ -782,31 +782,15 @@ TEST_F(Mesh_io, VtpBinaryOffsetsLeadToTheArrays)
   const Mesh_data mesh = awkward_mesh(true);
   write_mesh(folder.file("a.vtp"), mesh, Encoding::binary);
   const std::string s = Temporary_folder::content(folder.file("a.vtp"));
-  const std::size_t data = s.find('_', s.find("<AppendedData")) + 1;
-  const auto array = [&](const std::string& name) {
-    const std::size_t tag = s.find("Name=\"" + name + "\"");
-    const std::size_t offset = s.find("offset=\"", tag) + 8;
-    const std::size_t begin = data + std::stoul(s.substr(offset, s.find('"', offset) - offset));
-    std::uint64_t bytes;
-    std::memcpy(&bytes, s.data() + begin, 8); // the test's machine is little-endian, as all are
-    return s.substr(begin + 8, bytes);
-  };
-  std::string points, normals;
-  for (const Triple& p : mesh.points)
-    for (int i = 0; i < 3; ++i) points += raw(p[i], false);
-  for (const Triple& n : mesh.normals)
-    for (int i = 0; i < 3; ++i) normals += raw(n[i], false);
-  EXPECT_EQ(array("Points"), points);
-  EXPECT_EQ(array("Normals"), normals);
-  std::string connectivity, offsets;
-  std::int64_t end = 0;
+  EXPECT_EQ(bits(raw_array<double>(s, "Points")), bits(mesh.points));
+  EXPECT_EQ(bits(raw_array<double>(s, "Normals")), bits(mesh.normals));
+  std::vector<std::int64_t> connectivity, offsets;
   for (const auto& face : faces_of(mesh)) {
-    for (const unsigned v : face) connectivity += raw(std::int64_t(v), false);
-    end += static_cast<std::int64_t>(face.size());
-    offsets += raw(end, false);
+    connectivity.insert(connectivity.end(), face.begin(), face.end());
+    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
   }
-  EXPECT_EQ(array("connectivity"), connectivity);
-  EXPECT_EQ(array("offsets"), offsets);
+  EXPECT_EQ(raw_array<std::int64_t>(s, "connectivity"), connectivity);
+  EXPECT_EQ(raw_array<std::int64_t>(s, "offsets"), offsets);
 }
 
 // --- checks and repair of soups ---

@@ -14,6 +14,8 @@
 
 namespace {
 
+using pn_subdivide::raw_array;
+
 class Attributes_in_pieces : public Pieces
 {
 protected:
