@@ -268,32 +268,19 @@ TEST_F(Pn_subdivide_file_normals, FlatShadingOfVertices)
 // Splitting faces does not make other normals of them, nor does turning them.
 TEST_F(Pn_subdivide_file_normals, FlatShadingIsThatOfTheFacesInTheFile)
 {
-  Part wavy; // none of its faces is planar
-  for (int j = 0; j < 6; ++j)
-    for (int i = 0; i < 6; ++i)
-      wavy.points.push_back({double(i), double(j), std::sin(1.3 * i) * std::cos(1.7 * j)});
-  for (std::size_t v = 0; v < 29; ++v)
-    if (v % 6 < 5) wavy.faces.push_back({v, v + 1, v + 7, v + 6});
-  std::ostringstream obj;
-  obj.precision(17);
-  for (const Triple& p : wavy.points) obj << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
-  for (const std::vector<std::size_t>& f :
-       wavy.faces) { // of the area vector: the product of the diagonals
+  // none of its faces is planar
+  const Part wavy = grid(5, 5, [](int i, int j) { return std::sin(1.3 * i) * std::cos(1.7 * j); });
+  std::vector<Triple> areas; // the products of the diagonals
+  for (const std::vector<std::size_t>& f : wavy.faces) {
     const auto diagonal = [&](std::size_t i) {
       const Triple &a = wavy.points[f[i]], &b = wavy.points[f[i + 2]];
       return Triple{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     };
     const Triple d = diagonal(0), e = diagonal(1);
-    obj << "vn " << d[1] * e[2] - d[2] * e[1] << ' ' << d[2] * e[0] - d[0] * e[2] << ' '
-        << d[0] * e[1] - d[1] * e[0] << "\n";
+    areas.push_back(
+      {d[1] * e[2] - d[2] * e[1], d[2] * e[0] - d[0] * e[2], d[0] * e[1] - d[1] * e[0]});
   }
-  std::string plain = wavy.obj(), flat = obj.str();
-  for (std::size_t f = 0; f < wavy.faces.size(); ++f) {
-    flat += "f";
-    for (const std::size_t v : wavy.faces[f])
-      flat += " " + std::to_string(v + 1) + "//" + std::to_string(f + 1);
-    flat += "\n";
-  }
+  const std::string plain = wavy.obj(), flat = wavy.obj_of_faces(areas);
   const std::string input = folder.write("flat.obj", flat), other = folder.write("p.obj", plain);
   expect_part(refine(input, "--triangulate").err, "for flat shading (25 different on 25 faces)");
   EXPECT_EQ(refined(input, "--levels 2 --triangulate"), refined(other, "--levels 2 --triangulate"));

@@ -383,13 +383,7 @@ TEST_F(Pn_subdivide_part, RowsOfConesAreNoPart)
 
 TEST_F(Pn_subdivide_part, AColumnOfTheUsersStays)
 {
-  std::string ply = triangles(drilled_plate()).ply();
-  const std::string list = "property list uchar int vertex_indices\n";
-  ply.replace(ply.find(list), list.size(), list + "property int surface\n");
-  for (std::size_t line = ply.find("\n3 "); line != std::string::npos;
-       line = ply.find("\n3 ", line + 1))
-    ply.insert(ply.find('\n', line + 1), " 77");
-  folder.write("own.ply", ply);
+  folder.write("own.ply", with_own_surfaces(triangles(drilled_plate()).ply(), "3"));
   const Mesh_data mesh = refined("own.ply", "o.ply", "--levels 1 --strict");
   const Column* const column = find_column(mesh.attributes.of_faces, "surface");
   ASSERT_NE(column, nullptr);
@@ -469,20 +463,17 @@ TEST_F(Pn_subdivide_part, WhatDoesNotGoWithPartIsNamed)
 
 // --- borders ---
 
-// The top of the plate, an open sheet, and a stadium.
+// The bottom of the plate, an open sheet, and a stadium.
 TEST_F(Pn_subdivide_part, BordersOfPlanesAreLinesAndArcs)
 {
+  const Part plate = drilled_plate();
   Part sheet, stadium;
-  std::vector<Triple> rim;
-  for (int i = 0; i < 24; ++i) {
-    const auto outer = [](double degrees) {
-      const Triple p = on_circle(1, degrees, 0);
-      const double largest = (std::max)(std::abs(p[0]), std::abs(p[1]));
-      return Triple{2 * p[0] / largest, 2 * p[1] / largest, 0};
-    };
-    const double a = 15. * i, b = a + 15;
-    sheet.add({outer(a), outer(b), on_circle(1, b, 0), on_circle(1, a, 0)});
+  for (std::size_t f = 0; f < plate.faces.size(); f += 4) {
+    std::vector<Triple> corners;
+    for (const std::size_t v : plate.faces[f]) corners.push_back(plate.points[v]);
+    sheet.add(corners);
   }
+  std::vector<Triple> rim;
   for (int i = 0; i <= 12; ++i) {
     const Triple p = on_circle(1, 15. * i - 90, 0);
     rim.push_back({p[0] + 2, p[1], 0});

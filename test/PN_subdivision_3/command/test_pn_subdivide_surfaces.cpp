@@ -263,13 +263,7 @@ TEST_F(Pn_subdivide_surfaces, FilesWithoutPropertiesOfFacesAreAsBefore)
     expect_no_part(outcome.err, "not written");
   }
   // one of the user's with this name gives way
-  std::string ply = drilled_plate().ply();
-  const std::string list = "property list uchar int vertex_indices\n";
-  ply.replace(ply.find(list), list.size(), list + "property int surface\n");
-  std::size_t line = ply.find("\n4 ");
-  for (; line != std::string::npos; line = ply.find("\n4 ", line + 1))
-    ply.insert(ply.find('\n', line + 1), " 77");
-  folder.write("own.ply", ply);
+  folder.write("own.ply", with_own_surfaces(drilled_plate().ply(), "4"));
   const Outcome outcome = surface("own.ply", "o.ply", "--sharp surfaces --levels 1");
   expect_part(outcome.err, "gives way");
   for (const double s : surface_of(read_mesh(folder.file("o.ply")))) EXPECT_LT(s, 7);
@@ -633,11 +627,8 @@ TEST_F(Pn_subdivide_surfaces, AFileOfThisName)
 
 TEST_F(Pn_subdivide_surfaces, WhatExcludesEachOther)
 {
-  folder.write("o.ply", "old");
   const auto refused = [&](const std::string& options, const std::vector<std::string>& parts) {
-    for (const std::string& part : parts)
-      expect_one_line(surface("plate_3.ply", "o.ply", options), 2, part);
-    EXPECT_EQ(content("o.ply"), "old");
+    expect_refusal("plate_3.ply", "o.ply", options, parts);
   };
   const std::string sharp = "--sharp surfaces ";
   refused(sharp + "--sharpness 2", {"--sharpness", "--sharp surfaces"});

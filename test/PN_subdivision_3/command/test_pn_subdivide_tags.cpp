@@ -342,17 +342,8 @@ TEST_F(Pn_subdivide_tags, OtherSourcesLeaveTheTagsOut)
 // A box whose faces have normals of their own has creases by these, unless tags say otherwise.
 TEST_F(Pn_subdivide_tags, TagsComeBeforeNormalsThatDiffer)
 {
-  const char* const normals[] = {"0 0 -1", "0 -1 0", "1 0 0", "0 1 0", "-1 0 0", "0 0 1"};
-  Part part = uneven_box();
-  const auto faces = std::exchange(part.faces, {});
-  std::string s = part.obj();
-  for (const char* n : normals) s += std::string("vn ") + n + "\n";
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    s += "f";
-    for (const std::size_t v : faces[f])
-      s += " " + std::to_string(v + 1) + "//" + std::to_string(f + 1);
-    s += "\n";
-  }
+  const std::string s = uneven_box().obj_of_faces(
+    {{0, 0, -1}, {0, -1, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}});
   folder.write("normals.obj", s);
   folder.write("both.obj", s + "t crease 2/1/0 0 1 10\n");
   const std::string options = "--levels 1 --output-normals control";
@@ -393,9 +384,7 @@ TEST_F(Pn_subdivide_tags, DamagedTagsAreRefused)
   const auto expect_refusal = [&](const std::string& name, const std::string& content,
                                   const std::string& part) {
     folder.write(name, content);
-    folder.write("o.ply", "old");
-    expect_one_line(surface(name, "o.ply", ""), 1, part);
-    EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
+    Command_test::expect_refusal(name, "o.ply", "", {part}, 1);
   };
   const auto obj = [](const std::string& line) { return obj_box() + line + "\n"; };
   expect_refusal("a.obj", obj("t crease 2/1/0 0 8 10"), "line 15: vertex 8 of a tag");
@@ -476,23 +465,18 @@ TEST_F(Pn_subdivide_tags, OneRoundAndTwoAreThree)
 
 TEST_F(Pn_subdivide_tags, WhatDoesNotGoWithWriteTags)
 {
-  const auto expect_refusal = [&](const std::string& options, const std::string& part) {
-    folder.write("o.ply", "old");
-    expect_one_line(surface("quads.obj", "o.ply", options), 2, part);
-    EXPECT_EQ(content("o.ply"), "old");
+  const auto expect_refusal = [&](const std::string& options,
+                                  const std::vector<std::string>& parts) {
+    Command_test::expect_refusal("quads.obj", "o.ply", options, parts);
   };
   const std::string tags = " --write-tags '" + folder.file("t.selection.txt") + "' ";
-  for (const char* const part : {"--write-tags", "doo-sabin"})
-    expect_refusal("--scheme doo-sabin" + tags, part);
-  for (const char* const part : {"--write-tags", "sqrt3"})
-    expect_refusal("--scheme sqrt3 --triangulate" + tags, part);
-  for (const char* const part : {"--write-tags", "--pieces"})
-    expect_refusal("--pieces 2" + tags, part);
-  expect_refusal("--write-tags t.txt", ".selection.txt");
-  expect_refusal("--write-tags -", ".selection.txt");
+  expect_refusal("--scheme doo-sabin" + tags, {"--write-tags", "doo-sabin"});
+  expect_refusal("--scheme sqrt3 --triangulate" + tags, {"--write-tags", "sqrt3"});
+  expect_refusal("--pieces 2" + tags, {"--write-tags", "--pieces"});
+  expect_refusal("--write-tags t.txt", {".selection.txt"});
+  expect_refusal("--write-tags -", {".selection.txt"});
   expect_refusal(sharp("all") + "--write-tags '" + folder.file("all.selection.txt") + "'",
-                 "a file of its own");
-  expect_one_line(surface("quads.obj", "o.ply", "--write-tags /no/such/t.selection.txt"), 1,
-                  "/no/such");
-  EXPECT_EQ(content("o.ply"), "old");
+                 {"a file of its own"});
+  Command_test::expect_refusal("quads.obj", "o.ply", "--write-tags /no/such/t.selection.txt",
+                               {"/no/such"}, 1);
 }
