@@ -291,23 +291,6 @@ TEST(Curves, ReversedNormalsKeepThePoints)
   }
 }
 
-TEST(Curves, PropertyMaps)
-{
-  const auto polygon = random_polygon(8, 11);
-  std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < polygon.size(); ++i) indices.push_back(i);
-  std::vector<Double::Point_3> points;
-  std::vector<Double::Vector_3> normals;
-  for (const auto& [p, n] : polygon) {
-    points.push_back(p);
-    normals.push_back(n);
-  }
-  const auto curve = PN::subdivide_curve(indices, PN::B_spline_mask(3), Curve_end::closed,
-                                         params::point_map(CGAL::make_property_map(points))
-                                           .normal_map(CGAL::make_property_map(normals)));
-  EXPECT_EQ(curve, refined(polygon, {false, 3}, Curve_end::closed));
-}
-
 // trigonometric splines: a regular polygon whose edges span the angle stays one
 auto trigonometric_mask(double angle)
 {

@@ -8,7 +8,9 @@
 
 // Interpolation with other meshes, number types and maps than those of the other tests.
 
+#include "Failing_map.h"
 #include "Interpolation_cases.h"
+#include "Messages.h"
 
 #include <CGAL/PN_fitting_3/interpolate_limit_points.h>
 
@@ -28,48 +30,28 @@ TEST(Interpolation_input, SharpEdgesAreRefusedByName)
   Surface_mesh mesh = to_surface_mesh(data);
   const auto sharp = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", false).first;
   sharp[Surface_mesh::Edge_index(3)] = true;
-  try {
-    PN::interpolate_limit_points(
-      mesh, catmull_clark,
-      CGAL::parameters::vertex_normal_map(normal_map(mesh)).edge_is_constrained_map(sharp));
-    ADD_FAILURE() << "a sharp edge is taken for a smooth one";
-  } catch (const std::invalid_argument& e) {
-    EXPECT_NE(std::string(e.what()).find("edge"), std::string::npos) << e.what();
-    EXPECT_NE(std::string(e.what()).find("is sharp"), std::string::npos) << e.what();
-  }
+  messages::expect_refused(
+    [&] {
+      PN::interpolate_limit_points(
+        mesh, catmull_clark,
+        CGAL::parameters::vertex_normal_map(normal_map(mesh)).edge_is_constrained_map(sharp));
+    },
+    {"edge", "is sharp"});
   EXPECT_EQ(control_net(mesh, data).points, data.points);
 }
-
-// a map that refuses to be written after some values
-struct Failing_map
-{
-  using key_type = Surface_mesh::Vertex_index;
-  using value_type = Kernel::Point_3;
-  using reference = value_type;
-  using category = boost::read_write_property_map_tag;
-
-  Surface_mesh* mesh;
-  int* writes_left;
-
-  friend value_type get(const Failing_map& map, key_type v) { return map.mesh->point(v); }
-  friend void put(const Failing_map& map, key_type v, const value_type& p)
-  {
-    if ((*map.writes_left)-- == 0) throw std::runtime_error("no more");
-    map.mesh->point(v) = p;
-  }
-};
 
 TEST(Interpolation_input, AFailureLeavesTheMeshAsItWas)
 {
   const Control_mesh data = ellipsoid_quads(2);
   Surface_mesh mesh = to_surface_mesh(data);
-  int writes = 5;
+  failing_maps::Calls_left writes(5);
+  const auto points = failing(get(CGAL::vertex_point, mesh), writes);
   EXPECT_THROW(PN::interpolate_limit_points(
                  mesh, catmull_clark,
                  PN::parameters::join(
-                   strict().pack(), CGAL::parameters::vertex_point_map(Failing_map{&mesh, &writes})
-                                      .vertex_normal_map(normal_map(mesh)))),
-               std::runtime_error);
+                   strict().pack(),
+                   CGAL::parameters::vertex_point_map(points).vertex_normal_map(normal_map(mesh)))),
+               failing_maps::User_failure);
   EXPECT_EQ(control_net(mesh, data).points, data.points);
 }
 
@@ -83,11 +65,11 @@ TEST(Interpolation_input, AFailureLeavesNormalsAsTheyWere)
   for (auto v : mesh.vertices()) normals[v] = given;
   const auto natural =
     PN::parameters::interpolation_normals(PN::Limit_interpolation::Normals::natural);
-  int writes = 5;
+  failing_maps::Calls_left writes(5);
+  const auto points = failing(get(CGAL::vertex_point, mesh), writes);
   EXPECT_THROW(PN::interpolate_limit_points(
-                 mesh, catmull_clark,
-                 natural.vertex_point_map(Failing_map{&mesh, &writes}).vertex_normal_map(normals)),
-               std::runtime_error);
+                 mesh, catmull_clark, natural.vertex_point_map(points).vertex_normal_map(normals)),
+               failing_maps::User_failure);
   for (auto v : mesh.vertices()) EXPECT_EQ(normals[v], given);
   EXPECT_EQ(control_net(mesh, data).points, data.points);
 

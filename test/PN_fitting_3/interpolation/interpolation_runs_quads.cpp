@@ -18,7 +18,6 @@ template struct Interpolation_runs<PN::Linear_scheme<PN::CatmullClark_scheme>>;
 template struct Interpolation_runs<PN::Linear_scheme<PN::CatmullClark_scheme::Tuned>>;
 template struct Distance_runs<PN::CatmullClark_scheme>;
 template struct Distance_runs<PN::CatmullClark_scheme::Tuned>;
-template struct Wrong_runs<PN::CatmullClark_scheme::Tuned>;
 template struct Further_interpolation_runs<PN::CatmullClark_scheme::Tuned>;
 
 } // namespace interpolation_cases

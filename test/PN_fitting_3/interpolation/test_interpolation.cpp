@@ -11,6 +11,7 @@
 
 #include "Extent.h"
 #include "Interpolation_cases.h"
+#include "Messages.h"
 #include "Schemes.h"
 #include "support/Options.h"
 
@@ -89,30 +90,9 @@ TEST(Interpolation, StrictLimitsAreThePointsOnAll)
 
 TEST(Interpolation, AFirstRoundPastReachIsRefused)
 {
-  const Control_mesh data = ellipsoid_quads(2);
-  try {
-    interpolated(data, PN::CatmullClark_scheme::Tuned(0.5, 10));
-    ADD_FAILURE() << "rules of round 10 are taken for those of the first rounds";
-  } catch (const std::invalid_argument& e) {
-    EXPECT_NE(std::string(e.what()).find("the first round of the rules of the scheme is 10"),
-              std::string::npos)
-      << e.what();
-  }
-}
-
-// Solved with one average in place of the limit, the limits are not the points.
-TEST(Interpolation, OneAverageIsNotTheLimit)
-{
-  const Control_mesh data = ellipsoid_quads(3);
-  Surface_mesh mesh = to_surface_mesh(data);
-  Wrong_runs<PN::CatmullClark_scheme::Tuned>::interpolate(mesh, quad_scheme,
-                                                          Wrong_way::one_average);
-  const Limits all = limits(mesh, quad_scheme, limit_cases::close(1e-13));
-  double largest = 0;
-  for (std::size_t v = 0; v < data.points.size(); ++v)
-    largest = (std::max)(
-      largest, double((limit_cases::to_vector(all.at[v].point) - point_of(data, v)).norm()));
-  EXPECT_GT(largest, 1e-5);
+  messages::expect_refused(
+    [] { interpolated(ellipsoid_quads(2), PN::CatmullClark_scheme::Tuned(0.5, 10)); },
+    {"the first round of the rules of the scheme is 10"});
 }
 
 TEST(Interpolation, SpheresAndCylindersAreTheirOwnNets)
@@ -195,18 +175,6 @@ TEST(Interpolation, SlideIsOfFourthOrder)
   const double fine =
     rms_error(interpolated(ellipsoid_quads(8), quad_scheme).mesh, quad_scheme, to_ellipsoid);
   EXPECT_GE(coarse / fine, 13);
-}
-
-// Without the surface's own normal the points are not on the surface: every vertex taken as one of the border.
-TEST(Interpolation, SlideNeedsTheSurfaceNormal)
-{
-  const Control_mesh data = torus(16);
-  const Interpolated right = interpolated(data, quad_scheme);
-  Surface_mesh mesh = to_surface_mesh(data);
-  Wrong_runs<PN::CatmullClark_scheme::Tuned>::interpolate(mesh, quad_scheme,
-                                                          Wrong_way::normals_of_the_limit);
-  EXPECT_GE(rms_error(mesh, quad_scheme, to_torus),
-            50 * rms_error(right.mesh, quad_scheme, to_torus));
 }
 
 // Points over the limits of the vertices of two rounds, each sought about the vertex whose limit is next to it.
@@ -339,33 +307,6 @@ TEST(Interpolation, NaturalNormalsStayOnBorders)
       changed += is_same ? 0 : 1;
   }
   EXPECT_GT(changed, 40u);
-}
-
-// With limit points in place of slide the surface's normals are no better data: the way of
-// natural normals gets nowhere.
-TEST(Interpolation, NaturalNormalsNeedSlide)
-{
-  const Control_mesh data = ellipsoid_quads(4);
-  Surface_mesh mesh = to_surface_mesh(data);
-  const auto normals = normal_map(mesh);
-  PN::estimate_control_normals(mesh, normals);
-  Options options = strict();
-  options.tolerance = 1e-9;
-  options.normals = PN::Limit_interpolation::Normals::solved;
-  double change = 0;
-  for (int k = 0; k < 10; ++k) {
-    Surface_mesh net = mesh;
-    Interpolation_runs<PN::CatmullClark_scheme::Tuned>::interpolate(net, quad_scheme, options);
-    const Limits all = limits(net, quad_scheme, limit_cases::close(1e-10));
-    change = 0;
-    for (auto v : mesh.vertices()) {
-      const Kernel::Vector_3 d = all.at[v].surface_normal - normals[v];
-      change = (std::max)(change, std::sqrt(d.squared_length()));
-      normals[v] = all.at[v].surface_normal;
-    }
-  }
-  EXPECT_GT(change, 1e-4);                  // 1e-5 would be enough to stop
-  EXPECT_GT(rms_angle(data, normals), 0.2); // the bar above
 }
 
 TEST(Interpolation, NaturalNormalsOfSpheresAreTheEstimate)

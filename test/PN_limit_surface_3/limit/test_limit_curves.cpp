@@ -131,46 +131,41 @@ void expect_brute_force(
   }
 }
 
-TEST(Curve_limits, EqualBruteForce)
+// Tangents to the same tolerance whatever the roundness, that is, they converge no slower than with 1.
+void expect_limits_of_rounds(const reference::Curve_scheme& s, Curve_end end, double roundness)
 {
   const Curve_3<Double> polygon = wave(12);
+  const auto [limits, report] = with_mask(s, [&](const auto& mask) {
+    return PN::curve_limit_points(
+      polygon, mask, end,
+      PN::parameters::join(close(1e-13).pack(), PN::parameters::roundness(roundness)));
+  });
+  ASSERT_FALSE(limits.empty());
+  if (end != Curve_end::none) {
+    EXPECT_EQ(limits.size(), end == Curve_end::closed || s.primal() ? 12u : 11u);
+  }
+  EXPECT_EQ(report.number_of_stand_ins, 0u);
+  EXPECT_EQ(limits[limits.size() / 2].has_curvature, s.parameter > 2);
+  reference::Curve_limit_by_rounds brute(s, s, false, Real(roundness));
+  // the curvature of six points converges by 0.57 a round, and the others' by 1/4, at ends 1/2
+  expect_brute_force(polygon, limits, brute, end, {2e-12, 1e-6, s.interpolating ? .02 : .002},
+                     name_of(s, end));
+}
+
+TEST(Curve_limits, EqualBruteForce)
+{
   for (const auto& s : schemes())
     for (const Curve_end end : all_ends) {
       if (end == Curve_end::none && s.parameter > (s.interpolating ? 3 : 5)) continue; // too short
-      if (!tests_are_full && s.parameter > 4) continue;
-      const auto [limits, report] = with_mask(s, [&](const auto& mask) {
-        return PN::curve_limit_points(polygon, mask, end, close(1e-13).pack());
-      });
-      ASSERT_FALSE(limits.empty());
-      if (end != Curve_end::none) {
-        EXPECT_EQ(limits.size(), end == Curve_end::closed || s.primal() ? 12u : 11u);
-      }
-      EXPECT_EQ(report.number_of_stand_ins, 0u);
-      const bool is_curved = limits[limits.size() / 2].has_curvature;
-      EXPECT_EQ(is_curved, s.interpolating ? s.parameter > 2 : s.parameter > 2);
-      reference::Curve_limit_by_rounds brute(s, s, false);
-      // the curvature of six points converges by 0.57 a round, and the others' by 1/4, at ends 1/2
-      expect_brute_force(polygon, limits, brute, end, {2e-12, 1e-6, s.interpolating ? .02 : .002},
-                         name_of(s, end));
+      if (tests_are_full || s.parameter <= 4) expect_limits_of_rounds(s, end, 1);
     }
 }
 
-// the tangents to the same tolerance, that is, they converge no slower than with roundness 1
 TEST(Curve_limits, OfARoundnessEqualBruteForce)
 {
-  const Curve_3<Double> polygon = wave(12);
   for (const auto& s : schemes())
-    for (const Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
-      if (!tests_are_full && s.parameter > 4) continue;
-      const auto [limits, report] = with_mask(s, [&](const auto& mask) {
-        return PN::curve_limit_points(
-          polygon, mask, end,
-          PN::parameters::join(close(1e-13).pack(), PN::parameters::roundness(.5)));
-      });
-      reference::Curve_limit_by_rounds brute(s, s, false, Real(1) / 2);
-      expect_brute_force(polygon, limits, brute, end, {2e-12, 1e-6, s.interpolating ? .02 : .002},
-                         name_of(s, end));
-    }
+    for (const Curve_end end : {Curve_end::closed, Curve_end::reflect})
+      if (tests_are_full || s.parameter <= 4) expect_limits_of_rounds(s, end, .5);
 }
 
 // tangents and curvatures, too, although those of a point-normal curve are found in another way
@@ -198,28 +193,6 @@ TEST(Curve_limits, OfRoundnessZeroAreThoseOfLinearTwins)
     }
 }
 
-// what they are with fewer rounds is no farther away than they say
-TEST(Curve_limits, ErrorsOfAnyRoundnessAreNoLargerThanTheirEstimates)
-{
-  const Curve_3<Double> polygon = wave(12);
-  const PN::B_spline_mask mask(3);
-  const auto np = PN::parameters::roundness(.5);
-  const auto exact = PN::curve_limit_points(polygon, mask, Curve_end::closed,
-                                            PN::parameters::join(close(1e-14).pack(), np));
-  for (const unsigned depth : {2u, 4u, 6u}) {
-    test_options::Curve_limit_options options = close(0, 0);
-    options.max_depth = depth;
-    options.curvatures = false;
-    const auto rough = PN::curve_limit_points(polygon, mask, Curve_end::closed,
-                                              PN::parameters::join(options.pack(), np));
-    for (std::size_t i = 0; i < exact.first.size(); ++i) {
-      const auto &a = rough.first[i], &b = exact.first[i];
-      EXPECT_LE(std::sqrt(CGAL::squared_distance(a.point, b.point)), 1.01 * a.error + 1e-14);
-      EXPECT_LE(std::sqrt((a.tangent - b.tangent).squared_length()), 1.01 * a.tangent_error);
-    }
-  }
-}
-
 TEST(Curve_limits, OfLinearTwinsEqualBruteForce)
 {
   const Curve_3<Double> polygon = wave(12);
@@ -236,24 +209,22 @@ TEST(Curve_limits, OfLinearTwinsEqualBruteForce)
 TEST(Curve_limits, WithAnotherMaskForTheNormalsEqualBruteForce)
 {
   const Curve_3<Double> polygon = wave(12);
-  const reference::Curve_scheme cubic{false, 3}, four_points{true, 2}, quintic{false, 5};
-  for (const Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
-    reference::Curve_limit_by_rounds a(cubic, four_points, false), b(four_points, quintic, false);
-    expect_brute_force(polygon,
-                       PN::curve_limit_points(
-                         polygon,
-                         PN::with_normal_mask(PN::B_spline_mask(3), PN::Dubuc_Deslauriers_mask(4)),
-                         end, close(1e-13).pack())
-                         .first,
-                       a, end, {2e-12, 1e-6, .01}, "cubic, normals by 4 points");
-    expect_brute_force(polygon,
-                       PN::curve_limit_points(
-                         polygon,
-                         PN::with_normal_mask(PN::Dubuc_Deslauriers_mask(4), PN::B_spline_mask(5)),
-                         end, close(1e-13).pack())
-                         .first,
-                       b, end, {2e-12, 1e-6, .01}, "4 points, normals by quintics");
-  }
+  const auto expect = [&](const reference::Curve_scheme& of_points,
+                          const reference::Curve_scheme& of_normals, const auto& mask,
+                          const char* name) {
+    for (const Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
+      reference::Curve_limit_by_rounds brute(of_points, of_normals, false);
+      expect_brute_force(polygon,
+                         PN::curve_limit_points(polygon, mask, end, close(1e-13).pack()).first,
+                         brute, end, {2e-12, 1e-6, .01}, name);
+    }
+  };
+  const PN::B_spline_mask cubic(3), quintic(5);
+  const PN::Dubuc_Deslauriers_mask four_points(4);
+  expect({false, 3}, {true, 2}, PN::with_normal_mask(cubic, four_points),
+         "cubic, normals by 4 points");
+  expect({true, 2}, {false, 5}, PN::with_normal_mask(four_points, quintic),
+         "4 points, normals by quintics");
 }
 
 TEST(Curve_limits, OfCirclesAreOnThem)
@@ -323,29 +294,38 @@ TEST(Curve_limits, AreTheSameAtEveryLevel)
       });
 }
 
-TEST(Curve_limits, ErrorsAreNoLargerThanTheirEstimates)
+void expect_honest_errors(const reference::Curve_scheme& s, double roundness)
 {
   const Curve_3<Double> polygon = wave(16);
-  for (const auto& s : schemes())
-    for (const Curve_end end : {Curve_end::closed, Curve_end::reflect})
-      with_mask(s, [&](const auto& mask) {
-        const auto exact = PN::curve_limit_points(polygon, mask, end, close(1e-14).pack()).first;
-        for (const unsigned depth : {1u, 2u, 4u}) {
-          test_options::Curve_limit_options options = close(0, 0);
-          options.max_depth = depth;
-          options.curvatures = false;
-          const auto [limits, report] = PN::curve_limit_points(polygon, mask, end, options.pack());
-          for (std::size_t i = 0; i < limits.size(); ++i) {
-            EXPECT_LE(std::sqrt(CGAL::squared_distance(limits[i].point, exact[i].point)),
-                      limits[i].error + 1e-13)
-              << name_of(s, end) << i << " depth " << depth;
-            EXPECT_LE(std::sqrt((limits[i].tangent - exact[i].tangent).squared_length()),
-                      (depth == 1 ? 4 : 1) * limits[i].tangent_error + 1e-7)
-              << name_of(s, end) << i << " depth " << depth;
-          }
-          EXPECT_GT(report.number_of_misses, 0u); // nothing is exact
+  const auto np = PN::parameters::roundness(roundness);
+  for (const Curve_end end : {Curve_end::closed, Curve_end::reflect})
+    with_mask(s, [&](const auto& mask) {
+      const auto exact =
+        PN::curve_limit_points(polygon, mask, end, PN::parameters::join(close(1e-14).pack(), np))
+          .first;
+      for (const unsigned depth : {1u, 2u, 4u}) {
+        test_options::Curve_limit_options options = close(0, 0);
+        options.max_depth = depth;
+        options.curvatures = false;
+        const auto [limits, report] =
+          PN::curve_limit_points(polygon, mask, end, PN::parameters::join(options.pack(), np));
+        for (std::size_t i = 0; i < limits.size(); ++i) {
+          EXPECT_LE(std::sqrt(CGAL::squared_distance(limits[i].point, exact[i].point)),
+                    limits[i].error + 1e-13)
+            << name_of(s, end) << i << " depth " << depth;
+          EXPECT_LE(std::sqrt((limits[i].tangent - exact[i].tangent).squared_length()),
+                    (depth == 1 ? 4 : 1) * limits[i].tangent_error + 1e-7)
+            << name_of(s, end) << i << " depth " << depth;
         }
-      });
+        EXPECT_GT(report.number_of_misses, 0u); // nothing is exact
+      }
+    });
+}
+
+TEST(Curve_limits, ErrorsAreNoLargerThanTheirEstimates)
+{
+  for (const auto& s : schemes()) expect_honest_errors(s, 1);
+  for (const int degree : {2, 3}) expect_honest_errors({false, degree}, .5);
 }
 
 TEST(Curve_limits, HaveNoTangentsAtKinks)

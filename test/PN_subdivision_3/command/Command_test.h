@@ -49,6 +49,28 @@ inline void expect_no_part(const std::string& text, const std::string& part)
   EXPECT_EQ(text.find(part), std::string::npos) << text << "\nhas: " << part;
 }
 // The command run as a program.
+inline std::vector<std::string> lines(const std::string& text)
+{
+  std::istringstream in(text);
+  std::vector<std::string> all;
+  for (std::string line; std::getline(in, line);) all.push_back(line);
+  return all;
+}
+
+// of a file of points
+using Rows = std::vector<std::vector<double>>;
+inline Rows rows_of(const std::string& text)
+{
+  Rows rows;
+  for (const std::string& line : lines(text)) {
+    std::istringstream in(line);
+    rows.emplace_back();
+    for (double x = 0; in >> x;) rows.back().push_back(x);
+    EXPECT_TRUE(in.eof()) << line;
+  }
+  return rows;
+}
+
 class Command_test : public testing::Test
 {
 protected:
@@ -152,6 +174,17 @@ protected:
     EXPECT_EQ(outcome.out, "");
   }
 
+  // refused in one line that has all parts; the output stays as it was
+  void expect_refusal(const std::string& input, const std::string& output,
+                      const std::string& options, const std::vector<std::string>& parts,
+                      int code = 2) const
+  {
+    folder.write(output, "old");
+    for (const std::string& part : parts)
+      expect_one_line(surface(input, output, options), code, part);
+    EXPECT_EQ(content(output), "old");
+  }
+
   static bool contains(const std::string& text, const std::string& part)
   {
     return text.find(part) != std::string::npos;
@@ -171,6 +204,10 @@ protected:
   static constexpr const char* cube_off =
     "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n"
     "-1 1 1\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+
+  static constexpr const char* octahedron_off =
+    "OFF\n6 8 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n3 0 1 2\n3 1 3 2\n3 3 4 2\n3 4 0 2\n"
+    "3 1 0 5\n3 3 1 5\n3 4 3 5\n3 0 4 5\n";
 
   std::string program = PN_SUBDIVIDE_COMMAND;
   Temporary_folder folder; // of the user

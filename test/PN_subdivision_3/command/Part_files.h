@@ -40,10 +40,13 @@ struct Part
     points.push_back(p);
     return points.size() - 1;
   }
+  // corners in one place are one
   void add(const std::vector<Triple>& corners)
   {
     std::vector<std::size_t> face;
-    for (const Triple& p : corners) face.push_back(vertex(p));
+    for (const Triple& p : corners)
+      if (const std::size_t v = vertex(p); std::find(face.begin(), face.end(), v) == face.end())
+        face.push_back(v);
     faces.push_back(face);
   }
   // with faces of its own
@@ -65,36 +68,49 @@ struct Part
       for (std::size_t i = 2; i < f.size(); ++i) triangles.push_back({f[0], f[i - 1], f[i]});
     faces = triangles;
   }
-  std::string ply(const std::vector<Triple>& normals = {}) const
+  // numbers of vertices by name, which only these files have
+  using Columns_by_name = std::vector<std::pair<std::string, std::vector<double>>>;
+  std::string ply(const std::vector<Triple>& normals = {},
+                  const Columns_by_name& columns = {}) const
   {
-    std::ostringstream s;
-    s.precision(17);
-    s << "ply\nformat ascii 1.0\nelement vertex " << points.size()
-      << "\nproperty double x\nproperty double y\nproperty double z\n";
-    if (!normals.empty()) s << "property double nx\nproperty double ny\nproperty double nz\n";
-    s << "element face " << faces.size()
-      << "\nproperty list uchar int vertex_indices\nend_header\n";
-    for (std::size_t v = 0; v < points.size(); ++v) {
-      for (const double x : points[v]) s << x << ' ';
-      if (!normals.empty())
-        for (const double x : normals[v]) s << x << ' ';
-      s << "\n";
-    }
-    for (const auto& f : faces) {
-      s << f.size();
-      for (const std::size_t v : f) s << ' ' << v;
-      s << "\n";
-    }
-    return s.str();
+    std::string s = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(points.size()) + "\n";
+    for (const char* const name : {"x", "y", "z", "nx", "ny", "nz"})
+      if (name[0] != 'n' || !normals.empty()) s += "property double " + std::string(name) + "\n";
+    for (const auto& [name, values] : columns) s += "property double " + name + "\n";
+    return s + "element face " + std::to_string(faces.size()) +
+           "\nproperty list uchar int vertex_indices\nend_header\n" + rows(normals, columns);
   }
-  std::string obj() const
+  std::string off(const std::vector<Triple>& normals = {}) const
+  {
+    return (normals.empty() ? "OFF\n" : "NOFF\n") + std::to_string(points.size()) + " " +
+           std::to_string(faces.size()) + " 0\n" + rows(normals, {});
+  }
+  std::string obj(const std::vector<Triple>& normals = {}) const
   {
     std::ostringstream s;
     s.precision(17);
     for (const Triple& p : points) s << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
+    for (const Triple& n : normals) s << "vn " << n[0] << ' ' << n[1] << ' ' << n[2] << "\n";
     for (const auto& f : faces) {
       s << "f";
-      for (const std::size_t v : f) s << ' ' << v + 1;
+      for (const std::size_t v : f) {
+        s << ' ' << v + 1;
+        if (!normals.empty()) s << "//" << v + 1;
+      }
+      s << "\n";
+    }
+    return s.str();
+  }
+  // with one normal for each face
+  std::string obj_of_faces(const std::vector<Triple>& normals) const
+  {
+    std::ostringstream s;
+    s.precision(17);
+    s << Part{points, {}}.obj();
+    for (const Triple& n : normals) s << "vn " << n[0] << ' ' << n[1] << ' ' << n[2] << "\n";
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      s << "f";
+      for (const std::size_t v : faces[f]) s << ' ' << v + 1 << "//" << f + 1;
       s << "\n";
     }
     return s.str();
@@ -121,6 +137,26 @@ struct Part
       s += "endloop\nendfacet\n";
     }
     return s + "endsolid part\n";
+  }
+
+private:
+  std::string rows(const std::vector<Triple>& normals, const Columns_by_name& columns) const
+  {
+    std::ostringstream s;
+    s.precision(17);
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      for (const double x : points[v]) s << x << ' ';
+      if (!normals.empty())
+        for (const double x : normals[v]) s << x << ' ';
+      for (const auto& [name, values] : columns) s << values[v] << ' ';
+      s << "\n";
+    }
+    for (const auto& f : faces) {
+      s << f.size();
+      for (const std::size_t v : f) s << ' ' << v;
+      s << "\n";
+    }
+    return s.str();
   }
 };
 
@@ -174,18 +210,81 @@ Part ball_of(const Point& point)
   return ball;
 }
 
-// A square plate of width 4 and height 1 with a hole of radius 1, whose 24 sides are rows of quads.
-inline Part drilled_plate(int rows = 1)
+// Of three lengths, about the origin; without its lid it has a border.
+inline Part uneven_box(bool is_triangles = false, bool is_open = false)
 {
-  const auto outer = [](double degrees, double z) {
+  Part part;
+  part.points = {{-1, -2, -3}, {1, -2, -3}, {1, 2, -3}, {-1, 2, -3},
+                 {-1, -2, 3},  {1, -2, 3},  {1, 2, 3},  {-1, 2, 3}};
+  part.faces = {{3, 2, 1, 0}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6, 7}};
+  if (is_open) part.faces.pop_back();
+  if (is_triangles) part.triangulate();
+  return part;
+}
+
+// m x n squares above the plane, their corners (i, j) one after the other.
+template <class Height>
+Part grid(std::size_t m, std::size_t n, const Height& height)
+{
+  Part part;
+  for (std::size_t i = 0; i <= m; ++i)
+    for (std::size_t j = 0; j <= n; ++j)
+      part.points.push_back({double(i), double(j), double(height(int(i), int(j)))});
+  for (std::size_t v = 0; v < m * (n + 1); ++v)
+    if (v % (n + 1) < n) part.faces.push_back({v, v + n + 1, v + n + 2, v + 1});
+  return part;
+}
+inline Part grid(std::size_t m, std::size_t n)
+{
+  return grid(m, n, [](int, int) { return 0; });
+}
+
+// From the plane z = 0 up; the corners below come first.
+inline Part prism(const std::vector<Triple>& corners, double height)
+{
+  const std::size_t n = corners.size();
+  Part part;
+  part.points = corners;
+  part.faces.resize(2);
+  for (std::size_t i = 0; i < n; ++i) {
+    part.points.push_back({corners[i][0], corners[i][1], height});
+    part.faces[0].push_back(n - 1 - i);
+    part.faces[1].push_back(n + i);
+    part.faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
+  }
+  return part;
+}
+inline Part regular_prism(int n, double height)
+{
+  std::vector<Triple> corners;
+  for (int i = 0; i < n; ++i) corners.push_back(on_circle(1, 360. * i / n, 0));
+  return prism(corners, height);
+}
+
+// n quads about a point above the plane; the others are on the unit circle.
+inline Part cone_of_quads(std::size_t n)
+{
+  Part part;
+  part.points = {{0, 0, 1}};
+  for (std::size_t i = 0; i < 2 * n; ++i)
+    part.points.push_back(on_circle(1, 180. * double(i) / double(n), 0));
+  for (std::size_t i = 1; i < 2 * n; i += 2)
+    part.faces.push_back({0, i, i + 1, (i + 1) % (2 * n) + 1});
+  return part;
+}
+
+// A square plate of height 1 with a hole of radius 1, whose 24 sides, from an angle on, are rows of quads.
+inline Part drilled_plate(int rows = 1, double width = 4, double from = 0)
+{
+  const auto outer = [width](double degrees, double z) {
     const Triple p = on_circle(1, degrees, z);
-    const double largest = (std::max)(std::abs(p[0]), std::abs(p[1]));
-    return Triple{2 * p[0] / largest, 2 * p[1] / largest, z};
+    const double largest = 2 * (std::max)(std::abs(p[0]), std::abs(p[1]));
+    return Triple{width * p[0] / largest, width * p[1] / largest, z};
   };
   const auto inner = [](double degrees, double z) { return on_circle(1, degrees, z); };
   Part part;
   for (int i = 0; i < 24; ++i) {
-    const double a = 15. * i, b = a + 15;
+    const double a = 15. * i + from, b = a + 15;
     part.add({inner(a, 0), inner(b, 0), outer(b, 0), outer(a, 0)});
     part.add({outer(a, 1), outer(b, 1), inner(b, 1), inner(a, 1)});
     for (int j = 0; j < rows; ++j) {
@@ -197,14 +296,16 @@ inline Part drilled_plate(int rows = 1)
   return part;
 }
 
-// Bands of 24 sides about the z axis, with flat ends. The profile has radii and heights, upwards.
-inline Part turned(const std::vector<std::array<double, 2>>& profile)
+// Bands of n sides about the z axis, with flat ends. The profile has radii and heights, upwards; where it begins or ends
+// on the axis there is a point.
+using Profile = std::vector<std::array<double, 2>>;
+inline Part turned(const Profile& profile, int n = 24, bool is_open_above = false)
 {
   Part part;
   std::vector<Triple> bottom, top;
-  for (int i = 0; i < 24; ++i) {
-    const double a = 15. * i, b = a + 15;
-    bottom.push_back(on_circle(profile.front()[0], 345 - a, profile.front()[1]));
+  for (int i = 0; i < n; ++i) {
+    const double a = 360. * i / n, b = 360. * (i + 1) / n;
+    bottom.push_back(on_circle(profile.front()[0], 360 - b, profile.front()[1]));
     top.push_back(on_circle(profile.back()[0], a, profile.back()[1]));
     for (std::size_t k = 0; k + 1 < profile.size(); ++k) {
       const auto [r, z] = profile[k];
@@ -212,9 +313,19 @@ inline Part turned(const std::vector<std::array<double, 2>>& profile)
       part.add({on_circle(r, a, z), on_circle(r, b, z), on_circle(s, b, y), on_circle(s, a, y)});
     }
   }
-  part.add(bottom);
-  part.add(top);
+  if (profile.front()[0] > 0) part.add(bottom);
+  if (profile.back()[0] > 0 && !is_open_above) part.add(top);
   return part;
+}
+
+// A number "surface" of the user's for each face, whose degree is the same everywhere.
+inline std::string with_own_surfaces(std::string ply, const std::string& degree)
+{
+  const std::string list = "property list uchar int vertex_indices\n", row = "\n" + degree + " ";
+  ply.replace(ply.find(list), list.size(), list + "property int surface\n");
+  for (std::size_t line = ply.find(row); line != std::string::npos; line = ply.find(row, line + 1))
+    ply.insert(ply.find('\n', line + 1), " 77");
+  return ply;
 }
 
 // Cylinders of radius 2 up to z = 1 and of radius 1 above.

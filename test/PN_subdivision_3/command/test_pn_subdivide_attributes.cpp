@@ -9,17 +9,12 @@
 // What files say besides points, normals and faces: read, written to the last bit, converted, and
 // refused where it is damaged.
 
-#include "Command_test.h"
 #include "Extent.h"
-#include "Temporary_folder.h"
+#include "File_test.h"
+#include "Part_files.h"
 
-#include "io/Error.h"
-#include "io/formats.h"
-#include "io/mesh_io.h"
 #include "io/soup_repair.h"
 
-#include <cmath>
-#include <cstring>
 #include <limits>
 
 using namespace pn_subdivide;
@@ -31,25 +26,6 @@ using Numbers = std::vector<double>;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// So that -0, NaN and the last bit count.
-std::vector<std::uint64_t> bits(const Numbers& numbers)
-{
-  std::vector<std::uint64_t> result(numbers.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (std::isnan(numbers[i]))
-      result[i] = ~std::uint64_t(0);
-    else
-      std::memcpy(&result[i], &numbers[i], sizeof(double));
-  return result;
-}
-
-Numbers flat(const std::vector<Texture_point>& texture)
-{
-  Numbers numbers;
-  for (const Texture_point& t : texture) numbers.insert(numbers.end(), t.begin(), t.end());
-  return numbers;
-}
 
 void expect_same(const Columns& a, const Columns& b)
 {
@@ -66,7 +42,7 @@ void expect_same(const Attributes& a, const Attributes& b)
 {
   expect_same(a.of_vertices, b.of_vertices);
   expect_same(a.of_faces, b.of_faces);
-  EXPECT_EQ(bits(flat(a.texture)), bits(flat(b.texture)));
+  EXPECT_EQ(bits(a.texture), bits(b.texture));
   EXPECT_EQ(a.texture_files, b.texture_files);
   EXPECT_EQ(a.material_files, b.material_files);
 }
@@ -79,53 +55,21 @@ const Numbers& values(const Columns& columns, const char* name)
   return column == nullptr ? none : column->values;
 }
 
-template <class T>
-std::string raw(T x, bool big_endian)
-{
-  std::string s(sizeof(T), '\0');
-  std::memcpy(&s[0], &x, sizeof(T));
-  return big_endian ? std::string(s.rbegin(), s.rend()) : s; // the machine is little-endian
-}
-
-class Pn_subdivide_attributes : public testing::Test
+class Pn_subdivide_attributes : public File_test
 {
 protected:
-  Mesh_data read(const std::string& name, const std::string& content,
-                 bool with_attributes = true) const
-  {
-    return read_mesh(input_mesh_file(folder.write(name, content), std::nullopt), with_attributes);
-  }
-
-  Mesh_data written_and_read(const std::string& name, const Mesh_data& mesh,
-                             Encoding encoding = Encoding::binary) const
-  {
-    write_mesh(folder.file(name), mesh, encoding);
-    return read_mesh(folder.file(name));
-  }
-
-  // One line that begins with the file's name and holds `part`; without attributes the file is read.
+  // without attributes the file is read
   void expect_error(const std::string& name, const std::string& content,
                     const std::string& part) const
   {
-    const std::string file = folder.write(name, content);
     EXPECT_NO_THROW(read(name, content, false));
-    try {
-      read_mesh(file);
-      ADD_FAILURE() << "no error; expected: " << part;
-    } catch (const Error& e) {
-      const std::string message = e.what();
-      EXPECT_EQ(message.rfind(file + ": ", 0), 0u) << message;
-      EXPECT_NE(message.find(part), std::string::npos) << message << "\nlacks: " << part;
-      expect_no_part(message, "\n");
-    }
+    File_test::expect_error(name, content, part);
   }
 
   Names not_held_by(const std::string& name, const Mesh_data& mesh) const
   {
     return not_held(output_mesh_file(name, std::nullopt), mesh);
   }
-
-  Temporary_folder folder;
 };
 
 // A quad and two triangles around vertex 0; the seam is the edge 0-2.
@@ -641,7 +585,7 @@ TEST_F(Pn_subdivide_attributes, SeamsAreSplit)
   Mesh_data joined = written_and_read("a.ply", mesh);
   EXPECT_EQ(merge_equal_points(joined).merged_vertices, 4u);
   EXPECT_EQ(joined.points, whole.points);
-  EXPECT_EQ(flat(joined.attributes.texture), flat(whole.attributes.texture));
+  EXPECT_EQ(joined.attributes.texture, whole.attributes.texture);
 
   // nothing to split, and corners without
   Mesh_data plain = read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -733,8 +677,9 @@ TEST_F(Pn_subdivide_attributes, MergedPoints)
   merge = merge_equal_points(with_seam);
   EXPECT_EQ(merge.differing_attributes, Names{"w"});
   EXPECT_EQ(find_column(with_seam.attributes.of_vertices, "s"), nullptr);
-  EXPECT_EQ(flat(with_seam.attributes.texture),
-            (Numbers{0, 0, 0, 1, 0, 0, 1, 1, 0, 5, 0, 0, 6, 1, 0, 7, 1, 0}));
+  EXPECT_EQ(
+    with_seam.attributes.texture,
+    (std::vector<Texture_point>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {5, 0, 0}, {6, 1, 0}, {7, 1, 0}}));
 }
 
 // --- damaged files ---
@@ -810,20 +755,9 @@ protected:
 // its texture points are (10 id + i, i * i) for its i-th corner.
 Mesh_data marked_patch(bool triangles, bool with_charts)
 {
-  std::vector<Triple> points;
-  for (int j = 0; j < 4; ++j)
-    for (int i = 0; i < 5; ++i) points.push_back({double(i), double(j), (i * i + j) / 8.});
-  std::vector<std::vector<int>> faces;
-  for (int j = 0; j < 3; ++j)
-    for (int i = 0; i < 4; ++i) {
-      const int v = 5 * j + i;
-      if (triangles) {
-        faces.push_back({v, v + 1, v + 6});
-        faces.push_back({v, v + 6, v + 5});
-      } else {
-        faces.push_back({v, v + 1, v + 6, v + 5});
-      }
-    }
+  Part patch = grid(4, 3, [](int i, int j) { return (i * i + j) / 8.; });
+  if (triangles) patch.triangulate();
+  const auto& points = patch.points;
   Mesh_data mesh;
   mesh.points = points;
   Columns& columns = mesh.attributes.of_vertices;
@@ -837,10 +771,10 @@ Mesh_data marked_patch(bool triangles, bool with_charts)
     for (std::size_t k = 0; k < row.size(); ++k) columns[k].values.push_back(row[k]);
   }
   mesh.attributes.of_faces.push_back({"id", Scalar_type::uint32, {}, {}});
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    mesh.add_face(faces[f]);
+  for (std::size_t f = 0; f < patch.faces.size(); ++f) {
+    mesh.add_face(patch.faces[f]);
     mesh.attributes.of_faces[0].values.push_back(4294967295. - double(f));
-    for (std::size_t i = 0; i < faces[f].size() && with_charts; ++i)
+    for (std::size_t i = 0; i < patch.faces[f].size() && with_charts; ++i)
       mesh.attributes.texture.push_back({10. * double(f) + double(i), double(i * i), 0});
   }
   return mesh;
@@ -956,51 +890,6 @@ TEST_F(Pn_subdivide_carries, TheTextureOfTheVaseKeepsItsArea)
       for (std::size_t i = 0; i < std::size_t(mesh.face(f).size()); ++i)
         EXPECT_EQ(a.texture[mesh.first_corner(f) + i][1] < 0.32, group[f] == 1);
   }
-}
-
-// Both have the rules of borders whose vertices with one face are corners.
-TEST_F(Pn_subdivide_carries, ALinearTextureStaysLinear)
-{
-  Mesh_data control = marked_patch(false, false);
-  for (std::size_t f = 0; f < control.number_of_faces(); ++f)
-    for (const Mesh_data::Index v : control.face(f)) {
-      const Triple& p = control.points[v];
-      control.attributes.texture.push_back({p[0] + 2 * p[1], p[2] - p[0], 0});
-    }
-  write_mesh(folder.file("patch.ply"), control, Encoding::binary);
-  const Mesh_data mesh = refined(folder.file("patch.ply"),
-                                 "--levels 3 --linear --scheme catmull-clark --border corners");
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for (std::size_t i = 0; i < std::size_t(mesh.face(f).size()); ++i) {
-      const Triple& p = mesh.points[mesh.face(f).begin()[i]];
-      const Texture_point& t = mesh.attributes.texture[mesh.first_corner(f) + i];
-      EXPECT_NEAR(t[0], p[0] + 2 * p[1], 1e-14);
-      EXPECT_NEAR(t[1], p[2] - p[0], 1e-14);
-    }
-}
-
-// On the cut of the side the two texture points of a vertex are a width apart, as on the control mesh.
-TEST_F(Pn_subdivide_carries, TheSeamOfTheVaseDoesNotTear)
-{
-  const Mesh_data mesh = refined(data("vase.obj"), "--levels 3", "refined.obj");
-  std::vector<Texture_point> first(mesh.points.size(), {-1, 0, 0});
-  std::size_t on_cut = 0;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for (std::size_t i = 0; i < std::size_t(mesh.face(f).size()); ++i) {
-      const Texture_point& t = mesh.attributes.texture[mesh.first_corner(f) + i];
-      Texture_point& at_vertex = first[mesh.face(f).begin()[i]];
-      if (t[1] < 0.32) continue; // the bottom
-      if (at_vertex[0] < 0) at_vertex = t;
-      EXPECT_NEAR(t[1], at_vertex[1], 1e-15);
-      const double distance = std::abs(t[0] - at_vertex[0]);
-      if (distance > 0.5) {
-        EXPECT_EQ(distance, 1);
-        ++on_cut;
-      } else {
-        EXPECT_NEAR(distance, 0, 1e-15);
-      }
-    }
-  EXPECT_EQ(on_cut, 6u * 8 * 2); // two corners at each vertex but the ends, which have one
 }
 
 TEST_F(Pn_subdivide_carries, NotANumberSpreadsAndNothingElse)

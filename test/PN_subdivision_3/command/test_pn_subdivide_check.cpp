@@ -10,76 +10,47 @@
 // the files that the command writes, with --linear and without.
 
 #include "Command_test.h"
+#include "Part_files.h"
 
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 
-namespace {
+using namespace pn_subdivide;
 
-using Triple = std::array<double, 3>;
+namespace {
 
 // of the edges 2a, 2b, 2c
 std::string box(double a, double b, double c)
 {
-  std::ostringstream off;
-  off << "OFF\n8 6 0\n";
-  for (int i = 0; i < 8; ++i)
-    off << (i % 4 == 1 || i % 4 == 2 ? a : -a) << ' ' << (i % 4 >= 2 ? b : -b) << ' '
-        << (i >= 4 ? c : -c) << '\n';
-  off << "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
-  return off.str();
+  return box_of_squares(1, {-a, -b, -c}, {2 * a, 2 * b, 2 * c}).off();
 }
 
 // a plane of n x n squares, with normals of any direction or without
 enum class Normals { none, of_any_direction };
-std::string plane(int n, Normals normals)
+std::string plane(std::size_t n, Normals normals)
 {
-  const bool has_normals = normals == Normals::of_any_direction;
+  const Part squares = grid(n, n);
   std::mt19937 random(5);
-  const auto number = [&] { return int(random() % 2001) - 1000; };
-  std::ostringstream obj;
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; j <= n; ++j) obj << "v " << i << ' ' << j << " 0\n";
-  for (int i = 0; has_normals && i < (n + 1) * (n + 1); ++i) {
-    const int x = number(), y = number(), z = number();
-    obj << "vn " << x << ' ' << y << ' ' << z << '\n';
+  const auto number = [&] { return double(random() % 2001) - 1000; };
+  std::vector<Triple> of_vertices;
+  while (normals == Normals::of_any_direction && of_vertices.size() < squares.points.size()) {
+    const double x = number(), y = number(), z = number();
+    of_vertices.push_back({x, y, z});
   }
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      obj << 'f';
-      const std::array<int, 4> corners{i * (n + 1) + j, (i + 1) * (n + 1) + j,
-                                       (i + 1) * (n + 1) + j + 1, i * (n + 1) + j + 1};
-      for (const int v : corners) {
-        obj << ' ' << v + 1;
-        if (has_normals) obj << "//" << v + 1;
-      }
-      obj << '\n';
-    }
-  return obj.str();
+  return squares.obj(of_vertices);
 }
 
-// The points and faces of an OFF or OBJ file.
-struct Faces_of_file
+struct Faces_of_file : Part
 {
-  explicit Faces_of_file(const std::string& obj)
+  explicit Faces_of_file(const std::string& file)
   {
-    std::istringstream in(obj);
-    for (std::string line; std::getline(in, line);) {
-      std::istringstream words(line);
-      std::string key;
-      words >> key;
-      if (key == "v") {
-        points.emplace_back();
-        for (double& x : points.back()) words >> x;
-      } else if (key == "f") {
-        faces.emplace_back();
-        for (std::string corner; words >> corner;) faces.back().push_back(std::stoul(corner) - 1);
-      }
-    }
+    const Mesh_data mesh = read_mesh(file);
+    points = mesh.points;
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      faces.emplace_back(mesh.face(f).begin(), mesh.face(f).end());
   }
 
   // the pyramids over the means of the faces, as triangles
@@ -124,9 +95,6 @@ struct Faces_of_file
     }
     return number;
   }
-
-  std::vector<Triple> points;
-  std::vector<std::vector<std::size_t>> faces;
 };
 
 class Pn_subdivide_check : public Command_test
@@ -185,7 +153,7 @@ TEST_F(Pn_subdivide_check, VolumesAndFoldsAreThoseOfTheFiles)
     const std::string text = check(input, options), linear_file = folder.file("l.obj");
     const std::size_t normals = options.find(" --normals");
     done(run(words(input, linear_file) + options.substr(0, normals) + " --linear"));
-    const Faces_of_file result(content("o.obj")), linear(Temporary_folder::content(linear_file));
+    const Faces_of_file result(path("o.obj")), linear(linear_file);
     ASSERT_EQ(result.points.size(), linear.points.size());
     if (input == beam)
       expect_part(text, ratio_text(result.volume() / 80, linear.volume() / 80));
@@ -247,9 +215,8 @@ TEST_F(Pn_subdivide_check, TheShapeOfTheControlMeshCounts)
 
 TEST_F(Pn_subdivide_check, SharpEdgesAreNoFolds)
 {
-  std::string prism = "OFF\n6 5 0\n0 0 0\n1 0 0\n0.5 0.8 0\n0 0 1\n1 0 1\n0.5 0.8 1\n"
-                      "3 2 1 0\n3 3 4 5\n4 0 1 4 3\n4 1 2 5 4\n4 2 0 3 5\n";
-  prism = folder.write("prism.off", prism); // at three edges by some 120 degrees
+  const std::string prism = // three edges of it turn by some 120 degrees
+    folder.write("prism.off", pn_subdivide::prism({{0, 0, 0}, {1, 0, 0}, {0.5, 0.8, 0}}, 1).off());
   expect_part(check(prism, "--levels 2 --sharp angle:40"),
               "check: 0 edges fold by more than 90 degrees (linear 0)");
   expect_no_part(check(prism, "--sharp angle:40 --chord 0.1"), "check: 0 edges fold");
@@ -262,7 +229,7 @@ TEST_F(Pn_subdivide_check, DistancesAreFromTheControlMesh)
   for (const std::string options : {"--levels 2 --normals none", "--chord 0.01 --normals none"}) {
     const std::string text = check(cube, options);
     double largest = 0;
-    for (const Triple& p : Faces_of_file(content("o.obj")).points) {
+    for (const Triple& p : Faces_of_file(path("o.obj")).points) {
       const double outmost = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
       largest = (std::max)(largest, 1 - outmost);
     }
@@ -340,7 +307,7 @@ TEST_F(Pn_subdivide_check, TheReportHasTheNumbers)
     return nlohmann::json::parse(Temporary_folder::content(file)).at("check");
   };
   nlohmann::json json = report(beam, "--levels 3 --normals angle --check");
-  const Faces_of_file result(content("o.obj"));
+  const Faces_of_file result(path("o.obj"));
   EXPECT_NEAR(json.at("volume"), result.volume() / 80, 1e-9);
   EXPECT_LT(json.at("linear_volume"), 0.5);
   EXPECT_EQ(json.at("edges_that_turn_by_40_degrees"), 12);
@@ -401,13 +368,8 @@ TEST_F(Pn_subdivide_check, TheClosingLineNamesEdgesThatTurn)
 // What the file tags is not named again.
 TEST_F(Pn_subdivide_check, TaggedEdgesAreNotCounted)
 {
-  std::string obj;
-  for (int i = 0; i < 8; ++i)
-    obj += "v " + std::to_string(i % 4 == 1 || i % 4 == 2) + ' ' + std::to_string(i % 4 >= 2) +
-           ' ' + std::to_string(i >= 4) + '\n';
-  obj += "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-  const std::string input =
-    folder.write("tagged.obj", obj + "t crease 2/1/0 0 1 3.0\nt crease 2/1/0 1 2 3.0\n");
+  const std::string input = folder.write(
+    "tagged.obj", uneven_box().obj() + "t crease 2/1/0 0 1 3.0\nt crease 2/1/0 1 2 3.0\n");
   const std::string line = run(words(input, folder.file("o.obj")) + "--levels 2").err;
   expect_part(line, ", 2 sharp edges");
   expect_part(line, ", 10 edges turn by more than 40 degrees: --part, ");

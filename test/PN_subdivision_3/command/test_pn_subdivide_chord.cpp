@@ -8,6 +8,7 @@
 
 // --chord: distances are measured here, on surfaces that are known.
 
+#include "Part_files.h"
 #include "Refined_files.h"
 
 namespace pn_subdivide {
@@ -15,23 +16,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-// of 2 x 2 x 2, about the origin
-std::string cube(const std::string& more_of_vertices = "")
-{
-  std::ostringstream off;
-  off << "OFF\n8 6 0\n";
-  for (int i = 0; i < 8; ++i)
-    off << (i % 4 == 1 || i % 4 == 2 ? 1 : -1) << ' ' << (i % 4 >= 2 ? 1 : -1) << ' '
-        << (i >= 4 ? 1 : -1) << more_of_vertices << '\n';
-  off << "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
-  return off.str();
-}
-std::string octahedron()
-{
-  return "OFF\n6 8 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 "
-         "0 "
-         "4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n";
-}
 // A square of 3 x 3 unequal faces in a plane, with an index and texture coordinates; x is an attribute, too.
 std::string plate()
 {
@@ -59,8 +43,8 @@ class Pn_subdivide_chord : public Refined_files
 protected:
   void SetUp() override
   {
-    folder.write("cube.off", cube());
-    folder.write("octahedron.off", octahedron());
+    folder.write("cube.off", cube_off);
+    folder.write("octahedron.off", octahedron_off);
     folder.write("plate.ply", plate());
   }
   std::string ball() const { return " --normals sphere:0,0,0 "; }
@@ -222,15 +206,8 @@ TEST_F(Pn_subdivide_chord, AttributesAreCarried)
 
 TEST_F(Pn_subdivide_chord, WhatIsNotReachedIsAWarning)
 {
-  // a vertex whose surroundings shrink slowly
-  std::ostringstream off;
-  constexpr int n = 60;
-  const double step = std::acos(-1.) / n;
-  off << "OFF\n" << 2 * n + 1 << ' ' << n << " 0\n0 0 1\n";
-  for (int i = 0; i < 2 * n; ++i) off << std::cos(step * i) << ' ' << std::sin(step * i) << " 0\n";
-  for (int i = 0; i < n; ++i)
-    off << "4 0 " << 2 * i + 1 << ' ' << 2 * i + 2 << ' ' << (2 * i + 2) % (2 * n) + 1 << '\n';
-  folder.write("cone.off", off.str());
+  // the vertex has surroundings that shrink slowly
+  folder.write("cone.off", cone_of_quads(60).off());
   const std::string options = "--linear --border fixed --chord 0.00003";
   const Outcome outcome = done(surface("cone.off", "o.ply", options + reported()));
   EXPECT_EQ(outcome.err.rfind("warning: ", 0), 0u) << outcome.err;
@@ -255,12 +232,8 @@ TEST_F(Pn_subdivide_chord, WhatIsOutOfReachEndsEarly)
 
 TEST_F(Pn_subdivide_chord, WhatDoesNotGoTogether)
 {
-  folder.write("o.ply", "untouched");
   const auto refused = [&](const std::string& options, const std::string& other) {
-    const Outcome outcome = surface("cube.off", "o.ply", options);
-    expect_one_line(outcome, 2, other);
-    expect_part(outcome.err, "--chord");
-    EXPECT_EQ(content("o.ply"), "untouched");
+    expect_refusal("cube.off", "o.ply", options, {other, "--chord"});
   };
   refused("--chord 0.1 --levels 3", "--levels 3");
   refused("--levels auto", "--levels N");
@@ -281,11 +254,9 @@ TEST_F(Pn_subdivide_chord, WhatDoesNotGoTogether)
   for (const std::string chord : {"0", "-1", "-1%", "nan", "much"})
     refused("--chord " + chord, chord);
   const std::string proven = "--chord 0.1 --chord-bound proven";
-  expect_one_line(surface("cube.off", "o.ply", proven + " --sharp angle:30"), 1,
-                  "vertex number 0, which is sharp");
-  expect_one_line(surface("cube.off", "o.ply", proven + " --scheme modified-catmull-clark"), 1,
-                  "modified");
-  EXPECT_EQ(content("o.ply"), "untouched");
+  expect_refusal("cube.off", "o.ply", proven + " --sharp angle:30",
+                 {"vertex number 0, which is sharp"}, 1);
+  expect_refusal("cube.off", "o.ply", proven + " --scheme modified-catmull-clark", {"modified"}, 1);
   done(surface("cube.off", "o.ply", "--chord 0.1 --sharp angle:30 --sharpness 1.5"));
   done(surface("cube.off", "o.ply", "--chord 0.1 --chord-bound estimated"));
   const std::size_t estimated = read_mesh(folder.file("o.ply")).number_of_faces();

@@ -11,108 +11,71 @@
 #include "Command_test.h"
 #include "Extent.h"
 
+#include "io/formats.h"
 #include "io/mesh_io.h"
 
+#include <cmath>
 #include <utility>
 
 using namespace pn_subdivide;
 
 namespace {
 
-// A box of 2 x 1 x 1 quads, folded where its sides meet, with a group and a color of its own for each face, texture
-// points of corners (a chart for each face) and colors of vertices.
-const double box_points[][3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0},
-                                {0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {0, 1, 1}, {1, 1, 1}, {2, 1, 1}};
+// A box of 2 x 1 x 1 quads, folded where its sides meet.
+const Triple box_points[] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0},
+                             {0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {0, 1, 1}, {1, 1, 1}, {2, 1, 1}};
 const int box_faces[][4] = {{0, 3, 4, 1},  {1, 4, 5, 2}, {6, 7, 10, 9}, {7, 8, 11, 10},
                             {0, 1, 7, 6},  {1, 2, 8, 7}, {2, 5, 11, 8}, {5, 4, 10, 11},
                             {4, 3, 9, 10}, {3, 0, 6, 9}};
 
-// that of the face's side: -z, -z, z, z, ...
-const char* const side_normals[] = {"0 0 -1", "0 0 -1", "0 0 1", "0 0 1", "0 -1 0",
-                                    "0 -1 0", "1 0 0",  "0 1 0", "0 1 0", "-1 0 0"};
+// that of the face's side
+const Triple side_normals[] = {{0, 0, -1}, {0, 0, -1}, {0, 0, 1}, {0, 0, 1}, {0, -1, 0},
+                               {0, -1, 0}, {1, 0, 0},  {0, 1, 0}, {0, 1, 0}, {-1, 0, 0}};
 
-enum class Given { none, of_vertices, of_corners };
+enum class Normals { none, of_vertices, of_corners };
+enum class Texture { of_corners, of_vertices }; // a chart for each face, or none
 
-std::string box_obj(Given normals)
+// Numbers of every kind at vertices and faces, of which each format holds some; with `is_split` every face has vertices
+// of its own.
+Mesh_data box(Normals normals, Texture texture, bool is_split)
 {
-  std::ostringstream s;
-  s << "mtllib box.mtl\no box\n";
-  for (const auto& p : box_points)
-    s << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << p[0] / 2 << " 0.25 1\n";
-  for (int i = 0; i < 40; ++i) s << "vt " << i << ' ' << i * i % 7 << "\n";
-  if (normals == Given::of_vertices)
-    for (const auto& p : box_points)
-      s << "vn " << p[0] - 1 << ' ' << p[1] - 0.5 << ' ' << p[2] - 0.5 << "\n";
-  if (normals == Given::of_corners)
-    for (const char* const n : side_normals) s << "vn " << n << "\n";
-  for (int f = 0; f < 10; ++f) {
-    s << "g g" << f % 3 << "\nusemtl m" << f % 4 << "\ns " << f % 2 << "\nf";
-    for (int i = 0; i < 4; ++i) {
-      s << ' ' << box_faces[f][i] + 1 << '/' << 4 * f + i + 1;
-      if (normals == Given::of_vertices) s << '/' << box_faces[f][i] + 1;
-      if (normals == Given::of_corners) s << '/' << f + 1;
-    }
-    s << "\n";
-  }
-  return s.str();
-}
-
-// Scalars of every kind at vertices and faces; with `is_split` every face has vertices of its own, whose texture
-// points make seams.
-std::string box_ply(bool has_normals, bool is_split)
-{
-  std::ostringstream s;
-  s << "ply\nformat ascii 1.0\ncomment TextureFile box.png\nelement vertex " << (is_split ? 40 : 12)
-    << "\nproperty double x\nproperty double y\nproperty double z\n";
-  if (has_normals) s << "property double nx\nproperty double ny\nproperty double nz\n";
-  s << "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty float quality\n"
-       "property int id\n";
-  if (is_split) s << "property float s\nproperty float t\n";
-  s << "element face 10\nproperty list uchar int vertex_indices\nproperty int label\n"
-       "property double weight\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
-  if (!is_split) s << "property list uchar float texcoord\n";
-  s << "end_header\n";
-  const auto vertex = [&](int v, int corner) {
-    const auto& p = box_points[v];
-    s << p[0] << ' ' << p[1] << ' ' << p[2] << ' ';
-    if (has_normals) s << p[0] - 1 << ' ' << p[1] - 0.5 << ' ' << p[2] - 0.5 << ' ';
-    s << 20 * v << " 7 255 " << 0.1 * v << ' ' << 10 * v;
-    if (is_split) s << ' ' << corner << ' ' << corner * corner % 7;
-    s << "\n";
+  Mesh_data mesh;
+  Attributes& a = mesh.attributes;
+  for (const char* const name : {"red", "green", "blue"})
+    for (Columns* const columns : {&a.of_vertices, &a.of_faces})
+      columns->push_back({name, Scalar_type::uint8, {}, {}});
+  a.of_vertices.push_back({"quality", Scalar_type::float32, {}, {}});
+  a.of_vertices.push_back({"id", Scalar_type::int32, {}, {}});
+  a.of_faces.push_back({"group", Scalar_type::int32, {}, {"g0", "g1", "g2"}});
+  a.of_faces.push_back({"material", Scalar_type::int32, {}, {"m0", "m1", "m2", "m3"}});
+  a.of_faces.push_back({"smoothing_group", Scalar_type::int32, {}, {}});
+  a.of_faces.push_back({"weight", Scalar_type::float64, {}, {}});
+  a.texture_files = a.material_files = {"box"};
+  const auto add_row = [](Columns& columns, const std::vector<double>& row) {
+    for (std::size_t k = 0; k < row.size(); ++k) columns[k].values.push_back(row[k]);
   };
-  if (is_split)
-    for (int corner = 0; corner < 40; ++corner) vertex(box_faces[corner / 4][corner % 4], corner);
-  else
-    for (int v = 0; v < 12; ++v) vertex(v, 0);
+  const auto add_vertex = [&](int v) {
+    const Triple& p = box_points[v];
+    mesh.points.push_back(p);
+    if (normals == Normals::of_vertices) mesh.normals.push_back({p[0] - 1, p[1] - 0.5, p[2] - 0.5});
+    add_row(a.of_vertices, {20. * v, 7, 255, 0.1 * v, 10. * v});
+  };
+  for (int v = 0; v < 12 && !is_split; ++v) add_vertex(v);
   for (int f = 0; f < 10; ++f) {
-    s << 4;
-    for (int i = 0; i < 4; ++i) s << ' ' << (is_split ? 4 * f + i : box_faces[f][i]);
-    s << ' ' << 100 + f << ' ' << 0.1 * f << ' ' << f << " 3 200";
-    if (!is_split) {
-      s << " 8";
-      for (int i = 0; i < 4; ++i) s << ' ' << f + 0.25 * i << ' ' << i * i;
+    std::vector<int> face;
+    for (const int v : box_faces[f]) {
+      if (is_split) add_vertex(v);
+      face.push_back(is_split ? int(mesh.points.size()) - 1 : v);
+      const double corner = texture == Texture::of_corners ? double(a.texture.size()) : 0.1 * v;
+      a.texture.push_back({corner, std::fmod(corner * corner, 7), 0});
+      if (normals == Normals::of_corners) mesh.corner_normals.push_back(side_normals[f]);
     }
-    s << "\n";
+    mesh.add_face(face);
+    add_row(a.of_faces, {10. * f, 3, 200, f % 3 * 1., f % 4 * 1., f % 2 * 1., 0.1 * f});
   }
-  return s.str();
-}
-
-std::string box_off(bool has_normals)
-{
-  std::ostringstream s;
-  s << (has_normals ? "STCNOFF" : "STCOFF") << "\n12 10 0\n";
-  for (int v = 0; v < 12; ++v) {
-    const auto& p = box_points[v];
-    s << p[0] << ' ' << p[1] << ' ' << p[2] << ' ';
-    if (has_normals) s << p[0] - 1 << ' ' << p[1] - 0.5 << ' ' << p[2] - 0.5 << ' ';
-    s << 20 * v << " 7 255 255 " << 0.1 * v << ' ' << 0.3 * v << "\n";
-  }
-  for (int f = 0; f < 10; ++f) {
-    s << 4;
-    for (const int v : box_faces[f]) s << ' ' << v;
-    s << ' ' << 20 * f << " 1 2\n";
-  }
-  return s.str();
+  if (normals == Normals::of_corners) mesh.normals.assign(mesh.points.size(), Triple{0, 0, 0});
+  if (is_split) move_texture_to_vertices(mesh); // where vertices are merged these make seams
+  return mesh;
 }
 
 // All that is carried, as one text: what differs is seen.
@@ -137,6 +100,13 @@ std::string all_of(const Mesh_data& mesh)
 class Pn_subdivide_crease_attributes : public Command_test
 {
 protected:
+  std::string written(const std::string& name, Normals normals = Normals::none,
+                      Texture texture = Texture::of_corners, bool is_split = false) const
+  {
+    write_mesh(folder.file(name), box(normals, texture, is_split), Encoding::text);
+    return folder.file(name);
+  }
+
   std::string carried(const std::string& input, const std::string& options) const
   {
     const Outcome outcome = done(surface(input, "out.ply", "--quiet " + options));
@@ -154,26 +124,29 @@ TEST_F(Pn_subdivide_crease_attributes, AreThoseOfTheLinearSurface)
   const std::string split_selection = folder.write("b.selection.txt", "0\n\n0 3 4 7\n");
   const struct
   {
-    std::string name, content;
-    bool has_normals, has_corner_normals, is_split;
-  } files[] = {{"plain.obj", box_obj(Given::none), false, false, false},
-               {"vertices.obj", box_obj(Given::of_vertices), true, false, false},
-               {"corners.obj", box_obj(Given::of_corners), true, true, false},
-               {"plain.ply", box_ply(false, false), false, false, false},
-               {"vertices.ply", box_ply(true, false), true, false, false},
-               {"split.ply", box_ply(false, true), false, false, true},
-               {"split_vertices.ply", box_ply(true, true), true, false, true},
-               {"plain.off", box_off(false), false, false, false},
-               {"vertices.off", box_off(true), true, false, false}};
+    std::string name;
+    Normals normals;
+    bool is_split;
+  } files[] = {{"plain.obj", Normals::none, false},
+               {"vertices.obj", Normals::of_vertices, false},
+               {"corners.obj", Normals::of_corners, false},
+               {"plain.ply", Normals::none, false},
+               {"vertices.ply", Normals::of_vertices, false},
+               {"split.ply", Normals::none, true},
+               {"split_vertices.ply", Normals::of_vertices, true},
+               {"plain.off", Normals::none, false},
+               {"vertices.off", Normals::of_vertices, false}};
   std::size_t compared = 0, offset = 0;
   for (const auto& file : files) {
-    const std::string input = folder.write(file.name, file.content);
+    const std::string input = written(
+      file.name, file.normals,
+      contains(file.name, ".off") ? Texture::of_vertices : Texture::of_corners, file.is_split);
     std::vector<std::string> sharp = {"none", "auto", "angle:30",
                                       "'" + (file.is_split ? split_selection : selection) + "'"};
-    if (file.has_corner_normals) sharp.emplace_back("file");
+    if (file.normals == Normals::of_corners) sharp.emplace_back("file");
     std::vector<std::string> normals = {"auto", "estimate",         "angle",
                                         "none", "sphere:1,0.5,0.5", "cylinder:0,0.5,0.5,1,0,0"};
-    if (file.has_normals) normals.emplace_back("file");
+    if (file.normals != Normals::none) normals.emplace_back("file");
     for (const std::string& s : sharp)
       for (const std::string levels : {"0", "1"}) {
         // each source of normals meets each file, and each way to make creases
@@ -197,12 +170,8 @@ TEST_F(Pn_subdivide_crease_attributes, AreThoseOfTheLinearSurface)
 // With no round at all they are those of the file, to the last bit.
 TEST_F(Pn_subdivide_crease_attributes, AreThoseOfTheFileWithoutRounds)
 {
-  for (const auto& [name, content] :
-       {std::pair<std::string, std::string>("a.obj", box_obj(Given::none)),
-        {"b.ply", box_ply(false, false)},
-        {"c.ply", box_ply(true, false)},
-        {"d.off", box_off(false)}}) {
-    const Mesh_data mesh = read_mesh(folder.write(name, content));
+  for (const std::string name : {"a.obj", "b.ply", "c.off"}) {
+    const Mesh_data mesh = read_mesh(written(name));
     const std::string input = folder.file("with_types.ply"); // those of a PLY file stay
     write_mesh(input, mesh, Encoding::binary);
     EXPECT_EQ(carried(input, "--levels 0 --sharp angle:30"), all_of(mesh)) << name;
@@ -212,7 +181,7 @@ TEST_F(Pn_subdivide_crease_attributes, AreThoseOfTheFileWithoutRounds)
 // Before triangles are needed as after: faces hand over what they have.
 TEST_F(Pn_subdivide_crease_attributes, AreCarriedByTrianglesToo)
 {
-  const std::string input = folder.write("a.obj", box_obj(Given::none));
+  const std::string input = written("a.obj");
   for (const std::string scheme : {"loop", "modified-loop", "ct-loop"}) {
     const std::string options = "--triangulate --sharp angle:30 --scheme " + scheme;
     const std::string carried_by_pn = carried(input, options);
@@ -226,7 +195,7 @@ TEST_F(Pn_subdivide_crease_attributes, AreCarriedByTrianglesToo)
 // What the output cannot hold is named, creases or not.
 TEST_F(Pn_subdivide_crease_attributes, WhatIsNotWrittenIsNamed)
 {
-  const std::string input = folder.write("a.obj", box_obj(Given::none));
+  const std::string input = written("a.obj");
   for (const std::string sharp : {"none", "angle:30"}) {
     const Outcome outcome = done(surface(input, "b.off", "--quiet --sharp " + sharp));
     expect_part(outcome.err, "not written, off files cannot hold it: texture coordinates");

@@ -10,11 +10,14 @@
 
 #include "Command_test.h"
 #include "Extent.h"
+#include "Part_files.h"
 
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+using pn_subdivide::Triple;
 
 namespace {
 
@@ -158,18 +161,10 @@ const std::string cube_obj = // from -1 to 1, a normal per face
 // a prism without normals; its sides are those of the unit cylinder
 std::string prism_off()
 {
-  const double angles[] = {0, 11, 29, 40, 55, 72, 84};
-  std::ostringstream off;
-  off.precision(17);
-  off << "OFF\n14 9 0\n";
-  for (const int z : {0, 2})
-    for (const double a : angles)
-      off << std::cos(a * std::acos(-1.) / 50) << ' ' << std::sin(a * std::acos(-1.) / 50) << ' '
-          << z << '\n';
-  off << "7 6 5 4 3 2 1 0\n7 7 8 9 10 11 12 13\n";
-  for (int i = 0; i < 7; ++i)
-    off << "4 " << i << ' ' << (i + 1) % 7 << ' ' << 7 + (i + 1) % 7 << ' ' << 7 + i << '\n';
-  return off.str();
+  std::vector<Triple> corners;
+  for (const double a : {0, 11, 29, 40, 55, 72, 84})
+    corners.push_back({std::cos(a * std::acos(-1.) / 50), std::sin(a * std::acos(-1.) / 50), 0});
+  return pn_subdivide::prism(corners, 2).off();
 }
 
 class Pn_subdivide_creases : public Command_test
@@ -221,38 +216,27 @@ Errors errors(const Obj& control, const Obj& refined, const std::vector<std::siz
   return e;
 }
 
+// The points of the levels and of the limit, with control normals and those of the surface; linear ones are not there.
 TEST_F(Pn_subdivide_creases, PartsKeepTheirPlanesCylindersAndSpheres)
 {
   for (const std::string name : parts) {
-    const std::string input = part(name + ".obj");
-    const Obj control(input);
+    SCOPED_TRACE(name);
+    const Obj control(part(name + ".obj"));
     const int rounds = tests_are_full ? 4 : 2;
-    const std::vector<std::size_t> groups = refined_groups(control, rounds);
-    const std::string options = "--scheme catmull-clark --levels " + std::to_string(rounds) +
-                                " --sharp '" + part(name + ".selection.txt") + "'";
-    const Errors pn =
-      errors(control, Obj(refine(input, options + " --output-normals control")), groups);
-    EXPECT_LE(pn.points, 8) << name;
-    EXPECT_LE(pn.normals, 8) << name;
-    const Errors linear = errors(control, Obj(refine(input, options + " --linear")), groups);
-    EXPECT_GE(linear.points * epsilon, 1e-3) << name;
-  }
-}
-
-TEST_F(Pn_subdivide_creases, LimitsOfPartsLieOnTheirPlanesCylindersAndSpheres)
-{
-  for (const std::string name : parts) {
-    const std::string input = part(name + ".obj");
-    const Obj control(input);
-    const std::string options =
-      "--scheme catmull-clark --limit --sharp '" + part(name + ".selection.txt") + "' --levels ";
-    const Errors limit = errors(control, Obj(refine(input, options + "2 --output-normals control")),
-                                refined_groups(control, 2));
-    EXPECT_LE(limit.points, 8) << name;
-    EXPECT_LE(limit.normals, 8) << name;
-    const Errors normals = errors(control, Obj(refine(input, options + "2 --surface-normals")),
-                                  refined_groups(control, 2));
-    EXPECT_LE(normals.normals * epsilon, 1e-12) << name;
+    const auto errors_of = [&](const std::string& options) {
+      return errors(control,
+                    Obj(refine(part(name + ".obj"),
+                               "--scheme catmull-clark --levels " + std::to_string(rounds) +
+                                 " --sharp '" + part(name + ".selection.txt") + "'" + options)),
+                    refined_groups(control, rounds));
+    };
+    for (const char* const limit : {"", " --limit"}) {
+      const Errors pn = errors_of(std::string(" --output-normals control") + limit);
+      EXPECT_LE(pn.points, 8) << limit;
+      EXPECT_LE(pn.normals, 8) << limit;
+    }
+    EXPECT_LE(errors_of(" --limit --surface-normals").normals * epsilon, 1e-12);
+    EXPECT_GE(errors_of(" --linear").points * epsilon, 1e-3);
   }
 }
 
@@ -346,20 +330,13 @@ TEST_F(Pn_subdivide_creases, AnglesAreMeantWithATenthOfADegree)
 {
   for (int pose = 0; pose < (tests_are_full ? 12 : 3); ++pose) {
     const double a = 0.7 * pose, b = 1.1 * pose * pose;
-    std::ostringstream off;
-    off.precision(17);
-    off << "OFF\n24 14 0\n";
-    for (const int z : {0, 2})
-      for (int i = 0; i < 12; ++i) {
-        const double t = i * std::acos(-1.) / 6, y = std::cos(a) * std::sin(t) - std::sin(a) * z;
-        off << std::cos(b) * std::cos(t) - std::sin(b) * y << ' '
-            << std::sin(b) * std::cos(t) + std::cos(b) * y << ' '
-            << std::sin(a) * std::sin(t) + std::cos(a) * z << '\n';
-      }
-    off << "12 11 10 9 8 7 6 5 4 3 2 1 0\n12 12 13 14 15 16 17 18 19 20 21 22 23\n";
-    for (int i = 0; i < 12; ++i)
-      off << "4 " << i << ' ' << (i + 1) % 12 << ' ' << 12 + (i + 1) % 12 << ' ' << 12 + i << '\n';
-    const std::string input = folder.write("prism.off", off.str());
+    pn_subdivide::Part prism = pn_subdivide::regular_prism(12, 2);
+    for (Triple& p : prism.points) {
+      const double y = std::cos(a) * p[1] - std::sin(a) * p[2];
+      p = {std::cos(b) * p[0] - std::sin(b) * y, std::sin(b) * p[0] + std::cos(b) * y,
+           std::sin(a) * p[1] + std::cos(a) * p[2]};
+    }
+    const std::string input = folder.write("prism.off", prism.off());
     const auto said = [&](const std::string& angle) {
       return surface(input, "a.obj", "--sharp angle:" + angle).err;
     };
@@ -414,6 +391,7 @@ TEST_F(Pn_subdivide_creases, NoRoundsCopyTheNormalsOfCorners)
   }
 }
 
+// What is left of it after some rounds, and that these are the rounds of one call: test_pn_subdivide_tags.
 TEST_F(Pn_subdivide_creases, SharpnessIsTheNumberOfSharpRounds)
 {
   const std::string cube = PN_DATA_DIR "/cube.off";
@@ -421,21 +399,6 @@ TEST_F(Pn_subdivide_creases, SharpnessIsTheNumberOfSharpRounds)
   const std::string one = refine(cube, sharp + "--levels 1", "one.off");
   EXPECT_EQ(content(refine(cube, sharp + "--levels 1 --sharpness 1", "a.off")), content(one));
   EXPECT_EQ(content(refine(cube, sharp + "--levels 1 --sharpness inf", "a.off")), content(one));
-  // edges have other numbers in the file between the rounds, and so have vertices after the second
-  const auto points = [](const std::string& obj) {
-    std::vector<std::array<double, 3>> result;
-    for (const Vec& p : Obj(obj).points) {
-      result.emplace_back();
-      for (int i = 0; i < 3; ++i)
-        result.back()[std::size_t(i)] = std::round(double(p[std::size_t(i)]) * 1e12);
-    }
-    std::sort(result.begin(), result.end());
-    return result;
-  };
-  const auto expected = points(refine(one, "--linear --levels 1"));
-  EXPECT_EQ(points(refine(cube, sharp + "--levels 2 --sharpness 1")), expected);
-  EXPECT_NE(points(refine(cube, sharp + "--levels 2 --sharpness 1.5")), expected);
-  EXPECT_NE(points(refine(cube, sharp + "--levels 2")), expected);
   expect_part(surface(cube, "a.ply", sharp + "--sharpness 2.5").err,
               "12 sharp edges of sharpness 2.5");
   EXPECT_EQ(warnings(cube, sharp + "--sharpness 0", "a.off"),
@@ -445,12 +408,10 @@ TEST_F(Pn_subdivide_creases, SharpnessIsTheNumberOfSharpRounds)
 // a hexagon in the plane
 TEST_F(Pn_subdivide_creases, Borders)
 {
-  std::ostringstream off;
-  off.precision(17);
-  off << "OFF\n6 1 0\n";
-  for (int i = 0; i < 6; ++i)
-    off << std::cos(i * std::acos(-1.) / 3) << ' ' << std::sin(i * std::acos(-1.) / 3) << " 0\n";
-  const std::string input = folder.write("hexagon.off", off.str() + "6 0 1 2 3 4 5\n");
+  pn_subdivide::Part hexagon = pn_subdivide::regular_prism(6, 1);
+  hexagon.points.resize(6);
+  hexagon.faces = {{0, 1, 2, 3, 4, 5}};
+  const std::string input = folder.write("hexagon.off", hexagon.off());
   const auto border =
     [&](const std::string& rule) { // of the result: the points with one face or two
       const Obj refined(refine(input, "--levels 3 --border " + rule));
@@ -491,24 +452,16 @@ TEST_F(Pn_subdivide_creases, Borders)
 TEST_F(Pn_subdivide_creases, SelectionsNumberTheVerticesOfTheFile)
 {
   // every face has vertices of its own; those of the first edge have the numbers 1 and 2
-  std::string off = "OFF\n24 6 0\n";
-  const int ends[] = {-1, 1};
-  for (int axis = 0; axis < 3; ++axis)
-    for (const int end : ends)
-      for (const auto& [a, b] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
-        int p[3];
-        p[axis] = end;
-        p[(axis + 1) % 3] = end > 0 ? a : b;
-        p[(axis + 2) % 3] = end > 0 ? b : a;
-        for (const int x : p) off += std::to_string(x) + " ";
-        off += "\n";
-      }
-  for (int f = 0; f < 6; ++f) {
-    off += "4";
-    for (int i = 0; i < 4; ++i) off += " " + std::to_string(4 * f + i);
-    off += "\n";
+  const auto box = pn_subdivide::box_of_squares(1, {-1, -1, -1}, {2, 2, 2});
+  pn_subdivide::Part apart;
+  for (const auto& face : box.faces) {
+    apart.faces.emplace_back();
+    for (const std::size_t v : face) {
+      apart.faces.back().push_back(apart.points.size());
+      apart.points.push_back(box.points[v]);
+    }
   }
-  const std::string input = folder.write("cube24.off", off);
+  const std::string input = folder.write("cube24.off", apart.off());
   const std::string selection = folder.write("a.selection.txt", "\n\n21 22\n");
   const Outcome outcome = surface(input, "a.ply", "--merge-points --sharp '" + selection + "'");
   expect_part(outcome.err, ", 1 sharp edge,");

@@ -9,6 +9,7 @@
 // `pn_subdivide surface --curvature`: the scalars, their colors, and the files that hold them.
 
 #include "Command_test.h"
+#include "Part_files.h"
 
 #include "io/mesh_io.h"
 #include "surface/vertex_curvature.h"
@@ -55,21 +56,7 @@ TEST_F(Pn_subdivide_curvature, Sphere)
 // A prism of twelve sides with sharp ends: these are planes, its side is a cylinder.
 TEST_F(Pn_subdivide_curvature, CylinderBetweenCreases)
 {
-  std::string prism = "OFF\n24 14 0\n", ends[2];
-  for (int i = 0; i < 12; ++i) {
-    const double t = i * std::acos(-1.) / 6;
-    for (const char* z : {"0", "1"})
-      prism += std::to_string(std::cos(t)) + ' ' + std::to_string(std::sin(t)) + ' ' + z + '\n';
-    ends[0] = ' ' + std::to_string(2 * i) + ends[0];
-    ends[1] += ' ' + std::to_string(2 * i + 1);
-  }
-  for (int i = 0; i < 12; ++i) {
-    const int a = 2 * i, b = 2 * ((i + 1) % 12);
-    prism += "4 " + std::to_string(a) + ' ' + std::to_string(b) + ' ' + std::to_string(b + 1) +
-             ' ' + std::to_string(a + 1) + '\n';
-  }
-  const std::string input =
-    folder.write("prism.off", prism + "12" + ends[0] + "\n12" + ends[1] + '\n');
+  const std::string input = folder.write("prism.off", regular_prism(12, 1).off());
   const std::string rims = "--sharp angle:60 --curvature mean ";
   const Values_by_name control = columns(input, rims + "--levels 0");
   for (const double x : control.at("mean_curvature")) EXPECT_NEAR(x, 0.25, 1e-4); // of both sides
@@ -93,19 +80,13 @@ TEST_F(Pn_subdivide_curvature, CylinderBetweenCreases)
 // With equal normals the surface is that of the linear scheme, a paraboloid here, and these normals are not its own.
 TEST_F(Pn_subdivide_curvature, IsThatOfTheLimitNotOfItsControlNormals)
 {
-  std::string text = "ply\nformat ascii 1.0\nelement vertex 81\n";
-  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"})
-    text += std::string("property double ") + name + '\n';
-  text += "element face 64\nproperty list uchar int vertex_indices\nend_header\n";
-  for (int i = -4; i <= 4; ++i)
-    for (int j = -4; j <= 4; ++j)
-      text += std::to_string(0.1 * i) + ' ' + std::to_string(0.1 * j) + ' ' +
-              std::to_string(0.01 * (i * i + j * j)) + " 0 0 1\n";
-  for (int v = 0; v < 72; ++v)
-    if (v % 9 < 8)
-      text += "4 " + std::to_string(v) + ' ' + std::to_string(v + 9) + ' ' +
-              std::to_string(v + 10) + ' ' + std::to_string(v + 1) + '\n';
-  const std::string input = folder.write("flat.ply", text);
+  Part paraboloid = grid(8, 8);
+  for (Triple& p : paraboloid.points) {
+    const double x = p[0] / 10 - 0.4, y = p[1] / 10 - 0.4;
+    p = {x, y, x * x + y * y};
+  }
+  const std::string input = folder.write(
+    "flat.ply", paraboloid.ply(std::vector<Triple>(paraboloid.points.size(), Triple{0, 0, 1})));
   const std::string options = "--normals file --curvature mean --levels ";
   const Values_by_name c = columns(input, options + '2');
   std::size_t found = 0;
@@ -214,18 +195,8 @@ TEST_F(Pn_subdivide_curvature, Vtp)
 
 TEST_F(Pn_subdivide_curvature, PlaneIsWhiteAndHasNoCurvature)
 {
-  std::string plane = "OFF\n36 25 0\n";
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      plane += std::to_string(0.1 * i) + ' ' + std::to_string(0.1 * j) + ' ' +
-               std::to_string(0.3 * i - 0.2 * j) + '\n';
-  for (int i = 0; i < 5; ++i)
-    for (int j = 0; j < 5; ++j) {
-      const int v = 6 * i + j;
-      for (int w : {4, v, v + 6, v + 7, v + 1}) plane += std::to_string(w) + ' ';
-      plane += '\n';
-    }
-  const std::string input = folder.write("plane.off", plane);
+  const auto height = [](int i, int j) { return 3 * i - 2 * j; };
+  const std::string input = folder.write("plane.off", grid(5, 5, height).off());
   const Values_by_name c = columns(input, "--levels 2 --curvature mean");
   for (std::size_t v = 0; v < c.at("x").size(); ++v) {
     EXPECT_NEAR(c.at("mean_curvature")[v], 0, 1e-10);

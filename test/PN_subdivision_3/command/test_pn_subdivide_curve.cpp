@@ -12,31 +12,8 @@
 #include "Command_test.h"
 
 #include <cmath>
-#include <iomanip>
 
 namespace {
-
-using Rows = std::vector<std::vector<double>>;
-
-std::vector<std::string> lines(const std::string& text)
-{
-  std::istringstream in(text);
-  std::vector<std::string> all;
-  for (std::string line; std::getline(in, line);) all.push_back(line);
-  return all;
-}
-
-Rows numbers(const std::string& text)
-{
-  Rows rows;
-  for (const std::string& line : lines(text)) {
-    std::istringstream in(line);
-    rows.emplace_back();
-    for (double x = 0; in >> x;) rows.back().push_back(x);
-    EXPECT_TRUE(in.eof()) << line;
-  }
-  return rows;
-}
 
 void expect_rows(const Rows& rows, const Rows& expected, double bound)
 {
@@ -46,30 +23,6 @@ void expect_rows(const Rows& rows, const Rows& expected, double bound)
     for (std::size_t j = 0; j < rows[i].size(); ++j)
       EXPECT_NEAR(rows[i][j], expected[i][j], bound) << "line " << i + 1;
   }
-}
-
-// Samples of the circle with radius 3 around (1, -2), with or without its normals.
-std::string circle(const std::vector<double>& angles, bool with_normals)
-{
-  std::ostringstream out;
-  out << std::setprecision(17);
-  for (const double t : angles) {
-    const double c = std::cos(t), s = std::sin(t);
-    out << 1 + 3 * c << ' ' << -2 + 3 * s;
-    if (with_normals) out << ' ' << c << ' ' << s;
-    out << '\n';
-  }
-  return out.str();
-}
-
-const std::vector<double> uneven = {0, 0.4, 1.2, 1.5, 2.4, 2.9, 3.8, 4.2, 5.1, 5.7};
-
-long double deviation_from_circle(const Rows& rows)
-{
-  long double largest = 0;
-  for (const auto& row : rows)
-    largest = std::max(largest, std::abs(std::hypot(row[0] - 1.L, row[1] + 2.L) - 3));
-  return largest;
 }
 
 const char* const square = "1 0\n1 1\n0 1\n0 0\n";
@@ -141,7 +94,7 @@ TEST_F(Pn_subdivide_curve, LinearFourPointSchemeAsComputedByHand)
 TEST_F(Pn_subdivide_curve, EqualNormalsGiveTheLinearCurve)
 {
   const std::string upright = "0 0 0 1\n4 16 0 1\n8 0 0 1\n12 16 0 1\n";
-  expect_rows(numbers(refined(upright, "--scheme 4-point")),
+  expect_rows(rows_of(refined(upright, "--scheme 4-point")),
               {{0, 0, 0, 1},
                {2, 10, 0, 1},
                {4, 16, 0, 1},
@@ -150,31 +103,6 @@ TEST_F(Pn_subdivide_curve, EqualNormalsGiveTheLinearCurve)
                {10, 6, 0, 1},
                {12, 16, 0, 1}},
               4e-15);
-}
-
-TEST_F(Pn_subdivide_curve, UnevenSamplesOfACircleGiveTheCircle)
-{
-  for (const char* scheme :
-       {"chaikin", "bspline:3", "bspline:5", "bspline:6", "4-point", "6-point"})
-    for (const char* end : {" --closed", "", " --end none"}) {
-      const Rows curve =
-        numbers(refined(circle(uneven, true), std::string("--levels 5 --scheme ") + scheme + end));
-      EXPECT_GT(curve.size(), 32u);
-      EXPECT_LT(deviation_from_circle(curve), 3e-14L) << scheme << end;
-    }
-}
-
-TEST_F(Pn_subdivide_curve, NormalsEstimatedFromACircleGiveTheCircle)
-{
-  for (const char* end : {" --closed", ""}) {
-    const Rows curve =
-      numbers(refined(circle(uneven, false), std::string("--levels 4 --scheme bspline:3") + end));
-    EXPECT_LT(deviation_from_circle(curve), 3e-14L) << end;
-    for (const auto& row : curve) {
-      ASSERT_EQ(row.size(), 4u);
-      EXPECT_NEAR((row[0] - 1) * row[2] + (row[1] + 2) * row[3], 3, 1e-13); // outwards
-    }
-  }
 }
 
 TEST_F(Pn_subdivide_curve, NumbersOfPointsByEndRules)
@@ -230,8 +158,8 @@ TEST_F(Pn_subdivide_curve, NormalsByAnotherScheme)
   const std::string plain = refined(with_normals, options);
   EXPECT_EQ(refined(with_normals, options + " --normal-scheme bspline:3"), plain);
 
-  const Rows other = numbers(refined(with_normals, options + " --normal-scheme 4-point"));
-  const Rows control = numbers(with_normals);
+  const Rows other = rows_of(refined(with_normals, options + " --normal-scheme 4-point"));
+  const Rows control = rows_of(with_normals);
   ASSERT_EQ(other.size(), 12u);
   double points_moved = 0;
   for (std::size_t i = 0; i < control.size(); ++i) {
@@ -276,7 +204,7 @@ TEST_F(Pn_subdivide_curve, FewAndRepeatedPoints)
   EXPECT_EQ(refined("1 2 0 1\n", "--scheme bspline:3 --levels 3"), "1 2 0 1\n");
   EXPECT_EQ(refined("1 2\n3 4\n", "--scheme 4-point --linear --levels 2"),
             "1 2\n1.5 2.5\n2 3\n2.5 3.5\n3 4\n");
-  for (const auto& row : numbers(refined("1 2\n1 2\n1 2\n1 2\n", "--scheme 4-point --levels 4"))) {
+  for (const auto& row : rows_of(refined("1 2\n1 2\n1 2\n1 2\n", "--scheme 4-point --levels 4"))) {
     EXPECT_EQ(row[0], 1);
     EXPECT_EQ(row[1], 2);
     EXPECT_TRUE(std::isfinite(row[2]) && std::isfinite(row[3]));
@@ -322,7 +250,7 @@ TEST_F(Pn_subdivide_curve, CornersStaySharp)
 {
   const std::string corners = folder.write("corners.txt", "# two\n0 2\n");
   // the parts are straight: their normals are equal, and points stay on them
-  const Rows rows = numbers(
+  const Rows rows = rows_of(
     refined("0 0\n2 0\n4 0\n4 2\n", "--scheme 4-point --levels 2 --sharp '" + corners + "'"));
   ASSERT_EQ(rows.size(), 13u);
   for (std::size_t i = 0; i <= 8; ++i) EXPECT_EQ(rows[i][1], 0) << i;
@@ -334,7 +262,7 @@ TEST_F(Pn_subdivide_curve, ClosedPolygonsWithCornersBeginAtTheFirstVertex)
 {
   const std::string corners = folder.write("corners.txt", "3 1\n");
   const Rows rows =
-    numbers(refined(square, "--scheme bspline:3 --levels 3 --closed --sharp '" + corners + "'"));
+    rows_of(refined(square, "--scheme bspline:3 --levels 3 --closed --sharp '" + corners + "'"));
   ASSERT_EQ(rows.size(), 32u);
   EXPECT_EQ(rows[8], (std::vector<double>{1, 1, rows[8][2], rows[8][3]}));
   EXPECT_EQ(rows[24], (std::vector<double>{0, 0, rows[24][2], rows[24][3]}));
@@ -345,7 +273,7 @@ TEST_F(Pn_subdivide_curve, LinesAndArcsOfADrawingAreKept)
   const char* drawing = "1 0\n5 0\n5.5 0.1339746\n5.8660254 0.5\n6 1\n6 3\n0 3\n0 1\n"
                         "0.1339746 0.5\n0.5 0.1339746\n";
   const Rows rows =
-    numbers(refined(drawing, "--scheme bspline:3 --levels 3 --closed --sharp arcs"));
+    rows_of(refined(drawing, "--scheme bspline:3 --levels 3 --closed --sharp arcs"));
   ASSERT_EQ(rows.size(), 80u);
   for (const auto& row : rows) {
     const double x = row[0], y = row[1];
@@ -439,13 +367,13 @@ TEST_F(Pn_subdivide_curve, TheClosingLineSaysWhetherThereAreArcs)
 TEST_F(Pn_subdivide_curve, LinearLimitsAsComputedByHand)
 {
   const std::string polygon = "0 0\n6 0\n6 6\n0 6\n";
-  expect_rows(numbers(refined(polygon, "--closed --scheme bspline:3 --linear --levels 0 --limit")),
+  expect_rows(rows_of(refined(polygon, "--closed --scheme bspline:3 --linear --levels 0 --limit")),
               {{1, 1}, {5, 1}, {5, 5}, {1, 5}}, 1e-14);
   // of dual schemes the middles of the edges
-  expect_rows(numbers(refined(polygon, "--closed --scheme chaikin --linear --levels 0 --limit")),
+  expect_rows(rows_of(refined(polygon, "--closed --scheme chaikin --linear --levels 0 --limit")),
               {{3, 0}, {6, 3}, {3, 6}, {0, 3}}, 1e-14);
   const double r = std::sqrt(.5);
-  expect_rows(numbers(refined(polygon, "--closed --scheme bspline:3 --linear --levels 0 --limit "
+  expect_rows(rows_of(refined(polygon, "--closed --scheme bspline:3 --linear --levels 0 --limit "
                                        "--curve-normals")),
               {{1, 1, -r, -r}, {5, 1, r, -r}, {5, 5, r, r}, {1, 5, -r, r}}, 1e-14);
 }
@@ -459,8 +387,8 @@ TEST_F(Pn_subdivide_curve, LimitsAreTheSameAtEveryLevel)
       std::string options = std::string("--limit --curve-normals --scheme ") + scheme + how;
       if (const auto at = options.find("corners.txt"); at != std::string::npos)
         options.replace(at, 11, "'" + corners + "'");
-      const Rows coarse = numbers(refined(polygon, options + " --levels 0"));
-      const Rows fine = numbers(refined(polygon, options + " --levels 3"));
+      const Rows coarse = rows_of(refined(polygon, options + " --levels 0"));
+      const Rows fine = rows_of(refined(polygon, options + " --levels 3"));
       ASSERT_EQ(coarse.size(), 6u);
       for (std::size_t i = 0; i < coarse.size(); ++i)
         for (std::size_t j = 0; j < 4; ++j)
@@ -472,9 +400,9 @@ TEST_F(Pn_subdivide_curve, NormalsOfTheCurveWithoutItsPoints)
 {
   const std::string polygon = "0 0\n2 0\n3 1\n3 3\n";
   const std::string options = "--scheme bspline:3 --levels 2";
-  const Rows control = numbers(refined(polygon, options));
-  const Rows normals = numbers(refined(polygon, options + " --curve-normals"));
-  const Rows both = numbers(refined(polygon, options + " --curve-normals --limit"));
+  const Rows control = rows_of(refined(polygon, options));
+  const Rows normals = rows_of(refined(polygon, options + " --curve-normals"));
+  const Rows both = rows_of(refined(polygon, options + " --curve-normals --limit"));
   ASSERT_EQ(normals.size(), control.size());
   for (std::size_t i = 0; i < normals.size(); ++i) {
     EXPECT_EQ(normals[i][0], control[i][0]);

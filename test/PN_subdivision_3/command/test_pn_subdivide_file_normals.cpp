@@ -109,24 +109,6 @@ std::string flat_obj(const Part& s, int digits, double degrees = 0)
   return obj.str();
 }
 
-std::string with_vertex_normals(const Part& s, const std::vector<Triple>& normals)
-{
-  std::ostringstream off;
-  off.precision(17);
-  off << "NOFF\n" << s.points.size() << ' ' << s.faces.size() << " 0\n";
-  for (std::size_t v = 0; v < s.points.size(); ++v) {
-    for (const double x : s.points[v]) off << x << ' ';
-    for (const double x : normals[v]) off << x << ' ';
-    off << "\n";
-  }
-  for (const std::vector<std::size_t>& f : s.faces) {
-    off << f.size();
-    for (const std::size_t v : f) off << ' ' << v;
-    off << "\n";
-  }
-  return off.str();
-}
-
 class Pn_subdivide_file_normals : public Command_test
 {
 protected:
@@ -274,7 +256,7 @@ TEST_F(Pn_subdivide_file_normals, FlatShadingOfVertices)
       normals.push_back(normal(joined, f));
     }
   }
-  const std::string input = folder.write("flat.off", with_vertex_normals(split, normals));
+  const std::string input = folder.write("flat.off", split.off(normals));
   const Outcome outcome = refine(input, "--merge-points");
   expect_part(outcome.err, "for flat shading (72 different on 72 faces): ");
   expect_part(outcome.err, "estimated normals");
@@ -286,32 +268,19 @@ TEST_F(Pn_subdivide_file_normals, FlatShadingOfVertices)
 // Splitting faces does not make other normals of them, nor does turning them.
 TEST_F(Pn_subdivide_file_normals, FlatShadingIsThatOfTheFacesInTheFile)
 {
-  Part wavy; // none of its faces is planar
-  for (int j = 0; j < 6; ++j)
-    for (int i = 0; i < 6; ++i)
-      wavy.points.push_back({double(i), double(j), std::sin(1.3 * i) * std::cos(1.7 * j)});
-  for (std::size_t v = 0; v < 29; ++v)
-    if (v % 6 < 5) wavy.faces.push_back({v, v + 1, v + 7, v + 6});
-  std::ostringstream obj;
-  obj.precision(17);
-  for (const Triple& p : wavy.points) obj << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
-  for (const std::vector<std::size_t>& f :
-       wavy.faces) { // of the area vector: the product of the diagonals
+  // none of its faces is planar
+  const Part wavy = grid(5, 5, [](int i, int j) { return std::sin(1.3 * i) * std::cos(1.7 * j); });
+  std::vector<Triple> areas; // the products of the diagonals
+  for (const std::vector<std::size_t>& f : wavy.faces) {
     const auto diagonal = [&](std::size_t i) {
       const Triple &a = wavy.points[f[i]], &b = wavy.points[f[i + 2]];
       return Triple{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     };
     const Triple d = diagonal(0), e = diagonal(1);
-    obj << "vn " << d[1] * e[2] - d[2] * e[1] << ' ' << d[2] * e[0] - d[0] * e[2] << ' '
-        << d[0] * e[1] - d[1] * e[0] << "\n";
+    areas.push_back(
+      {d[1] * e[2] - d[2] * e[1], d[2] * e[0] - d[0] * e[2], d[0] * e[1] - d[1] * e[0]});
   }
-  std::string plain = wavy.obj(), flat = obj.str();
-  for (std::size_t f = 0; f < wavy.faces.size(); ++f) {
-    flat += "f";
-    for (const std::size_t v : wavy.faces[f])
-      flat += " " + std::to_string(v + 1) + "//" + std::to_string(f + 1);
-    flat += "\n";
-  }
+  const std::string plain = wavy.obj(), flat = wavy.obj_of_faces(areas);
   const std::string input = folder.write("flat.obj", flat), other = folder.write("p.obj", plain);
   expect_part(refine(input, "--triangulate").err, "for flat shading (25 different on 25 faces)");
   EXPECT_EQ(refined(input, "--levels 2 --triangulate"), refined(other, "--levels 2 --triangulate"));
@@ -333,7 +302,7 @@ TEST_F(Pn_subdivide_file_normals, ZeroEverywhereIsNone)
     line += "//1";
   }
   for (const std::string& input :
-       {folder.write("zero.off", with_vertex_normals(pipe, zero)), folder.write("zero.obj", obj)})
+       {folder.write("zero.off", pipe.off(zero)), folder.write("zero.obj", obj)})
     for (const std::string sharp : {"", " --sharp angle:30", " --border curve"}) {
       const Outcome outcome = refine(input, sharp);
       expect_part(outcome.err, "the normals of the file are all zero");
@@ -346,27 +315,6 @@ TEST_F(Pn_subdivide_file_normals, ZeroEverywhereIsNone)
 }
 
 // --- normals that oppose their faces ---
-
-TEST_F(Pn_subdivide_file_normals, ThoseThatOpposeTheirFacesAreCounted)
-{
-  const Part s = ball(8);
-  for (const std::size_t step : {1u, 7u, 20u}) {
-    std::vector<Triple> normals = s.points;
-    std::size_t turned = 0;
-    for (std::size_t v = 3 % step; v < normals.size(); v += step, ++turned)
-      for (double& x : normals[v]) x = -x;
-    const std::string input = folder.write("turned.off", with_vertex_normals(s, normals));
-    for (const std::string options : {"--quiet", "--quiet --sharp angle:80", "--quiet --levels 0"})
-      expect_part(refine(input, options).err,
-                  "warning: " + input + ": " + std::to_string(turned) + " of " +
-                    std::to_string(normals.size()) +
-                    " normals point against the faces (first: at vertex " +
-                    std::to_string(3 % step) + ")");
-    for (const std::string options : {"--normals estimate", "--normals sphere:0,0,0", "--linear"})
-      expect_no_part(refine(input, options).err, "point against");
-  }
-  EXPECT_EQ(refine(folder.write("good.off", with_vertex_normals(s, s.points)), "--quiet").err, "");
-}
 
 TEST_F(Pn_subdivide_file_normals, ThoseOfCornersAreCountedToo)
 {
@@ -407,7 +355,7 @@ TEST_F(Pn_subdivide_file_normals, EverySourceIsHonoredWithCreases)
     return std::vector<Triple>(all.begin() + 9, all.begin() + 27);
   };
   const std::vector<Triple> normals(s.points.size(), Triple{0, 0, 1});
-  const std::string given = folder.write("given.off", with_vertex_normals(s, normals));
+  const std::string given = folder.write("given.off", s.off(normals));
   for (const std::string options :
        {"--normals angle", "--normals sphere:0.1,0,1", "--normals cylinder:0,0,0,0,0.1,1"})
     for (const std::string& input : {plain, given}) {

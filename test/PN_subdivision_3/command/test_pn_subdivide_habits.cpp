@@ -19,9 +19,6 @@
 
 namespace {
 
-const char* const square =
-  "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n"
-  "-1 1 1\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
 // the second triangle is turned over, and a face has a color that .stl cannot hold
 const char* const twisted =
   "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2 255 0 0\n3 1 2 3 0 0 255\n";
@@ -48,14 +45,6 @@ protected:
   std::string help() const { return run("surface --help").out + run("curve --help").out; }
 };
 
-std::vector<std::string> lines(const std::string& text)
-{
-  std::istringstream in(text);
-  std::vector<std::string> all;
-  for (std::string line; std::getline(in, line);) all.push_back(line);
-  return all;
-}
-
 std::set<std::string> options_in(const std::string& text)
 {
   std::set<std::string> options;
@@ -77,7 +66,7 @@ std::string between(const std::string& text, const std::string& begin, const std
 
 TEST_F(Pn_subdivide_habits, SurfaceMayBeLeftOut)
 {
-  const std::string input = folder.write("cube.off", square), output = folder.file("o.obj");
+  const std::string input = folder.write("cube.off", cube_off), output = folder.file("o.obj");
   const std::string files = "'" + input + "' '" + output + "'";
   const std::string expected = content_after("surface " + files + " --levels 2", output);
   EXPECT_EQ(content_after(files + " --levels 2", output), expected);
@@ -89,7 +78,7 @@ TEST_F(Pn_subdivide_habits, SurfaceMayBeLeftOut)
 TEST_F(Pn_subdivide_habits, FilesWithTheNameOfACommandNeedAPath)
 {
   for (const char* name : {"surface", "curve"}) {
-    const std::string input = folder.write(name, square);
+    const std::string input = folder.write(name, cube_off);
     const std::string before = "cd '" + folder.file("") + "'; ";
     const std::string message = "must end in one of"; // and not: an option or a file is missing
     expect_one_line(run(std::string("./") + name + " o.off", before), 2, message);
@@ -101,7 +90,7 @@ TEST_F(Pn_subdivide_habits, FilesThatBeginWithAHyphenNeedAPath)
 {
   const std::string before = "cd '" + folder.file("") + "'; ";
   for (const std::string name : {"-x.off", "-h.off", "--help.off"}) {
-    folder.write(name, square);
+    folder.write(name, cube_off);
     expect_one_line(run(name + " o.ply", before), 2,
                     "'" + name + "' looks like an option: the file is ./" + name);
     expect_one_line(run("./" + name + " " + name, before), 2, "./" + name);
@@ -113,7 +102,7 @@ TEST_F(Pn_subdivide_habits, FilesThatBeginWithAHyphenNeedAPath)
 
 TEST_F(Pn_subdivide_habits, NearMissesAreNamed)
 {
-  const std::string input = folder.write("cube.off", square),
+  const std::string input = folder.write("cube.off", cube_off),
                     polygon_file = folder.write("p.txt", polygon);
   const auto expect_hint = [&](const std::string& arguments, const std::string& hint) {
     SCOPED_TRACE(arguments);
@@ -249,7 +238,7 @@ TEST_F(Pn_subdivide_habits, TheManualPageNamesEveryScheme)
 TEST_F(Pn_subdivide_habits, StrictTurnsWarningsIntoAnExitCode)
 {
   const std::string bad = folder.write("twisted.off", twisted),
-                    good = folder.write("cube.off", square);
+                    good = folder.write("cube.off", cube_off);
   const std::string output = folder.file("o.off");
   const auto arguments = [&](const std::string& input) {
     return "'" + input + "' '" + output + "' ";
@@ -270,7 +259,7 @@ TEST_F(Pn_subdivide_habits, StrictTurnsWarningsIntoAnExitCode)
 // Coordinates of a map, as a file that this program could not read back.
 TEST_F(Pn_subdivide_habits, SinglePrecisionOfStlIsWarnedOf)
 {
-  std::string map = square;
+  std::string map = cube_off;
   for (const auto& [x, moved] : {std::pair("\n-1 ", "\n4400000 "), {"\n1 ", "\n4400002 "}})
     for (std::size_t i = map.find(x); i != std::string::npos; i = map.find(x))
       map.replace(i, std::string(x).size(), moved);
@@ -283,7 +272,7 @@ TEST_F(Pn_subdivide_habits, SinglePrecisionOfStlIsWarnedOf)
   done(run(arguments + "--ascii"));
   done(run("'" + output + "' '" + folder.file("p.ply") + "' --strict"));
   EXPECT_EQ(
-    run("'" + folder.write("c.off", square) + "' '" + output + "' --levels 5 --strict").code, 0);
+    run("'" + folder.write("c.off", cube_off) + "' '" + output + "' --levels 5 --strict").code, 0);
 }
 
 TEST_F(Pn_subdivide_habits, TheToleranceWinsOverStrict)
@@ -316,7 +305,7 @@ TEST_F(Pn_subdivide_habits, TheReportSaysWhatWasDone)
 
 TEST_F(Pn_subdivide_habits, TheReportOfALinearSchemeAndOfACurve)
 {
-  const std::string input = folder.write("cube.off", square),
+  const std::string input = folder.write("cube.off", cube_off),
                     curve = folder.write("p.txt", polygon);
   nlohmann::json json =
     report("'" + input + "' '" + folder.file("o.ply") + "' --linear --levels 0");
@@ -334,7 +323,7 @@ TEST_F(Pn_subdivide_habits, TheReportOfALinearSchemeAndOfACurve)
 
 TEST_F(Pn_subdivide_habits, TheReportOfPieces)
 {
-  const std::string input = folder.write("cube.off", square);
+  const std::string input = folder.write("cube.off", cube_off);
   const nlohmann::json json =
     report("'" + input + "' '" + folder.file("o.ply") + "' --pieces 3 --levels 3");
   EXPECT_EQ(json.at("vertices"), 386);
@@ -357,7 +346,7 @@ TEST_F(Pn_subdivide_habits, TheReportIsThereWhereTheResultIs)
 
 TEST_F(Pn_subdivide_habits, TheReportNeedsAFileOfItsOwn)
 {
-  const std::string input = folder.write("cube.off", square), output = folder.file("o.off");
+  const std::string input = folder.write("cube.off", cube_off), output = folder.file("o.off");
   const std::string arguments = "'" + input + "' '" + output + "' --report ";
   expect_one_line(run(arguments + "-"), 2, "--report");
   expect_one_line(run(arguments + "''"), 2, "--report");
@@ -365,12 +354,12 @@ TEST_F(Pn_subdivide_habits, TheReportNeedsAFileOfItsOwn)
   expect_one_line(run(arguments + "'" + folder.file("./o.off") + "'"), 2, "file of its own");
   expect_one_line(run(arguments + "'" + folder.file("none/r.json") + "'"), 1, "r.json");
   EXPECT_FALSE(std::filesystem::exists(output));
-  EXPECT_EQ(Temporary_folder::content(input), square);
+  EXPECT_EQ(Temporary_folder::content(input), cube_off);
 }
 
 TEST_F(Pn_subdivide_habits, TheReportIsJsonWhateverTheNames)
 {
-  const std::string input = folder.write("a\"b\\c\t\xff.off", square); // quotes, a tab, no UTF-8
+  const std::string input = folder.write("a\"b\\c\t\xff.off", cube_off); // quotes, a tab, no UTF-8
   const nlohmann::json json = report("'" + input + "' '" + folder.file("o.off") + "'");
   EXPECT_EQ(json.at("vertices"), 26);
   expect_part(json.at("input").get<std::string>(), "a\"b\\c\t");

@@ -11,51 +11,21 @@
 #include "Command_test.h"
 #include "Extent.h"
 
-#include <array>
+#include "io/mesh_io.h"
+
 #include <cmath>
-#include <cstdio>
+
+using namespace pn_subdivide;
 
 namespace {
-
-using Triple = std::array<double, 3>;
 
 class Pn_subdivide_interpolate : public Command_test
 {
 protected:
-  // the vertices of a text PLY or OFF, or of a curve
-  std::vector<Triple> points(const std::string& file) const
-  {
-    std::istringstream in(Temporary_folder::content(file));
-    std::size_t count = 0;
-    bool is_ply = false;
-    std::vector<Triple> result;
-    for (std::string line; std::getline(in, line);) {
-      std::istringstream words(line);
-      std::string word, type;
-      words >> word >> type;
-      if (word == "ply") is_ply = true;
-      if (word == "element" && type == "vertex") words >> count;
-      if (word == "end_header") break;
-      if (is_ply || word == "OFF" || word.empty() || word[0] == '#') continue;
-      double x = 0, y = 0;
-      if (std::sscanf(line.c_str(), "%lf %lf", &x, &y) == 2) result.push_back({x, y, 0});
-    }
-    for (std::string line; result.size() < count && std::getline(in, line);) {
-      Triple p{};
-      std::sscanf(line.c_str(), "%lf %lf %lf", &p[0], &p[1], &p[2]);
-      result.push_back(p);
-    }
-    return result;
-  }
-
+  std::vector<Triple> points(const std::string& file) const { return read_mesh(file).points; }
   static double distance(const Triple& a, const Triple& b)
   {
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-  }
-
-  void write(const char* file, const std::string& text) const
-  {
-    std::ofstream(folder.file(file)) << text;
   }
 };
 
@@ -102,29 +72,41 @@ TEST_F(Pn_subdivide_interpolate, WhatSlidesTellsHowFarItIs)
 
 TEST_F(Pn_subdivide_interpolate, Curves)
 {
-  write("ellipse.txt", "2 0\n1.2 0.8\n0 1\n-1.6 0.6\n-2 0\n-1.2 -0.8\n0 -1\n1.6 -0.6\n");
+  folder.write("ellipse.txt", "2 0\n1.2 0.8\n0 1\n-1.6 0.6\n-2 0\n-1.2 -0.8\n0 -1\n1.6 -0.6\n");
   const std::string in = folder.file("ellipse.txt"), out = folder.file("out.txt");
-  const auto before = points(in);
+  const auto points_of = [](const std::string& file) {
+    std::istringstream numbers(Temporary_folder::content(file));
+    std::vector<std::pair<double, double>> result;
+    std::string line;
+    for (double x = 0, y = 0; numbers >> x >> y; std::getline(numbers, line))
+      result.emplace_back(x, y);
+    return result;
+  };
+  const auto before = points_of(in);
+  ASSERT_EQ(before.size(), 8u);
   for (const char* options : {"--closed", "--end reflect", "--closed --linear"}) {
-    const Outcome outcome =
-      curve(in, out, std::string("--scheme bspline:3 --levels 12 --interpolate points ") + options);
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome = done(curve(
+      in, out, std::string("--scheme bspline:3 --levels 12 --interpolate points ") + options));
     expect_part(outcome.err, "through the points: largest distance ");
-    const auto after = points(out);
+    const auto after = points_of(out);
     for (std::size_t i = 0; i < before.size(); ++i)
-      EXPECT_LE(distance(before[i], after[i << 12]), 1e-6) << options << " " << i;
+      EXPECT_LE(std::hypot(before[i].first - after.at(i << 12).first,
+                           before[i].second - after[i << 12].second),
+                1e-6)
+        << options << " " << i;
   }
 }
 
 // A box with a dent, all of whose edges are sharp but those of the dent.
 TEST_F(Pn_subdivide_interpolate, PointsWithSharpEdges)
 {
-  write("box.ply", "ply\nformat ascii 1.0\nelement vertex 9\nproperty double x\nproperty double "
-                   "y\nproperty double z\n"
-                   "element face 9\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n2 0 "
-                   "0\n2 2 0\n0 2 0\n0 0 1\n2 0 1\n2 2 1\n0 2 1\n"
-                   "1 0.9 0.9\n4 3 2 1 0\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"
-                   "3 4 5 8\n3 5 6 8\n3 6 7 8\n3 7 4 8\n");
+  folder.write("box.ply",
+               "ply\nformat ascii 1.0\nelement vertex 9\nproperty double x\nproperty double "
+               "y\nproperty double z\n"
+               "element face 9\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n2 0 "
+               "0\n2 2 0\n0 2 0\n0 0 1\n2 0 1\n2 2 1\n0 2 1\n"
+               "1 0.9 0.9\n4 3 2 1 0\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"
+               "3 4 5 8\n3 5 6 8\n3 6 7 8\n3 7 4 8\n");
   const std::string in = folder.file("box.ply"), out = folder.file("out.ply");
   const auto before = points(in);
   ASSERT_EQ(before.size(), 9u);
@@ -161,7 +143,7 @@ TEST_F(Pn_subdivide_interpolate, WhatCannotBeIsRefusedInOneLine)
   expect_one_line(surface(data("sphere_cap.ply"), "out.ply",
                           "--interpolate slide --scheme catmull-clark --border curve"),
                   2, "--border");
-  write("line.txt", "0 0\n1 0\n2 1\n3 1\n");
+  folder.write("line.txt", "0 0\n1 0\n2 1\n3 1\n");
   const std::string curve =
     "curve '" + folder.file("line.txt") + "' '" + folder.file("out.txt") + "' ";
   expect_one_line(run(curve + "--scheme bspline:2 --interpolate slide"), 2, "bspline:2");

@@ -9,16 +9,12 @@
 // Reading and writing of mesh files: every format, to the last bit where the format allows it, and
 // every kind of damage.
 
-#include "Command_test.h"
+#include "File_test.h"
 
-#include "io/Error.h"
-#include "io/mesh_io.h"
 #include "io/soup_repair.h"
 #include "surface/Surface.h"
 
 #include <cfloat>
-#include <cmath>
-#include <cstring>
 #include <limits>
 #include <tuple>
 
@@ -40,19 +36,6 @@ Faces faces_of(const Mesh_data& mesh)
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     faces.emplace_back(mesh.face(f).begin(), mesh.face(f).end());
   return faces;
-}
-
-// Bit patterns, so that -0 and the last bit count.
-std::vector<std::uint64_t> bits(const std::vector<Triple>& triples)
-{
-  std::vector<std::uint64_t> result;
-  for (const Triple& t : triples)
-    for (const double x : t) {
-      std::uint64_t b;
-      std::memcpy(&b, &x, sizeof(b));
-      result.push_back(b);
-    }
-  return result;
 }
 
 void expect_same(const Mesh_data& a, const Mesh_data& b)
@@ -82,47 +65,8 @@ Mesh_data awkward_mesh(bool with_normals)
   return mesh;
 }
 
-std::string error_of(const std::string& file)
-{
-  try {
-    read_mesh(file);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
-}
-
-class Mesh_io : public testing::Test
-{
-protected:
-  Mesh_data read(const std::string& name, const std::string& content) const
-  {
-    return read_mesh(folder.write(name, content));
-  }
-
-  // The message must begin with the file's name, hold `part` and be one line.
-  void expect_error(const std::string& name, const std::string& content,
-                    const std::string& part) const
-  {
-    const std::string file = folder.write(name, content);
-    const std::string message = error_of(file);
-    EXPECT_EQ(message.rfind(file + ": ", 0), 0u) << message;
-    expect_part(message, part);
-    expect_no_part(message, "\n");
-  }
-
-  Temporary_folder folder;
-};
-
-template <class T>
-std::string raw(T x, bool big_endian)
-{
-  std::string s(sizeof(T), '\0');
-  std::memcpy(&s[0], &x, sizeof(T));
-  const std::uint16_t one = 1;
-  const bool host_is_big_endian = *reinterpret_cast<const unsigned char*>(&one) == 0;
-  return big_endian == host_is_big_endian ? s : std::string(s.rbegin(), s.rend());
-}
+class Mesh_io : public File_test
+{};
 
 // --- round trips ---
 
@@ -136,9 +80,7 @@ TEST_F(Mesh_io, EveryFormatThatIsReadAndWrittenKeepsEveryBit)
         // OBJ has no place for the normal of a vertex without faces
         if (with_normals && extension[0] == 'o' && extension[1] == 'b')
           std::fill(mesh.normals.begin() + 9, mesh.normals.end(), triple(0, 0, 0));
-        const std::string file = folder.file(std::string("mesh.") + extension);
-        write_mesh(file, mesh, encoding);
-        expect_same(read_mesh(file), mesh);
+        expect_same(written_and_read(std::string("mesh.") + extension, mesh, encoding), mesh);
       }
 }
 
@@ -151,10 +93,8 @@ TEST_F(Mesh_io, PlyFacesWithMoreThan255VerticesSurvive)
     face.push_back(i);
   }
   mesh.add_face(face);
-  for (const Encoding encoding : {Encoding::binary, Encoding::text}) {
-    write_mesh(folder.file("big.ply"), mesh, encoding);
-    expect_same(read_mesh(folder.file("big.ply")), mesh);
-  }
+  for (const Encoding encoding : {Encoding::binary, Encoding::text})
+    expect_same(written_and_read("big.ply", mesh, encoding), mesh);
 }
 
 TEST_F(Mesh_io, TextHas17SignificantDigits)
@@ -542,8 +482,7 @@ TEST_F(Mesh_io, StlTextHoldsEveryBit)
   Mesh_data mesh;
   mesh.points = {{1. / 3, 4399999.25, 1e-200}, {1, 0, 0.1}, {0, 1e300, 0}};
   mesh.add_face(std::vector<int>{2, 0, 1});
-  write_mesh(folder.file("a.stl"), mesh, Encoding::text);
-  const Mesh_data again = read_mesh(folder.file("a.stl"));
+  const Mesh_data again = written_and_read("a.stl", mesh, Encoding::text);
   EXPECT_EQ(bits(again.points), bits({mesh.points[2], mesh.points[0], mesh.points[1]}));
   EXPECT_EQ(Temporary_folder::content(folder.file("a.stl")).rfind("solid\nfacet normal ", 0), 0u);
 }
@@ -843,31 +782,15 @@ TEST_F(Mesh_io, VtpBinaryOffsetsLeadToTheArrays)
   const Mesh_data mesh = awkward_mesh(true);
   write_mesh(folder.file("a.vtp"), mesh, Encoding::binary);
   const std::string s = Temporary_folder::content(folder.file("a.vtp"));
-  const std::size_t data = s.find('_', s.find("<AppendedData")) + 1;
-  const auto array = [&](const std::string& name) {
-    const std::size_t tag = s.find("Name=\"" + name + "\"");
-    const std::size_t offset = s.find("offset=\"", tag) + 8;
-    const std::size_t begin = data + std::stoul(s.substr(offset, s.find('"', offset) - offset));
-    std::uint64_t bytes;
-    std::memcpy(&bytes, s.data() + begin, 8); // the test's machine is little-endian, as all are
-    return s.substr(begin + 8, bytes);
-  };
-  std::string points, normals;
-  for (const Triple& p : mesh.points)
-    for (int i = 0; i < 3; ++i) points += raw(p[i], false);
-  for (const Triple& n : mesh.normals)
-    for (int i = 0; i < 3; ++i) normals += raw(n[i], false);
-  EXPECT_EQ(array("Points"), points);
-  EXPECT_EQ(array("Normals"), normals);
-  std::string connectivity, offsets;
-  std::int64_t end = 0;
+  EXPECT_EQ(bits(raw_array<double>(s, "Points")), bits(mesh.points));
+  EXPECT_EQ(bits(raw_array<double>(s, "Normals")), bits(mesh.normals));
+  std::vector<std::int64_t> connectivity, offsets;
   for (const auto& face : faces_of(mesh)) {
-    for (const unsigned v : face) connectivity += raw(std::int64_t(v), false);
-    end += static_cast<std::int64_t>(face.size());
-    offsets += raw(end, false);
+    connectivity.insert(connectivity.end(), face.begin(), face.end());
+    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
   }
-  EXPECT_EQ(array("connectivity"), connectivity);
-  EXPECT_EQ(array("offsets"), offsets);
+  EXPECT_EQ(raw_array<std::int64_t>(s, "connectivity"), connectivity);
+  EXPECT_EQ(raw_array<std::int64_t>(s, "offsets"), offsets);
 }
 
 // --- checks and repair of soups ---

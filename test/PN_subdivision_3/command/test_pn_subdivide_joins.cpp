@@ -9,7 +9,9 @@
 // Points that are joined, and those that are left apart although borders lie on each other.
 
 #include "Command_test.h"
+#include "Part_files.h"
 
+#include "io/Error.h"
 #include "io/mesh_io.h"
 #include "io/soup_repair.h"
 
@@ -29,28 +31,15 @@ using Triangle = std::array<Triple, 3>;
 using Shift = std::function<Triple(std::size_t, std::size_t)>;
 std::vector<Triangle> box(int m, const Triple& low, double size, const Shift& shift)
 {
+  const Part part = triangulated(box_of_squares(m, low, {size, size, size}));
   std::vector<Triangle> triangles;
-  const auto add = [&](Triangle t) {
+  for (const auto& face : part.faces) {
+    triangles.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
-      const Triple d = shift(triangles.size(), i);
-      for (std::size_t k = 0; k < 3; ++k) t[i][k] = low[k] + size * t[i][k] / m + d[k];
+      const Triple d = shift(triangles.size() - 1, i);
+      for (std::size_t k = 0; k < 3; ++k) triangles.back()[i][k] = part.points[face[i]][k] + d[k];
     }
-    triangles.push_back(t);
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const int end : {0, m})
-      for (int i = 0; i < m; ++i)
-        for (int j = 0; j < m; ++j) {
-          const auto at = [&](int a, int b) {
-            Triple p{};
-            p[axis] = end;
-            p[(axis + 1) % 3] = i + (end == 0 ? b : a);
-            p[(axis + 2) % 3] = j + (end == 0 ? a : b);
-            return p;
-          };
-          add({at(0, 0), at(1, 0), at(1, 1)});
-          add({at(0, 0), at(1, 1), at(0, 1)});
-        }
+  }
   return triangles;
 }
 
@@ -80,14 +69,13 @@ std::string stl(const std::vector<Triangle>& triangles, bool is_float)
 // Every triangle has vertices of its own.
 std::string split_off(const std::vector<Triangle>& triangles)
 {
-  std::ostringstream s;
-  s.precision(17);
-  s << "OFF\n" << 3 * triangles.size() << ' ' << triangles.size() << " 0\n";
-  for (const Triangle& t : triangles)
-    for (const Triple& p : t) s << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
-  for (std::size_t f = 0; f < triangles.size(); ++f)
-    s << "3 " << 3 * f << ' ' << 3 * f + 1 << ' ' << 3 * f + 2 << "\n";
-  return s.str();
+  Part part;
+  for (const Triangle& t : triangles) {
+    const std::size_t v = part.points.size();
+    part.points.insert(part.points.end(), t.begin(), t.end());
+    part.faces.push_back({v, v + 1, v + 2});
+  }
+  return part.off();
 }
 
 class Pn_subdivide_joins : public Command_test
@@ -103,6 +91,56 @@ protected:
     return read_mesh(folder.file("out.ply"));
   }
 };
+
+using Index = Mesh_data::Index;
+
+// Of points without faces, which are all joined that are near each other or have near ones between them: the first of those
+// that each point is joined with.
+std::vector<Index> by_all_pairs(const std::vector<Triple>& points, double distance)
+{
+  std::vector<Index> first(points.size());
+  for (Index i = 0; i < first.size(); ++i) first[i] = i;
+  for (Index i = 0; i < first.size(); ++i)
+    for (Index j = 0; j < i; ++j) {
+      const Triple &p = points[i], &q = points[j];
+      if (!(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) <= distance)) continue;
+      const Index low = (std::min)(first[i], first[j]), high = (std::max)(first[i], first[j]);
+      std::replace(first.begin(), first.end(), high, low);
+    }
+  return first;
+}
+
+Mesh_data points_alone(const std::vector<Triple>& points)
+{
+  Mesh_data mesh;
+  mesh.points = points;
+  return mesh;
+}
+
+std::size_t number_joined(const std::vector<Index>& first)
+{
+  std::size_t n = 0;
+  for (Index i = 0; i < first.size(); ++i) n += first[i] != i;
+  return n;
+}
+
+// Points of a unit box, beside `center`, of which each third one is near the one before.
+std::vector<Triple> scattered(unsigned seed, const Triple& center, double size, double distance)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<Triple> points;
+  for (int i = 0; i < 120; ++i) {
+    Triple p = center;
+    for (double& x : p) x += size * uniform(random);
+    if (i % 3 == 2) {
+      p = points.back();
+      p[i % 9 / 3] += distance * (i % 2 ? 1 : -1) * (i % 5 ? 0.9 : 1.1);
+    }
+    points.push_back(p);
+  }
+  return points;
+}
 
 // of a box, closed
 std::size_t vertices_of_box(int m)
@@ -450,27 +488,15 @@ TEST_F(Pn_subdivide_joins, DifferentNormalsBecomeThoseOfCorners)
     SCOPED_TRACE(name);
     const Mesh_data part = read_mesh(bolt + name + ".obj");
     ASSERT_TRUE(part.has_corner_normals());
-    std::ostringstream ply;
-    ply.precision(17);
-    ply << "ply\nformat ascii 1.0\nelement vertex " << part.number_of_corners()
-        << "\nproperty double x\nproperty double y\nproperty double z\nproperty double nx\n"
-           "property double ny\nproperty double nz\nelement face "
-        << part.number_of_faces() << "\nproperty list uchar int vertex_indices\nend_header\n";
-    std::size_t corner = 0;
-    for (std::size_t f = 0; f < part.number_of_faces(); ++f)
-      for (const Mesh_data::Index v : part.face(f)) {
-        for (const double x : part.points[v]) ply << x << ' ';
-        for (const double x : part.corner_normals[corner]) ply << x << ' ';
-        ply << "\n";
-        ++corner;
-      }
-    corner = 0;
+    Part corners;
     for (std::size_t f = 0; f < part.number_of_faces(); ++f) {
-      ply << part.face(f).size();
-      for (std::size_t i = 0; i < part.face(f).size(); ++i) ply << ' ' << corner++;
-      ply << "\n";
+      corners.faces.emplace_back();
+      for (const Mesh_data::Index v : part.face(f)) {
+        corners.faces.back().push_back(corners.points.size());
+        corners.points.push_back(part.points[v]);
+      }
     }
-    const std::string split = folder.write("split.ply", ply.str());
+    const std::string split = folder.write("split.ply", corners.ply(part.corner_normals));
     const auto refined = [&](const std::string& input, const std::string& options) {
       done(surface(input, "out.obj", "--levels 2 --quiet " + options));
       std::multiset<Triple> points;
@@ -513,4 +539,57 @@ TEST(Near_points, UnitsOfTheLastPlace)
   EXPECT_EQ(rounding_of_floats({{0, -1.99, 0}, {1, 1, 1}}), std::ldexp(1., -21));
   EXPECT_EQ(rounding_of_floats({{0, 0, 1000}}), std::ldexp(1., 9 - 21));
   EXPECT_EQ(rounding_of_floats({{0, 0, 0}}), 0);
+}
+
+// --- points without faces, as a comparison of all pairs finds them ---
+
+TEST(Near_points, AreThoseOfAllPairs)
+{
+  for (const double distance : {0.02, 0.2, 1e-9})
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      SCOPED_TRACE(std::to_string(distance) + " " + std::to_string(seed));
+      const auto points = scattered(seed, {0.3, -0.2, 0}, 1, distance);
+      const auto expected = by_all_pairs(points, distance);
+      EXPECT_GT(number_joined(expected), 10u);
+      EXPECT_EQ(first_near(points_alone(points), distance), expected);
+    }
+}
+
+// multiples of the distance and of its half, which are ends of cells
+TEST(Near_points, AreThoseOfAllPairsOnAGrid)
+{
+  const double distance = 0.25;
+  std::mt19937 random(5);
+  std::vector<Triple> points;
+  for (int i = 0; i < 150; ++i) {
+    Triple p;
+    for (double& x : p) x = 0.125 * (int(random() % 16) - 8);
+    points.push_back(p);
+  }
+  for (const double d : {distance, std::nextafter(distance, 0.), 0.125, 0.})
+    EXPECT_EQ(first_near(points_alone(points), d), by_all_pairs(points, d)) << d;
+}
+
+// where the distance is a few of the last digits of a coordinate, one of them, and less
+TEST(Near_points, AreThoseOfAllPairsFarAway)
+{
+  for (const double distance : {1e-6, 1.2e-7, 6e-8, 1e-9, 1e-30, 5e-324, 0.}) {
+    SCOPED_TRACE(distance);
+    std::vector<Triple> points;
+    for (int i = 0; i < 60; ++i) // 6e-8 is half of the last digit
+      points.push_back({std::ldexp(1, 29) + (i % 7) * std::ldexp(1, -23), -1e9, i % 3 * 1e-7});
+    points.push_back({0, 0, 0});
+    points.push_back({distance, 0, 0});
+    points.push_back({-distance, -1e-320, 0});
+    points.push_back({1e300, 1e300, 1e300});
+    points.push_back({1e300, 1e300, 1e300});
+    EXPECT_EQ(first_near(points_alone(points), distance), by_all_pairs(points, distance));
+  }
+}
+
+TEST(Near_points, AreRefusedWhereAllAreNear)
+{
+  std::vector<Triple> points;
+  for (int i = 0; i < 300; ++i) points.push_back({i * 1e-3, 0, 0});
+  EXPECT_THROW(first_near(points_alone(points), 1), Error);
 }

@@ -10,50 +10,39 @@
 
 #include "Command_test.h"
 
-#include <array>
+#include "io/mesh_io.h"
+
 #include <cmath>
 
-namespace {
+using namespace pn_subdivide;
 
-using Row = std::array<double, 6>; // a point and a normal
+namespace {
 
 class Pn_subdivide_limit : public Command_test
 {
 protected:
-  // the vertices of a text PLY with normals
-  std::vector<Row> vertices(const std::string& file) const
-  {
-    const Values_by_name columns = columns_of(file);
-    EXPECT_EQ(columns.size(), 6u) << file;
-    std::vector<Row> rows(columns.at("x").size());
-    for (std::size_t v = 0; v < rows.size(); ++v)
-      for (std::size_t c = 0; c < 6; ++c)
-        rows[v][c] =
-          columns.at(c < 3 ? std::string(1, "xyz"[c]) : std::string("n") + "xyz"[c - 3])[v];
-    return rows;
-  }
+  Mesh_data mesh(const std::string& file) const { return read_mesh(folder.file(file)); }
 
-  static double distance(const Row& a, const Row& b, std::size_t first)
+  static double distance(const Triple& a, const Triple& b)
   {
-    return std::hypot(a[first] - b[first], a[first + 1] - b[first + 1],
-                      a[first + 2] - b[first + 2]);
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
   }
 };
 
 TEST_F(Pn_subdivide_limit, IsTheSameAtEveryLevel)
 {
   for (const char* scheme : {"catmull-clark", "modified-catmull-clark", "kobbelt"}) {
-    const std::string options =
-      std::string(" --ascii --limit --surface-normals --scheme ") + scheme;
+    const std::string options = std::string(" --limit --surface-normals --scheme ") + scheme;
     done(surface(data("paper/torus_8.ply"), "0.ply", "--levels 0" + options));
     const Outcome outcome = surface(data("paper/torus_8.ply"), "2.ply", "--levels 2" + options);
     ASSERT_EQ(outcome.code, 0);
     expect_part(outcome.err, "limit points: estimated error");
     expect_part(outcome.err, "surface normals: estimated error");
-    const auto coarse = vertices("0.ply"), fine = vertices("2.ply");
-    for (std::size_t v = 0; v < coarse.size(); ++v) {
-      EXPECT_LE(distance(coarse[v], fine[v], 0), 1e-7) << scheme; // the torus has a size of 6
-      EXPECT_LE(distance(coarse[v], fine[v], 3), 3e-3) << scheme;
+    const Mesh_data coarse = mesh("0.ply"), fine = mesh("2.ply");
+    for (std::size_t v = 0; v < coarse.points.size(); ++v) {
+      EXPECT_LE(distance(coarse.points[v], fine.points[v]), 1e-7)
+        << scheme; // the torus has a size of 6
+      EXPECT_LE(distance(coarse.normals[v], fine.normals[v]), 3e-3) << scheme;
     }
   }
 }
@@ -62,20 +51,21 @@ TEST_F(Pn_subdivide_limit, IsTheSameAtEveryLevel)
 TEST_F(Pn_subdivide_limit, EachOptionDoesItsOwn)
 {
   const std::string control = data("saddle_5.ply");
-  const std::string options = " --ascii --scheme loop --triangulate --levels 2 ";
+  const std::string options = " --scheme loop --triangulate --levels 2 ";
   done(surface(control, "plain.ply", options));
   done(surface(control, "limit.ply", options + "--limit --output-normals control"));
   done(surface(control, "normals.ply", options + "--surface-normals"));
   done(surface(control, "both.ply", options + "--limit --surface-normals"));
-  const auto plain = vertices("plain.ply"), limit = vertices("limit.ply"),
-             normals = vertices("normals.ply"), both = vertices("both.ply");
+  const Mesh_data plain = mesh("plain.ply"), limit = mesh("limit.ply"),
+                  normals = mesh("normals.ply"), both = mesh("both.ply");
+  EXPECT_EQ(plain.points, normals.points);
+  EXPECT_EQ(limit.points, both.points);
   double moved = 0, turned = 0;
-  for (std::size_t v = 0; v < plain.size(); ++v) {
-    EXPECT_EQ(distance(plain[v], normals[v], 0), 0);
-    EXPECT_EQ(distance(limit[v], both[v], 0), 0);
-    EXPECT_LE(distance(normals[v], both[v], 3), 1e-3); // what is asked for by default
-    moved = std::max(moved, distance(plain[v], limit[v], 0));
-    turned = std::max(turned, distance(limit[v], both[v], 3));
+  for (std::size_t v = 0; v < plain.points.size(); ++v) {
+    // what is asked for by default
+    EXPECT_LE(distance(normals.normals[v], both.normals[v]), 1e-3);
+    moved = std::max(moved, distance(plain.points[v], limit.points[v]));
+    turned = std::max(turned, distance(limit.normals[v], both.normals[v]));
   }
   EXPECT_GT(moved, 1e-4);
   EXPECT_GT(turned, 1e-4);
@@ -84,11 +74,12 @@ TEST_F(Pn_subdivide_limit, EachOptionDoesItsOwn)
 TEST_F(Pn_subdivide_limit, LinearSurfacesHaveNormals)
 {
   done(surface(data("cube.off"), "cube.ply",
-               "--ascii --linear --limit --surface-normals --scheme catmull-clark --levels 1"));
+               "--linear --limit --surface-normals --scheme catmull-clark --levels 1"));
   // outward, by symmetry along the point at the corners
-  for (const Row& r : vertices("cube.ply")) {
-    const double p = std::hypot(r[0], r[1], r[2]);
-    EXPECT_GT((r[0] * r[3] + r[1] * r[4] + r[2] * r[5]) / p, 0.9);
+  const Mesh_data cube = mesh("cube.ply");
+  for (std::size_t v = 0; v < cube.points.size(); ++v) {
+    const Triple &p = cube.points[v], &n = cube.normals.at(v);
+    EXPECT_GT((p[0] * n[0] + p[1] * n[1] + p[2] * n[2]) / std::hypot(p[0], p[1], p[2]), 0.9);
   }
 }
 

@@ -5,12 +5,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-// `pn_subdivide curve --scheme levels:FILE`: masks that differ from round to round, against calls with the
-// schemes that they are.
-
 // --normals smooth of surfaces and --normals spherical:X,Y,Z of curves.
 
 #include "Command_test.h"
+#include "Part_files.h"
 
 #include <cmath>
 
@@ -26,28 +24,18 @@ protected:
   {
     std::mt19937 generator(1);
     std::uniform_real_distribution<double> random(-noise, noise);
-    std::ostringstream off;
-    off.precision(17);
-    off << (has_normals ? "NOFF" : "OFF") << "\n288 288 0\n";
-    for (int i = 0; i < 24; ++i)
-      for (int j = 0; j < 12; ++j) {
-        const double u = pi * i / 12, v = pi * j / 6, r = 2 + .8 * std::cos(v);
-        off << r * std::cos(u) << ' ' << r * std::sin(u) << ' ' << .8 * std::sin(v);
-        if (has_normals) {
-          const double x = std::cos(v) * std::cos(u) + random(generator);
-          const double y = std::cos(v) * std::sin(u) + random(generator);
-          const double z = std::sin(v) + random(generator);
-          off << ' ' << x << ' ' << y << ' ' << z;
-        }
-        off << '\n';
+    pn_subdivide::Part part;
+    std::vector<pn_subdivide::Triple> normals;
+    for (std::size_t i = 0; i < 24; ++i)
+      for (std::size_t j = 0; j < 12; ++j) {
+        const double u = pi * double(i) / 12, v = pi * double(j) / 6, r = 2 + .8 * std::cos(v);
+        part.points.push_back({r * std::cos(u), r * std::sin(u), .8 * std::sin(v)});
+        normals.push_back({std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v)});
+        for (double& x : normals.back()) x += random(generator);
+        const std::size_t k = (i + 1) % 24, l = (j + 1) % 12;
+        part.faces.push_back({12 * i + j, 12 * k + j, 12 * k + l, 12 * i + l});
       }
-    for (int i = 0; i < 24; ++i)
-      for (int j = 0; j < 12; ++j) {
-        const int k = (i + 1) % 24, l = (j + 1) % 12;
-        off << "4 " << 12 * i + j << ' ' << 12 * k + j << ' ' << 12 * k + l << ' ' << 12 * i + l
-            << '\n';
-      }
-    return off.str();
+    return has_normals ? part.off(normals) : part.off();
   }
 
   // the root mean square angle of the normals of a NOFF file of that torus, in radians

@@ -9,6 +9,7 @@
 // `pn_subdivide surface --output-normals`: which normals are written, and what files say of them.
 
 #include "Extent.h"
+#include "Part_files.h"
 #include "Refined_files.h"
 
 #include "io/mesh_io.h"
@@ -84,29 +85,16 @@ std::vector<Triple> normals_of_corners(const Mesh_data& mesh)
   return result;
 }
 
-// An uneven box about the origin, in quads or triangles, each side a group; without its lid it has a border.
-std::string box(bool is_triangles, bool is_open = false)
+// Each side of the box is a group.
+std::string box(bool is_triangles, bool is_open)
 {
-  const char* const points[] = {"-1 -2 -3", "1 -2 -3", "1 2 -3", "-1 2 -3",
-                                "-1 -2 3",  "1 -2 3",  "1 2 3",  "-1 2 3"};
-  const int sides[6][4] = {{4, 3, 2, 1}, {1, 2, 6, 5}, {2, 3, 7, 6},
-                           {3, 4, 8, 7}, {4, 1, 5, 8}, {5, 6, 7, 8}};
-  std::string s;
-  for (const char* p : points) s += std::string("v ") + p + "\n";
-  const auto add = [&s](const std::vector<int>& face) {
-    s += "f";
-    for (const int v : face) s += " " + std::to_string(v);
+  Part part = uneven_box(is_triangles, is_open);
+  const auto faces = std::exchange(part.faces, {});
+  std::string s = part.obj();
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    s += "g side" + std::to_string(is_triangles ? f / 2 : f) + "\nf";
+    for (const std::size_t v : faces[f]) s += " " + std::to_string(v + 1);
     s += "\n";
-  };
-  for (int i = 0; i < (is_open ? 5 : 6); ++i) {
-    const int* const q = sides[i];
-    s += "g side" + std::to_string(i) + "\n";
-    if (is_triangles) {
-      add({q[0], q[1], q[2]});
-      add({q[0], q[2], q[3]});
-    } else {
-      add({q[0], q[1], q[2], q[3]});
-    }
   }
   return s;
 }
@@ -516,10 +504,7 @@ TEST_F(Pn_subdivide_output_normals, WhatDoesNotGoTogetherIsRefused)
 {
   const auto expect_refusal = [&](const std::string& output, const std::string& options,
                                   const std::vector<std::string>& parts) {
-    folder.write(output, "old");
-    for (const std::string& part : parts)
-      expect_one_line(surface("quads.obj", output, options), 2, part);
-    EXPECT_EQ(content(output), "old");
+    Command_test::expect_refusal("quads.obj", output, options, parts);
   };
   for (const char* const output : {"o.obj", "o.off", "o.stl"})
     expect_refusal(output, "--output-normals both", {"--output-normals both", output, ".ply"});

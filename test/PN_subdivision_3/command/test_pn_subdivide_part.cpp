@@ -39,18 +39,7 @@ Part cut_cylinder()
     const double t = (1.3 - p[0]) / (q[0] - p[0]);
     if (t > 0 && t < 1) rim.push_back({1.3, p[1] + t * (q[1] - p[1]), 0});
   }
-  const auto raised = [](Triple p) { return Triple{p[0], p[1], 3}; };
-  Part part;
-  std::vector<Triple> top;
-  for (std::size_t i = 0; i < rim.size(); ++i) {
-    const Triple &p = rim[i], &q = rim[(i + 1) % rim.size()];
-    part.add({p, q, raised(q), raised(p)});
-    top.push_back(raised(p));
-  }
-  part.add(top);
-  std::reverse(rim.begin(), rim.end());
-  part.add(rim);
-  return part;
+  return prism(rim, 3);
 }
 
 // The cylinder with a notch above z = 1 instead, whose wall is just beside a ruling.
@@ -133,7 +122,6 @@ Part top_of_sphere(bool has_base)
   return top;
 }
 
-using Profile = std::vector<std::array<double, 2>>;
 const Profile of_shaft{{2, 0}, {2, 1}, {1, 1}, {1, 3}},
   of_countersunk{{2.4, 0}, {.8, 1.6}, {.8, 3}}; // with a cone
 
@@ -246,29 +234,22 @@ TEST_F(Pn_subdivide_part, NumbersOfVerticesHaveNoSay)
     const auto number = [&](std::size_t row, std::size_t side) {
       return (row * sides + side % sides) * factor % n;
     };
-    std::vector<std::string> points(n);
-    std::string faces, first, last;
-    for (std::size_t row = 0; row < rows; ++row)
-      for (std::size_t side = 0; side < sides; ++side) {
-        const double t = 2 * std::acos(-1.) * double(side) / double(sides);
-        points[number(row, side)] = std::to_string(std::cos(t)) + ' ' +
-                                    std::to_string(std::sin(t)) + ' ' +
-                                    std::to_string(0.2 * double(row)) + '\n';
-        if (row + 1 == rows) continue;
-        faces += '4';
-        for (const std::size_t v : {number(row, side), number(row, side + 1),
-                                    number(row + 1, side + 1), number(row + 1, side)})
-          faces += ' ' + std::to_string(v);
-        faces += '\n';
-      }
+    Part rod;
+    rod.points.resize(n);
+    std::vector<std::size_t> first, last;
     for (std::size_t side = 0; side < sides; ++side) {
-      first += ' ' + std::to_string(number(0, sides - side));
-      last += ' ' + std::to_string(number(rows - 1, side));
+      first.push_back(number(0, sides - side));
+      last.push_back(number(rows - 1, side));
+      for (std::size_t row = 0; row < rows; ++row) {
+        rod.points[number(row, side)] =
+          on_circle(1, 360. * double(side) / double(sides), 0.2 * double(row));
+        if (row + 1 < rows)
+          rod.faces.push_back({number(row, side), number(row, side + 1), number(row + 1, side + 1),
+                               number(row + 1, side)});
+      }
     }
-    std::string off =
-      "OFF\n" + std::to_string(n) + ' ' + std::to_string(sides * (rows - 1) + 2) + " 0\n";
-    for (const std::string& p : points) off += p;
-    folder.write("rod.off", off + faces + "64" + first + "\n64" + last + '\n');
+    rod.faces.insert(rod.faces.end(), {first, last});
+    folder.write("rod.off", rod.off());
     const std::string text = said("rod.off", "--levels 1");
     expect_part(text, taken);
   }
@@ -390,21 +371,11 @@ TEST_F(Pn_subdivide_part, FilesThatSayMoreAreNotTaken)
 // A vase of twelve sides is rows of cones above a plane, and meant to be smooth.
 TEST_F(Pn_subdivide_part, RowsOfConesAreNoPart)
 {
-  const std::vector<double> radius{1, 1.6, 1.9, 1.7, 1.1, .8, 1};
   for (const double height : {1., .4}) { // of a row, which turn by less, or more, than 40 degrees
-    Part vase;
-    std::vector<Triple> bottom;
-    for (int i = 0; i < 12; ++i) {
-      const double a = 30. * i, b = a + 30;
-      bottom.push_back(on_circle(1, 330 - a, 0));
-      for (std::size_t j = 0; j + 1 < radius.size(); ++j) {
-        const double low = height * double(j), high = height * double(j + 1);
-        vase.add({on_circle(radius[j], a, low), on_circle(radius[j], b, low),
-                  on_circle(radius[j + 1], b, high), on_circle(radius[j + 1], a, high)});
-      }
-    }
-    vase.add(bottom);
-    folder.write("vase.ply", vase.ply());
+    Profile profile;
+    for (const double r : {1., 1.6, 1.9, 1.7, 1.1, .8, 1.})
+      profile.push_back({r, height * double(profile.size())});
+    folder.write("vase.ply", turned(profile, 12, true).ply());
     const std::string text = said("vase.ply", "--levels 1");
     expect_no_part(text, taken);
   }
@@ -412,13 +383,7 @@ TEST_F(Pn_subdivide_part, RowsOfConesAreNoPart)
 
 TEST_F(Pn_subdivide_part, AColumnOfTheUsersStays)
 {
-  std::string ply = triangles(drilled_plate()).ply();
-  const std::string list = "property list uchar int vertex_indices\n";
-  ply.replace(ply.find(list), list.size(), list + "property int surface\n");
-  for (std::size_t line = ply.find("\n3 "); line != std::string::npos;
-       line = ply.find("\n3 ", line + 1))
-    ply.insert(ply.find('\n', line + 1), " 77");
-  folder.write("own.ply", ply);
+  folder.write("own.ply", with_own_surfaces(triangles(drilled_plate()).ply(), "3"));
   const Mesh_data mesh = refined("own.ply", "o.ply", "--levels 1 --strict");
   const Column* const column = find_column(mesh.attributes.of_faces, "surface");
   ASSERT_NE(column, nullptr);
@@ -431,20 +396,11 @@ TEST_F(Pn_subdivide_part, AColumnOfTheUsersStays)
 // A grid of squares with hills: no two of its faces are in one plane, and `steep` rows of edges turn much.
 std::string hills(int n, int steep)
 {
-  std::ostringstream obj;
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; j <= n; ++j)
-      obj << "v " << i << ' ' << j << ' '
-          << 0.2 * std::sin(1.3 * i + 0.5 * j) + 0.1 * std::cos(2.1 * j - 0.7 * i) +
-               (std::max)(0, i - n + steep) * 2.
-          << '\n';
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      const int v = i * (n + 1) + j + 1;
-      obj << "f " << v << ' ' << v + n + 1 << ' ' << v + n + 2 << "\nf " << v << ' ' << v + n + 2
-          << ' ' << v + 1 << '\n';
-    }
-  return obj.str();
+  const auto height = [&](int i, int j) {
+    return 0.2 * std::sin(1.3 * i + 0.5 * j) + 0.1 * std::cos(2.1 * j - 0.7 * i) +
+           (std::max)(0, i - n + steep) * 2.;
+  };
+  return triangulated(grid(std::size_t(n), std::size_t(n), height)).obj();
 }
 
 TEST_F(Pn_subdivide_part, TheClosingLineProposesWhatHelps)
@@ -507,20 +463,17 @@ TEST_F(Pn_subdivide_part, WhatDoesNotGoWithPartIsNamed)
 
 // --- borders ---
 
-// The top of the plate, an open sheet, and a stadium.
+// The bottom of the plate, an open sheet, and a stadium.
 TEST_F(Pn_subdivide_part, BordersOfPlanesAreLinesAndArcs)
 {
+  const Part plate = drilled_plate();
   Part sheet, stadium;
-  std::vector<Triple> rim;
-  for (int i = 0; i < 24; ++i) {
-    const auto outer = [](double degrees) {
-      const Triple p = on_circle(1, degrees, 0);
-      const double largest = (std::max)(std::abs(p[0]), std::abs(p[1]));
-      return Triple{2 * p[0] / largest, 2 * p[1] / largest, 0};
-    };
-    const double a = 15. * i, b = a + 15;
-    sheet.add({outer(a), outer(b), on_circle(1, b, 0), on_circle(1, a, 0)});
+  for (std::size_t f = 0; f < plate.faces.size(); f += 4) {
+    std::vector<Triple> corners;
+    for (const std::size_t v : plate.faces[f]) corners.push_back(plate.points[v]);
+    sheet.add(corners);
   }
+  std::vector<Triple> rim;
   for (int i = 0; i <= 12; ++i) {
     const Triple p = on_circle(1, 15. * i - 90, 0);
     rim.push_back({p[0] + 2, p[1], 0});

@@ -19,6 +19,8 @@
 
 namespace {
 
+using pn_subdivide::raw_array;
+
 const std::vector<std::string> schemes = {
   "catmull-clark",          "loop",          "butterfly", "kobbelt",
   "modified-catmull-clark", "modified-loop", "midpoint",  "bilinear"};

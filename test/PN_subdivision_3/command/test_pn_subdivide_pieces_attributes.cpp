@@ -10,7 +10,11 @@
 #include "Extent.h"
 #include "Pieces_test.h"
 
+#include "io/mesh_io.h"
+
 namespace {
+
+using pn_subdivide::raw_array;
 
 class Attributes_in_pieces : public Pieces
 {
@@ -18,44 +22,31 @@ protected:
   // Numbers of vertices of several types, two of faces, and texture coordinates of corners in charts, or without seams.
   void write_ply(const std::string& off, bool has_seams)
   {
-    std::istringstream in(content(off));
-    std::string word;
-    std::size_t vertices = 0, faces = 0, edges = 0;
-    in >> word >> vertices >> faces >> edges;
-    std::string text =
-      "ply\nformat ascii 1.0\ncomment TextureFile wood.png\ncomment material 0 red\n"
-      "comment material 1 two words\nelement vertex " +
-      std::to_string(vertices) +
-      "\nproperty double x\nproperty double y\nproperty double z\n"
-      "property float heat\nproperty uchar red\nproperty uchar green\n"
-      "property uchar blue\nproperty short label\nelement face " +
-      std::to_string(faces) +
-      "\nproperty list uchar int vertex_indices\nproperty int material\n"
-      "property double weight\nproperty list uchar double texcoord\nend_header\n";
-    for (std::size_t v = 0; v < vertices; ++v) {
-      for (int i = 0; i < 3; ++i) {
-        in >> word;
-        text += word + " ";
-      }
-      text += std::to_string(v * v % 11) + ".25 " + std::to_string(37 * v % 256) + " " +
-              std::to_string(255 - v) + " 7 " + std::to_string(int(v % 5) - 2) + "\n";
+    using namespace pn_subdivide;
+    Mesh_data mesh = read_mesh(folder.file(off));
+    Attributes& a = mesh.attributes;
+    a.texture_files = {"wood.png"};
+    a.of_vertices = {{"heat", Scalar_type::float32, {}, {}},
+                     {"red", Scalar_type::uint8, {}, {}},
+                     {"green", Scalar_type::uint8, {}, {}},
+                     {"blue", Scalar_type::uint8, {}, {}},
+                     {"label", Scalar_type::int16, {}, {}}};
+    a.of_faces = {{"material", Scalar_type::int32, {}, {"red", "two words"}},
+                  {"weight", Scalar_type::float64, {}, {}}};
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      const double row[] = {double(v * v % 11) + .25, double(37 * v % 256), 255. - double(v), 7,
+                            double(v % 5) - 2};
+      for (std::size_t k = 0; k < 5; ++k) a.of_vertices[k].values.push_back(row[k]);
     }
-    for (std::size_t f = 0; f < faces; ++f) {
-      std::size_t degree = 0;
-      in >> degree;
-      text += std::to_string(degree);
-      std::string texture = " " + std::to_string(2 * degree);
-      for (std::size_t i = 0; i < degree; ++i) {
-        std::size_t v = 0;
-        in >> v;
-        text += " " + std::to_string(v);
-        const std::size_t chart = has_seams && f % 7 < 2 ? 100 : 0;
-        texture += " " + std::to_string(chart + v / 6) + "." + std::to_string(v % 3) + " " +
-                   std::to_string(v % 6);
-      }
-      text += " " + std::to_string(f % 2) + " " + std::to_string(f) + ".5" + texture + "\n";
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+      a.of_faces[0].values.push_back(double(f % 2));
+      a.of_faces[1].values.push_back(double(f) + .5);
+      for (const std::size_t v : mesh.face(f))
+        a.texture.push_back(
+          {(has_seams && f % 7 < 2 ? 100. : 0.) + double(v / 6) + .1 * double(v % 3), double(v % 6),
+           0});
     }
-    folder.write("in.ply", text);
+    write_mesh(folder.file("in.ply"), mesh, Encoding::text);
   }
 
   std::string job(const std::string& scheme, const std::string& in, const std::string& out) const

@@ -33,30 +33,26 @@ std::string box(int m, bool is_triangles)
   return (is_triangles ? triangulated(part) : part).obj();
 }
 
+Triple unit(const Triple& v)
+{
+  const double length = std::hypot(v[0], v[1], v[2]);
+  return {v[0] / length, v[1] / length, v[2] / length};
+}
+
 // A ball with a ridge, of which some vertices are round and some are not.
 std::string ply(const std::vector<double>& roundness, bool with_normals)
 {
-  const int points[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 2, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -3}};
-  const int faces[8][3] = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
-                           {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-  std::ostringstream text;
-  text.precision(17);
-  text << "ply\nformat ascii 1.0\nelement vertex 6\n";
-  for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "roundness", "heat"})
-    if ((name[0] != 'n' || with_normals) && (name[0] != 'r' || !roundness.empty()))
-      text << "property double " << name << "\n";
-  text << "element face 8\nproperty list uchar int vertex_indices\nend_header\n";
-  for (std::size_t v = 0; v < 6; ++v) {
-    const int* p = points[v];
-    text << p[0] << ' ' << p[1] << ' ' << p[2];
-    const double n[] = {p[0] + 0.3, p[1] - 0.2, p[2] + 0.25}; // no sum of normals of faces
-    const double l = std::hypot(n[0], n[1], n[2]);
-    if (with_normals) text << ' ' << n[0] / l << ' ' << n[1] / l << ' ' << n[2] / l;
-    if (!roundness.empty()) text << ' ' << roundness[v];
-    text << ' ' << 10 * v << "\n";
-  }
-  for (const auto& f : faces) text << "3 " << f[0] << ' ' << f[1] << ' ' << f[2] << "\n";
-  return text.str();
+  Part part;
+  part.points = {{1, 0, 0}, {-1, 0, 0}, {0, 2, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -3}};
+  part.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  std::vector<Triple> normals;
+  if (with_normals)
+    for (const Triple& p : part.points) // no sum of normals of faces
+      normals.push_back(unit({p[0] + 0.3, p[1] - 0.2, p[2] + 0.25}));
+  Part::Columns_by_name columns{{"heat", {0, 10, 20, 30, 40, 50}}};
+  if (!roundness.empty()) columns.emplace_back("roundness", roundness);
+  return part.ply(normals, columns);
 }
 
 const std::vector<double> several = {0, 0.25, 1, 0.5, 0.3, 0};
@@ -64,37 +60,13 @@ const std::vector<double> several = {0, 0.25, 1, 0.5, 0.3, 0};
 // Twelve sides that end in a chamfer, and a lid or a cap of a sphere below; with the normals of the sides, or without any.
 std::string pin(bool with_normals, bool has_cap = false)
 {
-  std::ostringstream text;
-  text.precision(17);
-  const double pi = std::acos(-1.);
-  std::vector<std::pair<double, double>> rings = {{1.8, 28}, {2.4, 26}, {2.4, 0}};
-  for (const double angle : {0.4, 0.2}) // of a sphere of radius 4 through the last ring
-    if (has_cap) rings.push_back({4 * std::sin(angle), 3.2 - 4 * std::cos(angle)});
-  const int n = 12, m = int(rings.size()), last = n * (m - 1);
-  text << (with_normals ? "NOFF\n" : "OFF\n") << n * m + has_cap << ' '
-       << n * (m - 1) + 1 + (has_cap ? n : 1) << " 0\n";
-  for (const auto& [r, height] : rings)
-    for (int i = 0; i < n; ++i) {
-      const double x = std::cos(2 * pi * i / n), y = std::sin(2 * pi * i / n);
-      text << r * x << ' ' << r * y << ' ' << height;
-      if (with_normals) text << ' ' << x << ' ' << y << " 0";
-      text << '\n';
-    }
-  if (has_cap) text << "0 0 -0.8\n";
-  for (int v = 0; v < last; ++v) {
-    const int next = v % n == n - 1 ? v - n + 1 : v + 1;
-    text << "4 " << v << ' ' << v + n << ' ' << next + n << ' ' << next << '\n';
-  }
-  text << n;
-  for (int i = 0; i < n; ++i) text << ' ' << i;
-  text << '\n';
-  if (!has_cap) text << n;
-  for (int i = 0; i < n; ++i)
-    if (has_cap)
-      text << "3 " << n * m << ' ' << last + (i + 1) % n << ' ' << last + i << '\n';
-    else
-      text << ' ' << last + n - 1 - i;
-  return text.str();
+  Profile profile{{2.4, 0}, {2.4, 26}, {1.8, 28}};
+  for (const double angle : {0.4, 0.2, 0.}) // of a sphere of radius 4 through the lowest ring
+    if (has_cap) profile.insert(profile.begin(), {4 * std::sin(angle), 3.2 - 4 * std::cos(angle)});
+  const Part part = turned(profile, 12);
+  std::vector<Triple> normals;
+  for (const Triple& p : part.points) normals.push_back(unit({p[0], p[1], 0}));
+  return with_normals ? part.off(normals) : part.off();
 }
 
 double largest_difference(const std::vector<Triple>& a, const std::vector<Triple>& b)
@@ -357,25 +329,24 @@ TEST_F(Pn_subdivide_roundness, CallsOfOneRoundAreOneCallOfSeveral)
 TEST_F(Pn_subdivide_roundness, EdgesThatHardlyAreSharpAreNot)
 {
   const auto box = [&](const std::string& file, bool has_normals, double some, double one) {
-    std::string ply = "ply\nformat ascii 1.0\nelement vertex 8\n";
-    for (const char* const name : {"x", "y", "z", "nx", "ny", "nz"})
-      if (has_normals || name[0] != 'n') ply += "property double " + std::string(name) + "\n";
-    ply += "element face 6\nproperty list int int vertex_indices\nelement edge 12\n"
-           "property int vertex1\nproperty int vertex2\nproperty double sharpness\nend_header\n";
-    const double size[] = {2, 1.7, 1.5};
-    for (int v = 0; v < 8; ++v) {
-      for (int k = 0; k < 3; ++k) ply += std::to_string((v >> k & 1) * size[k]) + " ";
-      for (int k = 0; has_normals && k < 3; ++k) ply += std::to_string((v >> k & 1) - .4) + " ";
-      ply += "\n";
-    }
-    ply += "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n";
-    const char* const edges[] = {"0 1", "0 2", "0 4", "1 3", "1 5", "2 3",
-                                 "2 6", "3 7", "4 5", "4 6", "5 7", "6 7"};
-    for (const char* const e : edges) {
-      char s[40];
-      std::snprintf(s, sizeof s, " %g\n", e == edges[0] ? one : some);
-      ply += e + std::string(s);
-    }
+    Part part = box_of_squares(1, {0, 0, 0}, {2, 1.7, 1.5});
+    std::vector<Triple> normals;
+    for (const Triple& p : part.points)
+      normals.push_back({p[0] / 2 - .4, p[1] / 1.7 - .4, p[2] / 1.5 - .4});
+    std::string ply = has_normals ? part.ply(normals) : part.ply();
+    std::string edges;
+    for (const auto& face : part.faces)
+      for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t v = face[i], w = face[(i + 1) % 4];
+        if (v > w) continue;
+        char s[60];
+        std::snprintf(s, sizeof s, "%zu %zu %g\n", v, w, edges.empty() ? one : some);
+        edges += s;
+      }
+    const std::string end = "end_header\n";
+    ply.insert(ply.find(end), "element edge 12\nproperty int vertex1\nproperty int vertex2\n"
+                              "property double sharpness\n");
+    ply += edges;
     folder.write(file, ply);
   };
   for (const bool has_normals : {false, true})

@@ -9,6 +9,7 @@
 
 #include "Command_test.h"
 #include "Extent.h"
+#include "Part_files.h"
 #include "io/mesh_io.h"
 
 #include <cmath>
@@ -35,26 +36,15 @@ std::string number(double x)
   return text;
 }
 
-// an uneven box, or its triangles; without two of its faces if it is open
+// in quads or triangles, without one of its six sides if it is open
 std::string box(bool is_triangles, bool is_open, int exponent)
 {
-  const double at[8][3] = {{-1, -1.1, -0.9},  {1.2, -1, -1}, {1, 0.9, -1},     {-0.9, 1.05, -1.1},
-                           {-1.15, -0.95, 1}, {1, -1.2, 1},  {1.05, 1.1, 0.9}, {-1, 0.8, 1.2}};
-  const char* const quads[6][2] = {{"3 3 2 1", "3 3 1 0"}, {"3 4 5 6", "3 4 6 7"},
-                                   {"3 0 1 5", "3 0 5 4"}, {"3 1 2 6", "3 1 6 5"},
-                                   {"3 2 3 7", "3 2 7 6"}, {"3 3 0 4", "3 3 4 7"}};
-  const char* const whole[6] = {"4 3 2 1 0", "4 4 5 6 7", "4 0 1 5 4",
-                                "4 1 2 6 5", "4 2 3 7 6", "4 3 0 4 7"};
-  const int faces = is_open ? 5 : 6;
-  std::string off = "OFF\n8 " + std::to_string(is_triangles ? 2 * faces : faces) + " 0\n";
-  for (const auto& p : at) {
-    for (const double x : p) off += number(std::ldexp(x, exponent));
-    off += "\n";
-  }
-  for (int f = 0; f < faces; ++f)
-    off += is_triangles ? std::string(quads[f][0]) + "\n" + quads[f][1] + "\n"
-                        : std::string(whole[f]) + "\n";
-  return off;
+  Part part = uneven_box(is_triangles, is_open);
+  part.points = {{-1, -1.1, -0.9},  {1.2, -1, -1}, {1, 0.9, -1},     {-0.9, 1.05, -1.1},
+                 {-1.15, -0.95, 1}, {1, -1.2, 1},  {1.05, 1.1, 0.9}, {-1, 0.8, 1.2}};
+  for (Triple& p : part.points)
+    for (double& x : p) x = std::ldexp(x, exponent);
+  return part.off();
 }
 
 std::string circle(int exponent)
@@ -176,26 +166,18 @@ TEST_F(Pn_subdivide_scale, CurvesAreScaledBitForBit)
         "--scheme bspline:3 --closed --interpolate slide",
         "--scheme bspline:3 --interpolate points",
         "--scheme bspline:3 --linear --interpolate points"}) {
-    const auto numbers = [&](int e) {
-      const std::string input = folder.write("i.txt", circle(e)), output = folder.file("o.txt");
-      done(curve(input, output, "--quiet --levels 2 " + options));
-      std::vector<std::vector<double>> rows;
-      std::istringstream in(Temporary_folder::content(output));
-      for (std::string line; std::getline(in, line);) {
-        std::istringstream words(line);
-        rows.emplace_back();
-        for (std::string word; words >> word;)
-          rows.back().push_back(std::strtod(word.c_str(), nullptr));
-      }
-      return rows;
+    const auto refined = [&](int e) {
+      folder.write("i.txt", circle(e));
+      done(curve("i.txt", "o.txt", "--quiet --levels 2 " + options));
+      return rows_of(content("o.txt"));
     };
-    const auto one = numbers(0);
+    const auto one = refined(0);
     EXPECT_GT(one.size(), 20u);
     for (const int e : exponents) {
       auto expected = one;
       for (auto& row : expected)
         for (std::size_t k = 0; k < 2 && k < row.size(); ++k) row[k] = std::ldexp(row[k], e);
-      EXPECT_TRUE(numbers(e) == expected) << options << ' ' << e;
+      EXPECT_TRUE(refined(e) == expected) << options << ' ' << e;
     }
   }
 }

@@ -8,8 +8,8 @@
 
 // Normals that modelling programs make of those of the faces are no data; normals that oppose their faces are turned over.
 
-#include "Command_test.h"
 #include "Extent.h"
+#include "File_test.h"
 
 #include "io/Mesh_data.h"
 #include "io/mesh_io.h"
@@ -114,6 +114,11 @@ Shape ball(int n, int rings, const std::function<Vector(long double, long double
   return s;
 }
 
+Vector on_sphere(long double t, long double u)
+{
+  return {std::sin(t) * std::cos(u), std::sin(t) * std::sin(u), std::cos(t)};
+}
+
 // neither round nor even
 Shape potato()
 {
@@ -142,13 +147,6 @@ const std::pair<Format, const char*> formats[] = {{Format::obj, ".obj"},
                                                   {Format::binary_float, ".ply"},
                                                   {Format::binary_double, ".ply"}};
 
-template <class T>
-void put(std::string& bytes, T x)
-{
-  const char* const begin = reinterpret_cast<const char*>(&x);
-  bytes.append(begin, begin + sizeof x);
-}
-
 // With so many decimals, or with at most so many digits and no zeros at the end.
 std::string numbers(const Vector& v, int digits, bool is_fixed)
 {
@@ -169,12 +167,13 @@ std::string binary_file(const Shape& s, const std::vector<Vector>& normals, bool
   bytes += "element face " + std::to_string(s.faces.size()) +
            "\nproperty list uchar int vertex_indices\nend_header\n";
   for (std::size_t v = 0; v < s.points.size(); ++v) {
-    for (const long double x : s.points[v]) put(bytes, double(x));
-    for (const long double x : normals[v]) is_float ? put(bytes, float(x)) : put(bytes, double(x));
+    for (const long double x : s.points[v]) bytes += raw(double(x), false);
+    for (const long double x : normals[v])
+      bytes += is_float ? raw(float(x), false) : raw(double(x), false);
   }
   for (const std::vector<int>& f : s.faces) {
-    put(bytes, static_cast<unsigned char>(f.size()));
-    for (const int v : f) put(bytes, v);
+    bytes += char(f.size());
+    for (const int v : f) bytes += raw(v, false);
   }
   return bytes;
 }
@@ -330,16 +329,13 @@ TEST_F(Pn_subdivide_shading, MissingNormalsDoNotCount)
 
 TEST_F(Pn_subdivide_shading, TrueNormalsAreData)
 {
-  const auto on_sphere = [](long double t, long double u) {
-    return Vector{std::sin(t) * std::cos(u), std::sin(t) * std::sin(u), std::cos(t)};
-  };
   const Shape even = ball(8, 6, on_sphere);
   expect_data(even, even.points, "sphere");
-  const Shape uneven = ball(9, 7, [&](long double t, long double u) {
+  const Shape uneven = ball(9, 7, [](long double t, long double u) {
     return on_sphere(t + 0.25L * std::sin(2 * t), u + 0.3L * std::sin(u));
   });
   expect_data(uneven, uneven.points, "uneven sphere");
-  const Shape ellipsoid = ball(9, 7, [&](long double t, long double u) {
+  const Shape ellipsoid = ball(9, 7, [](long double t, long double u) {
     const Vector p = on_sphere(t, u + 0.3L * std::sin(u));
     return Vector{3 * p[0], 2 * p[1], p[2]};
   });
@@ -442,9 +438,6 @@ TEST_F(Pn_subdivide_shading, PointsMayBeRounded)
 // Of a capsule and a ball beside it, both with the normals of balls.
 TEST_F(Pn_subdivide_shading, NormalsFarFromTheFacesAreSetAside)
 {
-  const auto on_sphere = [](long double t, long double u) {
-    return Vector{std::sin(t) * std::cos(u), std::sin(t) * std::sin(u), std::cos(t)};
-  };
   Shape s = ball(10, 9, on_sphere);
   const std::size_t n = s.points.size();
   std::vector<Vector> normals;
@@ -537,9 +530,7 @@ TEST(Written_digits, UnitOfTheLastDigit)
 
 TEST_F(Pn_subdivide_shading, RepairTurnsNormalsOver)
 {
-  const Shape s = ball(9, 7, [](long double t, long double u) {
-    return Vector{std::sin(t) * std::cos(u), std::sin(t) * std::sin(u), std::cos(t)};
-  });
+  const Shape s = ball(9, 7, on_sphere);
   const std::string good = folder.write("good.off", file(s, s.points, Format::off, 15));
   const std::string expected = refined(good, "--levels 2");
   for (const std::size_t step : {1u, 5u, 100u})
@@ -551,13 +542,16 @@ TEST_F(Pn_subdivide_shading, RepairTurnsNormalsOver)
       const std::string input = written(s, normals, format, 15);
       const std::string number = std::to_string(turned);
       const Outcome without = refine(input, "--quiet");
-      expect_part(without.err, number + " of " + std::to_string(normals.size()));
+      const std::string place = " (first: at vertex " + std::to_string(3 % step) + ")",
+                        all = std::to_string(normals.size());
+      expect_part(without.err, "warning: " + input + ": " + number + " of " + all +
+                                 (turned == 1 ? " normals points" : " normals point") +
+                                 " against the faces" + place);
       expect_part(without.err, "--repair turns");
       const std::string report = folder.file("r.json");
       const Outcome with = refine(input, "--quiet --repair --report '" + report + "'");
       expect_part(with.err, number + (turned == 1 ? " normal " : " normals ") +
-                              "that opposed all faces turned over (first: at vertex " +
-                              std::to_string(3 % step) + ")");
+                              "that opposed all faces turned over" + place);
       expect_no_part(with.err, "point against");
       EXPECT_EQ(nlohmann::json::parse(Temporary_folder::content(report)).at("repaired"),
                 nlohmann::json({{"turned_normals", turned}}));
@@ -565,18 +559,22 @@ TEST_F(Pn_subdivide_shading, RepairTurnsNormalsOver)
         EXPECT_EQ(refined(input, "--levels 2 --repair"), expected);
       }
       // which are not taken
-      for (const std::string options : {"--linear", "--normals estimate", "--normals sphere:0,0,0"})
+      for (const std::string options :
+           {"--linear", "--normals estimate", "--normals sphere:0,0,0"}) {
         EXPECT_EQ(refine(input, "--quiet --repair " + options).err, "");
+        expect_no_part(refine(input, options).err, "point against");
+      }
+      for (const std::string options : {"--sharp angle:80", "--levels 0"})
+        expect_part(refine(input, "--quiet " + options).err, place);
     }
-  EXPECT_EQ(refine(good, "--quiet --repair").err, "");
+  for (const char* const repair : {"--quiet --repair", "--quiet"})
+    EXPECT_EQ(refine(good, repair).err, "");
 }
 
 // Of a box inside out with normals that point outwards the faces are turned, and the normals are right then.
 TEST_F(Pn_subdivide_shading, FacesAreTurnedFirst)
 {
-  Shape s = ball(9, 7, [](long double t, long double u) {
-    return Vector{std::sin(t) * std::cos(u), std::sin(t) * std::sin(u), std::cos(t)};
-  });
+  Shape s = ball(9, 7, on_sphere);
   for (std::vector<int>& f : s.faces) std::reverse(f.begin(), f.end());
   const Outcome outcome = refine(written(s, s.points, 1, 15), "--quiet --repair");
   expect_part(outcome.err, "1 closed component turned right side out");

@@ -9,11 +9,11 @@
 // What is sharp in the result: written to PLY, OBJ and selections, read again, and carried from call to call.
 
 #include "Extent.h"
+#include "Part_files.h"
 #include "Refined_files.h"
 
 #include "io/mesh_io.h"
 
-#include <cstdio>
 #include <limits>
 
 using namespace pn_subdivide;
@@ -22,34 +22,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A box about the origin, in quads or triangles; without its lid it has a border.
-const std::vector<Triple> box_points = {{-1, -2, -3}, {1, -2, -3}, {1, 2, -3}, {-1, 2, -3},
-                                        {-1, -2, 3},  {1, -2, 3},  {1, 2, 3},  {-1, 2, 3}};
-
-std::vector<std::vector<int>> box_faces(bool is_triangles, bool is_open)
-{
-  std::vector<std::vector<int>> faces = {{3, 2, 1, 0}, {0, 1, 5, 4}, {1, 2, 6, 5},
-                                         {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6, 7}};
-  if (is_open) faces.pop_back();
-  if (!is_triangles) return faces;
-  std::vector<std::vector<int>> triangles;
-  for (const auto& f : faces) {
-    triangles.push_back({f[0], f[1], f[2]});
-    triangles.push_back({f[0], f[2], f[3]});
-  }
-  return triangles;
-}
-
 std::string obj_box(bool is_triangles = false, bool is_open = false)
 {
-  std::ostringstream s;
-  for (const Triple& p : box_points) s << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
-  for (const auto& face : box_faces(is_triangles, is_open)) {
-    s << "f";
-    for (const int v : face) s << ' ' << v + 1;
-    s << "\n";
-  }
-  return s.str();
+  return uneven_box(is_triangles, is_open).obj();
 }
 
 using Tag = std::pair<std::array<int, 2>, double>;
@@ -58,25 +33,15 @@ using Tag = std::pair<std::array<int, 2>, double>;
 std::string ply_box(const std::vector<Tag>& edges, const std::vector<double>& vertices,
                     bool is_triangles = false)
 {
-  std::ostringstream s;
-  s << "ply\nformat ascii 1.0\nelement vertex 8\nproperty double x\nproperty double y\n"
-       "property double z\nproperty double sharpness\n";
-  const auto faces = box_faces(is_triangles, false);
-  s << "element face " << faces.size() << "\nproperty list uchar int vertex_indices\n"
-    << "element edge " << edges.size()
-    << "\nproperty int vertex1\nproperty int vertex2\nproperty double sharpness\nend_header\n";
-  for (std::size_t v = 0; v < 8; ++v) {
-    for (const double x : box_points[v]) s << x << ' ';
-    s << (vertices.empty() ? 0 : vertices[v]) << "\n";
-  }
-  for (const auto& face : faces) {
-    s << face.size();
-    for (const int v : face) s << ' ' << v;
-    s << "\n";
-  }
+  std::ostringstream of_edges;
   for (const auto& [ends, sharpness] : edges)
-    s << ends[0] << ' ' << ends[1] << ' ' << sharpness << "\n";
-  return s.str();
+    of_edges << ends[0] << ' ' << ends[1] << ' ' << sharpness << "\n";
+  std::string s = uneven_box(is_triangles)
+                    .ply({}, {{"sharpness", vertices.empty() ? std::vector<double>(8) : vertices}});
+  s.insert(s.find("end_header"), "element edge " + std::to_string(edges.size()) +
+                                   "\nproperty int vertex1\nproperty int vertex2\n"
+                                   "property double sharpness\n");
+  return s + of_edges.str();
 }
 
 const std::vector<std::array<int, 2>> outline = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
@@ -119,6 +84,7 @@ protected:
 // Is it on one of the edges of the box, and which?
 int edge_of_box(const Triple& p, const Triple& q)
 {
+  const std::vector<Triple> box_points = uneven_box().points;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Triple &a = box_points[std::size_t(outline[i][0])],
                  &b = box_points[std::size_t(outline[i][1])];
@@ -376,20 +342,8 @@ TEST_F(Pn_subdivide_tags, OtherSourcesLeaveTheTagsOut)
 // A box whose faces have normals of their own has creases by these, unless tags say otherwise.
 TEST_F(Pn_subdivide_tags, TagsComeBeforeNormalsThatDiffer)
 {
-  const char* const normals[] = {"0 0 -1", "0 -1 0", "1 0 0", "0 1 0", "-1 0 0", "0 0 1"};
-  std::string s;
-  for (const Triple& p : box_points) {
-    char line[100];
-    std::snprintf(line, sizeof line, "v %g %g %g\n", p[0], p[1], p[2]);
-    s += line;
-  }
-  for (const char* n : normals) s += std::string("vn ") + n + "\n";
-  const auto faces = box_faces(false, false);
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    s += "f";
-    for (const int v : faces[f]) s += " " + std::to_string(v + 1) + "//" + std::to_string(f + 1);
-    s += "\n";
-  }
+  const std::string s = uneven_box().obj_of_faces(
+    {{0, 0, -1}, {0, -1, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}});
   folder.write("normals.obj", s);
   folder.write("both.obj", s + "t crease 2/1/0 0 1 10\n");
   const std::string options = "--levels 1 --output-normals control";
@@ -430,9 +384,7 @@ TEST_F(Pn_subdivide_tags, DamagedTagsAreRefused)
   const auto expect_refusal = [&](const std::string& name, const std::string& content,
                                   const std::string& part) {
     folder.write(name, content);
-    folder.write("o.ply", "old");
-    expect_one_line(surface(name, "o.ply", ""), 1, part);
-    EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
+    Command_test::expect_refusal(name, "o.ply", "", {part}, 1);
   };
   const auto obj = [](const std::string& line) { return obj_box() + line + "\n"; };
   expect_refusal("a.obj", obj("t crease 2/1/0 0 8 10"), "line 15: vertex 8 of a tag");
@@ -513,23 +465,18 @@ TEST_F(Pn_subdivide_tags, OneRoundAndTwoAreThree)
 
 TEST_F(Pn_subdivide_tags, WhatDoesNotGoWithWriteTags)
 {
-  const auto expect_refusal = [&](const std::string& options, const std::string& part) {
-    folder.write("o.ply", "old");
-    expect_one_line(surface("quads.obj", "o.ply", options), 2, part);
-    EXPECT_EQ(content("o.ply"), "old");
+  const auto expect_refusal = [&](const std::string& options,
+                                  const std::vector<std::string>& parts) {
+    Command_test::expect_refusal("quads.obj", "o.ply", options, parts);
   };
   const std::string tags = " --write-tags '" + folder.file("t.selection.txt") + "' ";
-  for (const char* const part : {"--write-tags", "doo-sabin"})
-    expect_refusal("--scheme doo-sabin" + tags, part);
-  for (const char* const part : {"--write-tags", "sqrt3"})
-    expect_refusal("--scheme sqrt3 --triangulate" + tags, part);
-  for (const char* const part : {"--write-tags", "--pieces"})
-    expect_refusal("--pieces 2" + tags, part);
-  expect_refusal("--write-tags t.txt", ".selection.txt");
-  expect_refusal("--write-tags -", ".selection.txt");
+  expect_refusal("--scheme doo-sabin" + tags, {"--write-tags", "doo-sabin"});
+  expect_refusal("--scheme sqrt3 --triangulate" + tags, {"--write-tags", "sqrt3"});
+  expect_refusal("--pieces 2" + tags, {"--write-tags", "--pieces"});
+  expect_refusal("--write-tags t.txt", {".selection.txt"});
+  expect_refusal("--write-tags -", {".selection.txt"});
   expect_refusal(sharp("all") + "--write-tags '" + folder.file("all.selection.txt") + "'",
-                 "a file of its own");
-  expect_one_line(surface("quads.obj", "o.ply", "--write-tags /no/such/t.selection.txt"), 1,
-                  "/no/such");
-  EXPECT_EQ(content("o.ply"), "old");
+                 {"a file of its own"});
+  Command_test::expect_refusal("quads.obj", "o.ply", "--write-tags /no/such/t.selection.txt",
+                               {"/no/such"}, 1);
 }

@@ -121,7 +121,24 @@ TEST_F(Verify, ReproducedShapesKeepTheBound)
   const std::string data = PN_DATA_DIR;
   expect_kept(surface(data + "/sphere_quads.ply", "--levels 3 --verify sphere:0,0,0,1"));
   expect_kept(surface(data + "/cylinder_quads.ply", "--levels 3 --verify cylinder:0,0,0,0,0,1,1"));
+  // with normals of the shape, which the file does not have; without them the uneven cylinder is left
+  std::string open_box = box;
+  for (std::size_t i = 0; (i = open_box.find("3 -3 ")) != std::string::npos;)
+    open_box.replace(i, 4, "3.6 -3.2");
+  open_box.replace(open_box.find("8 6"), 3, "8 4");
+  open_box.erase(open_box.find("4 3 2 1 0"), 20);
+  const std::string sides = folder.write("sides.off", open_box);
+  expect_kept(surface(sides, "--levels 3 --normals cylinder:3,-4,7,0,0,-4 --verify "
+                             "cylinder:3,-4,0,0,0,1,1"));
+  EXPECT_GT(verified(surface(sides, "--levels 3 --verify cylinder:3,-4,0,0,0,1,1")).deviation, .01);
+  expect_kept(surface(sides, "--levels 3 --normals sphere:3,-4,2 --verify "
+                             "sphere:3,-4,2,1.8027756377319946"));
   expect_kept(curve(circle(0, 0, 1), "--closed --levels 6 --verify circle:0,0,1"));
+  // estimated ones, of uneven samples
+  std::istringstream lines(circle(0, 0, 1));
+  std::string points;
+  for (std::string x, y, n; lines >> x >> y; std::getline(lines, n)) points += x + ' ' + y + '\n';
+  expect_kept(curve(points, "--closed --levels 6 --verify circle:0,0,1"));
   expect_kept(curve(circle(40, -30, 1), "--closed --levels 6 --verify circle:40,-30,1"));
   // the linear scheme does not
   const Printed linear =

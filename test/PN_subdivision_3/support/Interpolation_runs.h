@@ -23,12 +23,6 @@ using Options = test_options::Limit_interpolation_options<>;
 using Report = PN::Limit_interpolation;
 using Chosen = Surface_mesh::Property_map<Surface_mesh::Vertex_index, bool>;
 
-// wrong ways to interpolate, which are to fail
-enum class Wrong_way {
-  normals_of_the_limit, // slide with N for nu
-  one_average           // limit points from the ring as it is, with no round
-};
-
 template <class Scheme>
 struct Interpolation_runs
 {
@@ -42,12 +36,6 @@ struct Further_interpolation_runs
                      const test_options::Limit_interpolation_options<Chosen>& options);
   static Report in_parallel(Surface_mesh& mesh, const Scheme& scheme, const Options& options);
   static void natural_normals(Surface_mesh& mesh, const Scheme& scheme);
-};
-
-template <class Scheme>
-struct Wrong_runs
-{
-  static void interpolate(Surface_mesh& mesh, const Scheme& scheme, Wrong_way way);
 };
 
 // the distance of a point from the limit surface of the mesh, sought about a vertex

@@ -29,32 +29,6 @@ Report Interpolation_runs<Scheme>::interpolate(Surface_mesh& mesh, const Scheme&
 }
 
 template <class Scheme>
-void Wrong_runs<Scheme>::interpolate(Surface_mesh& mesh, const Scheme& scheme, Wrong_way way)
-{
-  PN::internal::with_mesh_access(mesh, [&](auto& access) {
-    const auto level = PN::internal::checked_level(access);
-    auto control = PN::internal::read_points_and_normals<double>(access, scheme, level,
-                                                                 mesh.points(), normal_map(mesh));
-    PN::internal::set_surroundings(level, control);
-    control.tolerance = 1e-12;
-    for (unsigned v = 0; v < control.points.size(); ++v) control.vertices.push_back(v);
-    PN::internal::Mesh_limit_functionals<Scheme> source(scheme, level, PN::internal::For_chunks());
-    PN::internal::Interpolation_result<3> result;
-    if (way == Wrong_way::normals_of_the_limit) {
-      control.is_at_border.assign(control.points.size(), 1); // every vertex is taken for one there
-      result = PN::internal::Slide_interpolation<3, 2>(control, source)();
-    } else {
-      control.max_depth = 0;
-      result = PN::internal::Strict_interpolation<3, 2>(control, source)(control.normals);
-    }
-    for (auto v : mesh.vertices()) {
-      const auto& p = result.points[v];
-      mesh.point(v) = Kernel::Point_3(p[0], p[1], p[2]);
-    }
-  });
-}
-
-template <class Scheme>
 double Distance_runs<Scheme>::from_limit(Surface_mesh& mesh, const Scheme& scheme,
                                          const reference::Vector& point, std::size_t vertex)
 {
