@@ -185,46 +185,35 @@ public:
     worst_.normal = (std::max)(worst_.normal, d.normal);
     worst_.vertices += d.vertices;
   }
+  template <class Samplings>
+  void check_all(const Surface& surface, double offset, const Samplings& samplings)
+  {
+    for (const Control_mesh& mesh : samplings(surface))
+      check(to_surface_mesh(mesh), surface, offset, mesh.name);
+  }
 
 private:
   Deviation worst_;
 };
 TYPED_TEST_SUITE(Reproduction, Schemes, Scheme_names);
 
-TYPED_TEST(Reproduction, OfCenteredSpheres)
+TYPED_TEST(Reproduction, OfSpheres)
 {
-  for (Real radius : {Real(1), Real(1234.5L)}) {
-    const Surface sphere{Vector::Zero(), radius};
-    for (const Control_mesh& mesh : samplings_of_sphere<TypeParam>(sphere))
-      this->check(to_surface_mesh(mesh), sphere, 0, mesh.name);
-  }
+  for (Real radius : {Real(1), Real(1234.5L)})
+    this->check_all(Surface{Vector::Zero(), radius}, 0, samplings_of_sphere<TypeParam>);
+  for (double distance : {3., 1e4})
+    this->check_all(Surface{distance * Vector(2, -1, 2) / 3, 1}, distance,
+                    samplings_of_sphere<TypeParam>);
 }
 
-TYPED_TEST(Reproduction, OfSpheresElsewhere)
+TYPED_TEST(Reproduction, OfCylinders)
 {
-  for (double distance : {3., 1e4}) {
-    const Surface sphere{distance * Vector(2, -1, 2) / 3, 1};
-    for (const Control_mesh& mesh : samplings_of_sphere<TypeParam>(sphere))
-      this->check(to_surface_mesh(mesh), sphere, distance, mesh.name);
-  }
-}
-
-TYPED_TEST(Reproduction, OfCenteredCylinders)
-{
-  for (const Vector& axis : {Vector(0, 0, 1), Vector(1, 2, 5)}) {
-    const Surface cylinder{Vector::Zero(), 1.5, axis.normalized()};
-    for (const Control_mesh& mesh : samplings_of_cylinder<TypeParam>(cylinder))
-      this->check(to_surface_mesh(mesh), cylinder, 0, mesh.name);
-  }
-}
-
-TYPED_TEST(Reproduction, OfCylindersElsewhere)
-{
-  for (double distance : {3., 1e4}) {
-    const Surface cylinder{distance * Vector(2, 1, 2) / 3, 1, Vector(1, 2, -2) / 3};
-    for (const Control_mesh& mesh : samplings_of_cylinder<TypeParam>(cylinder))
-      this->check(to_surface_mesh(mesh), cylinder, distance, mesh.name);
-  }
+  for (const Vector& axis : {Vector(0, 0, 1), Vector(1, 2, 5)})
+    this->check_all(Surface{Vector::Zero(), 1.5, axis.normalized()}, 0,
+                    samplings_of_cylinder<TypeParam>);
+  for (double distance : {3., 1e4})
+    this->check_all(Surface{distance * Vector(2, 1, 2) / 3, 1, Vector(1, 2, -2) / 3}, distance,
+                    samplings_of_cylinder<TypeParam>);
 }
 
 // The files name their surface in a comment.

@@ -181,22 +181,4 @@ TEST(PN_mask_3_custom, ViewAnswersLikeTheMesh)
   }
 }
 
-// Weights 1, 1, -1: where the first entry has left, the others weigh nothing, and there is no
-// height.
-TEST(PN_mask_3_custom, NoHeightWhereTheRemainingWeightIsTooSmall)
-{
-  Soup soup;
-  soup.points = {{0, 0, 0}, {3, 0, 1}, {1, 2, 5}};
-  soup.faces = {{0, 1, 2}};
-  // far vertex, target, source: N = (-z) + (0.8, 0, 0.6) - (0.8, 0, -0.6) = 0.2 z
-  const Triple minus_z{0, 0, -1}, up{0.8, 0, 0.6}, down{0.8, 0, -0.6};
-  Control<Surface_mesh> control(soup, {down, up, minus_z});
-  auto mask = PN::make_PN_mask_3<Skew_mask_3>(control.mesh, control.point_normals(), 1., 1.);
-  decltype(mask)::Point_normal node;
-  const auto v = vertices(control.mesh).begin();
-  mask.edge_node(halfedge(*v, *std::next(v), control.mesh).first, node);
-  EXPECT_LE(distance(node.second, K::Vector_3(0, 0, 1)), 1e-15);
-  EXPECT_EQ(node.first, K::Point_3(4, 2, 6));
-}
-
 } // namespace

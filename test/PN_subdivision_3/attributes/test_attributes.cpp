@@ -52,13 +52,6 @@ auto add(Mesh& mesh, const char* name, const T& value = T())
   return mesh.add_property_map<Key, T>(name, value).first;
 }
 
-Mesh make(const Soup& soup)
-{
-  Mesh mesh;
-  build(soup, mesh);
-  return mesh;
-}
-
 // a type of the user's with + and a product only
 struct Load
 {
@@ -84,7 +77,7 @@ TEST(Attributes, ConstantsKeepTheirBits)
 {
   const double inf = std::numeric_limits<double>::infinity();
   for (const double value : {0.1, -0.0, 1e308, 5e-324, inf, std::nan("")}) {
-    Mesh mesh = make(mixed_with_border());
+    Mesh mesh = built<Mesh>(mixed_with_border());
     auto t = add<V, double>(mesh, "t", value);
     auto f = add<V, float>(mesh, "f", float(value));
     auto l = add<V, Load>(mesh, "l", {0.1, 7});
@@ -111,7 +104,7 @@ TEST(Attributes, ConstantsKeepTheirBits)
 
 TEST(Attributes, LinearFunctionsStayToFourUlp)
 {
-  Mesh mesh = make(mixed_with_border());
+  Mesh mesh = built<Mesh>(mixed_with_border());
   auto t = add<V, double>(mesh, "t");
   double size = 0;
   for (auto v : mesh.vertices()) {
@@ -127,7 +120,7 @@ TEST(Attributes, LinearFunctionsStayToFourUlp)
 // All types say what the coordinates of the points, which are refined by the same rows, say.
 TEST(Attributes, OfEveryType)
 {
-  Mesh mesh = make(cube());
+  Mesh mesh = built<Mesh>(cube());
   auto f = add<V, float>(mesh, "f");
   auto a = add<V, std::array<float, 2>>(mesh, "a");
   auto e = add<V, Eigen::Vector3d>(mesh, "e", Eigen::Vector3d(0, 0, 0));
@@ -184,7 +177,7 @@ TEST(Attributes, OfEveryType)
 
 TEST(Attributes, FacesAndEdgesInherit)
 {
-  Mesh mesh = make(mixed_with_border());
+  Mesh mesh = built<Mesh>(mixed_with_border());
   auto patch = add<Mesh::Face_index, std::string>(mesh, "patch");
   auto mark = add<Mesh::Edge_index, bool>(mesh, "mark", false);
   auto parent = add<Mesh::Face_index, int>(mesh, "parent");
@@ -334,7 +327,7 @@ TYPED_TEST(Chart_attributes, AreThoseOfTheMeshCutOpen)
                            std::is_same_v<TypeParam, PN::Loop_scheme>;
   const Charts c = charts_of_grid(TypeParam::Host::refined_degree == 3,
                                   !std::is_same_v<TypeParam, PN::Kobbelt_scheme>);
-  Mesh mesh = make(c.soup);
+  Mesh mesh = built<Mesh>(c.soup);
   auto uv = add<H, Uv>(mesh, "uv");
   put_uv(c, mesh, uv);
   EXPECT_TRUE(PN::has_seam(mesh, uv));
@@ -360,7 +353,7 @@ TYPED_TEST(Chart_attributes, AreLinearInsideFacesIfAskedFor)
 {
   const Charts c = charts_of_grid(TypeParam::Host::refined_degree == 3,
                                   !std::is_same_v<TypeParam, PN::Kobbelt_scheme>);
-  Mesh mesh = make(c.soup);
+  Mesh mesh = built<Mesh>(c.soup);
   auto uv = add<H, Uv>(mesh, "uv");
   auto parent = add<Mesh::Face_index, int>(mesh, "parent");
   put_uv(c, mesh, uv);
@@ -445,7 +438,7 @@ TYPED_TEST(Labels, AreThoseOfTheNearestControlVertex)
   constexpr bool splits = PN::splits_edges_v<TypeParam>;
   constexpr bool are_triangles =
     TypeParam::Host::refined_degree == 3 || std::is_same_v<TypeParam, PN::Sqrt3_scheme>;
-  Mesh mesh = make(Flat_torus(are_triangles).soup);
+  Mesh mesh = built<Mesh>(Flat_torus(are_triangles).soup);
   std::vector<std::vector<std::size_t>> corners; // of the control faces
   auto place = add<H, Uv>(mesh, "place");
   for (auto f : mesh.faces()) {
@@ -510,7 +503,7 @@ TYPED_TEST(Labels, AreThoseOfTheNearestControlVertex)
 // Control vertices keep theirs, polygons, borders and a crease included.
 TEST(Attributes, LabelsAreNeverBetweenOthers)
 {
-  Mesh mesh = make(mixed_with_border());
+  Mesh mesh = built<Mesh>(mixed_with_border());
   auto label = add<V, short>(mesh, "label");
   for (auto v : mesh.vertices()) label[v] = v.idx() % 2 == 0 ? 1 : 3;
   const std::size_t control = mesh.number_of_vertices();
@@ -530,7 +523,7 @@ TEST(Attributes, LabelsAreNeverBetweenOthers)
 
 TEST(Attributes, DirectionsAreUnitVectors)
 {
-  Mesh mesh = make(mixed_with_border());
+  Mesh mesh = built<Mesh>(mixed_with_border());
   auto d = add<V, Kernel::Vector_3>(mesh, "d", CGAL::NULL_VECTOR);
   auto sum = add<V, Kernel::Vector_3>(mesh, "sum", CGAL::NULL_VECTOR);
   PN::Attribute_table table;
@@ -596,7 +589,7 @@ void put_uv(const Charts& c, const Mesh& mesh, Mesh::Property_map<H, Uv>& uv, bo
 template <class Tag>
 Results by_maps(const Charts& c, bool second_alone = false)
 {
-  Mesh mesh = make(c.soup);
+  Mesh mesh = built<Mesh>(c.soup);
   auto scalar = add<V, double>(mesh, "scalar");
   auto color = add<V, std::array<double, 3>>(mesh, "color");
   auto uv = add<H, Uv>(mesh, "uv");
@@ -665,7 +658,7 @@ Results by_table(const Charts& c, const Mesh& control, unsigned extra = 0,
 TEST(Attributes, AreTheSameInTablesAndByThreads)
 {
   const Charts c = charts_of_grid(false);
-  const Mesh control = make(c.soup);
+  const Mesh control = built<Mesh>(c.soup);
   const Results expected = by_maps<CGAL::Sequential_tag>(c);
   EXPECT_GT(expected.scalar.size(), 9000u);
   EXPECT_EQ(by_table<CGAL::Sequential_tag>(c, control), expected);
@@ -681,7 +674,7 @@ TEST(Attributes, AreTheSameInTablesAndByThreads)
 TEST(Attributes, InTablesAlongCreases)
 {
   for (const double sharpness : {1.5, std::numeric_limits<double>::infinity()}) {
-    Mesh mesh = make(cube());
+    Mesh mesh = built<Mesh>(cube());
     auto sharp = add<Mesh::Edge_index, double>(mesh, "sharp", sharpness);
     PN::Attribute_table table;
     table.vertices.resize(1);
@@ -701,7 +694,7 @@ TEST(Attributes, InTablesAlongCreases)
 // Values that are carried change no bit of the points and normals.
 TEST(Attributes, LeaveThePointsAlone)
 {
-  Mesh mesh = make(mixed_with_border()), other = mesh;
+  Mesh mesh = built<Mesh>(mixed_with_border()), other = mesh;
   auto t = add<V, double>(mesh, "t", 1);
   const auto np = params::number_of_iterations(3);
   PN::subdivide(
@@ -717,7 +710,7 @@ TEST(Attributes, LeaveThePointsAlone)
 TEST(Attributes, AreRefusedByNameAndLeaveTheMesh)
 {
   const Charts c = charts_of_grid(false);
-  Mesh mesh = make(c.soup);
+  Mesh mesh = built<Mesh>(c.soup);
   const auto before = points(mesh);
   EXPECT_NE(
     messages::message_of([&] { by_table<CGAL::Sequential_tag>(c, mesh, 1); }).find("50 values"),
@@ -756,7 +749,7 @@ TEST(Attributes, AreRefusedByNameAndLeaveTheMesh)
 // A map without seams is carried by schemes that keep no edges, too.
 TEST(Attributes, OfCornersWithoutSeamsAreThoseOfVertices)
 {
-  Mesh mesh = make(mixed_with_border());
+  Mesh mesh = built<Mesh>(mixed_with_border());
   auto t = add<V, double>(mesh, "t");
   auto u = add<H, double>(mesh, "u");
   for (auto v : mesh.vertices()) t[v] = scalar_of(v);
@@ -793,7 +786,7 @@ long Fragile::left = 0;
 TEST(Attributes, ThatThrowLeaveEverythingAsItWas)
 {
   const Charts c = charts_of_grid(false);
-  const Mesh control = make(c.soup);
+  const Mesh control = built<Mesh>(c.soup);
   for (long n : {1L, 2L, 100L, 5000L}) {
     Mesh mesh = control;
     auto fragile = add<V, Fragile>(mesh, "fragile");

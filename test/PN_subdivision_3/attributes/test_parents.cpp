@@ -261,14 +261,6 @@ Soup planar(std::size_t n, bool triangles)
 
 constexpr auto always = [](const PN::Control_element&) { return true; };
 
-template <class Mesh = Surface_mesh>
-Mesh make(const Soup& soup)
-{
-  Mesh mesh;
-  build(soup, mesh);
-  return mesh;
-}
-
 const Elements& of_kind(const Parents& parents, Kind kind)
 {
   return kind == Kind::vertex ? parents.vertices
@@ -287,7 +279,7 @@ Elements composed(const Elements& second, const Parents& first)
 TEST(Parents, ChildrenLieInThemInQuads)
 {
   for (unsigned rounds : {1u, 2u, 3u}) {
-    Surface_mesh mesh = make(planar(5, false));
+    Surface_mesh mesh = built<Surface_mesh>(planar(5, false));
     const Figure control(mesh);
     const Parents parents = refine(mesh, Middle_scheme<PN::PQQ_host>(), rounds);
     expect_inside(control, mesh, parents, always);
@@ -307,7 +299,7 @@ TEST(Parents, ChildrenLieInThemInQuads)
 TEST(Parents, ChildrenLieInThemInTriangles)
 {
   for (unsigned rounds : {1u, 2u, 3u}) {
-    Surface_mesh mesh = make(planar(4, true));
+    Surface_mesh mesh = built<Surface_mesh>(planar(4, true));
     const Figure control(mesh);
     const Parents parents = refine(mesh, Middle_scheme<PN::PTQ_host>(), rounds);
     expect_inside(control, mesh, parents, always);
@@ -322,7 +314,7 @@ TEST(Parents, ChildrenLieInThemInSqrt3AfterEvenRounds)
 {
   const std::size_t n = 10;
   for (unsigned rounds : {2u, 4u}) {
-    Surface_mesh mesh = make(planar(n, true));
+    Surface_mesh mesh = built<Surface_mesh>(planar(n, true));
     const Figure control(mesh);
     std::vector<bool> is_far(control.vertices.size());
     for (std::size_t v = 0; v < (n + 1) * (n + 1); ++v) {
@@ -359,7 +351,7 @@ TEST(Parents, ChildrenLieInThemInSqrt3AfterEvenRounds)
 // The parts of a border edge of a sqrt(3) mesh lie on it, where it is straight.
 TEST(Parents, OfSqrt3AtTheBorder)
 {
-  Surface_mesh mesh = make(planar(6, true));
+  Surface_mesh mesh = built<Surface_mesh>(planar(6, true));
   const Figure control(mesh);
   std::vector<bool> is_border_edge;
   for (auto e : mesh.edges()) is_border_edge.push_back(mesh.is_border(e));
@@ -385,7 +377,7 @@ TEST(Parents, OfSqrt3AtTheBorder)
 
 TEST(Parents, OfDooSabinLieWhereTheyComeFrom)
 {
-  Surface_mesh mesh = make(planar(5, false));
+  Surface_mesh mesh = built<Surface_mesh>(planar(5, false));
   const Figure control(mesh);
   const Parents parents = refine(mesh, Middle_scheme<PN::DQQ_host>(), 1);
   const Figure refined(mesh);
@@ -434,7 +426,7 @@ TYPED_TEST(Parents_of, SeveralRoundsAreThoseOfSingleRounds)
   const bool triangles = TypeParam::Host::refined_degree == 3;
   for (const Soup& soup : {triangles ? triangles_with_border() : mixed_with_border(),
                            triangles ? tetrahedron() : cube()}) {
-    Surface_mesh mesh = make(soup), single = make(soup);
+    Surface_mesh mesh = built<Surface_mesh>(soup), single = built<Surface_mesh>(soup);
     const Parents parents = refine(mesh, TypeParam(), 3);
     const Parents first = refine(single, TypeParam(), 1);
     const Parents second = refine(single, TypeParam(), 1);
@@ -452,11 +444,11 @@ TYPED_TEST(Parents_of, AreTheSameForAllMeshes)
 {
   const bool triangles = TypeParam::Host::refined_degree == 3;
   const Soup soup = triangles ? triangles_with_border() : mixed_with_border();
-  Surface_mesh mesh = make(soup), garbage;
+  Surface_mesh mesh = built<Surface_mesh>(soup), garbage;
   garbage.remove_vertex(garbage.add_vertex());
   build(soup, garbage);
   ASSERT_TRUE(garbage.has_garbage());
-  Polyhedron polyhedron = make<Polyhedron>(soup);
+  Polyhedron polyhedron = built<Polyhedron>(soup);
   const Parents expected = refine(mesh, TypeParam(), 2);
   for (const Parents& parents :
        {refine(garbage, TypeParam(), 2), refine(polyhedron, TypeParam(), 2)}) {
@@ -479,7 +471,7 @@ struct Face_counter
 // A visitor has the members that it needs, and is told after the mesh has been made.
 TEST(Parents, VisitorsHaveWhatTheyNeed)
 {
-  Surface_mesh mesh = make(cube());
+  Surface_mesh mesh = built<Surface_mesh>(cube());
   std::vector<int> children(6, 0);
   PN::subdivide(mesh, PN::CatmullClark_scheme(),
                 params::number_of_iterations(2).visitor(Face_counter{&children}));
@@ -489,7 +481,7 @@ TEST(Parents, VisitorsHaveWhatTheyNeed)
 
 TEST(Parents, MapsSayWhatVisitorsAreTold)
 {
-  Surface_mesh mesh = make(mixed_with_border()), other = mesh;
+  Surface_mesh mesh = built<Surface_mesh>(mixed_with_border()), other = mesh;
   const Parents expected = refine(other, PN::DooSabin_scheme(), 2);
   auto face = mesh.add_property_map<Surface_mesh::Face_index, PN::Control_element>("parent").first;
   auto number = mesh.add_property_map<Surface_mesh::Face_index, int>("number", -1).first;

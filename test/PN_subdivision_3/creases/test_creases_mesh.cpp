@@ -268,30 +268,6 @@ TEST(Creases_of_meshes, Cubes_stay_cubes)
   }
 }
 
-TEST(Creases_of_meshes, Without_tags_are_the_plain_surface)
-{
-  Control c = ball_cap().control();
-  Tagged<Surface_mesh> tagged(c), plain(c);
-  auto normals = [](Tagged<Surface_mesh>& t) {
-    auto map = t.mesh.add_property_map<Surface_mesh::Vertex_index, Vector_3>("v:n").first;
-    for (auto h : t.mesh.halfedges())
-      if (!t.mesh.is_border(h)) map[t.mesh.target(h)] = get(t.normals, h);
-    return map;
-  };
-  const auto tagged_normals = normals(tagged), plain_normals = normals(plain);
-  PN::subdivide(tagged.mesh,
-                PN::internal::with_border(PN::CatmullClark_scheme(), PN::Border::surface),
-                np::number_of_iterations(3)
-                  .vertex_normal_map(tagged_normals)
-                  .edge_is_constrained_map(tagged.sharp));
-  PN::subdivide(plain.mesh, PN::CatmullClark_scheme(),
-                np::number_of_iterations(3).vertex_normal_map(plain_normals));
-  for (auto v : plain.mesh.vertices()) {
-    EXPECT_EQ(plain.mesh.point(v), tagged.mesh.point(v));
-    EXPECT_EQ(plain_normals[v], tagged_normals[v]);
-  }
-}
-
 TEST(Creases_of_meshes, Border_rules)
 {
   Part part = ball_cap();

@@ -10,7 +10,6 @@
 
 #include "Crease_shapes.h"
 #include "Random_creases.h"
-#include "reference/Crease_rule.h"
 
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
@@ -175,111 +174,6 @@ TEST(Perturbed_creases, Stay_near)
       expect_near(slots(triangulated(c), Loop_scheme(), 3),
                   slots(triangulated(exact), Loop_scheme(), 3), bar);
     }
-}
-
-// \name Smoothness of creases
-
-// Two faces that meet in a closed wavy curve.
-Control pillow(int n)
-{
-  Control c;
-  c.faces.resize(2);
-  for (int i = 0; i < n; ++i) {
-    const double a = 2 * M_PI * i / n + 0.1 * std::sin(3. * i);
-    c.points.push_back(
-      {(1 + 0.2 * std::cos(3 * a)) * std::cos(a), std::sin(a), 0.4 * std::sin(2 * a)});
-    c.faces[0].push_back(i);
-    c.faces[1].insert(c.faces[1].begin(), i);
-    c.sharp_edges[undirected(i, (i + 1) % n)] = infinity;
-  }
-  return c;
-}
-
-// the closed crease after `rounds` rounds of the rules, one vertex after the other
-struct Crease_curve
-{
-  std::vector<reference::Vector> points, tangents;
-
-  void refine(bool is_linear)
-  {
-    const std::size_t n = points.size();
-    Crease_curve next;
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t a = (i + n - 1) % n, b = (i + 1) % n;
-      for (const bool is_edge : {false, true}) {
-        reference::Crease_entries entries;
-        if (is_edge)
-          entries = {{Real(0.5), Real(0.5)}, {points[i], points[b]}, {tangents[i], tangents[b]}};
-        else
-          entries = {{Real(0.125), Real(0.75), Real(0.125)},
-                     {points[a], points[i], points[b]},
-                     {tangents[a], tangents[i], tangents[b]}};
-        if (is_linear) entries.tangents.assign(entries.points.size(), reference::Vector::Zero());
-        const reference::Crease_rule rule(entries);
-        next.points.push_back(rule.point());
-        next.tangents.push_back(rule.tangent());
-      }
-    }
-    *this = next;
-  }
-
-  // the greatest difference of curvature vectors of neighbors
-  Real curvature_jump() const
-  {
-    const std::size_t n = points.size();
-    const auto curvature = [&](std::size_t i) {
-      const Vector x = points[(i + 1) % n] - points[i], y = points[i] - points[(i + n - 1) % n];
-      return Vector(2 / (x.norm() + y.norm()) * (x.normalized() - y.normalized()));
-    };
-    Real greatest = 0;
-    for (std::size_t i = 0; i < n; ++i)
-      greatest = (std::max)(greatest, (curvature((i + 1) % n) - curvature(i)).norm());
-    return greatest;
-  }
-};
-
-TEST(Wavy_crease, Is_twice_continuously_differentiable)
-{
-  const int n = 7;
-  // the estimated normals, given: these are round
-  auto control = pillow(n);
-  const Crease_run<double, CatmullClark_scheme> estimated(control, CatmullClark_scheme());
-  estimated.for_each_corner([&](Index f, Index v, Index slot) {
-    control.normals[{int(f), int(v)}] = estimated.normal(slot);
-  });
-  Crease_run<double, CatmullClark_scheme> run(control, CatmullClark_scheme());
-  Crease_curve curve, of_linear;
-  for (Index v = 0; v < n; ++v) curve.points.push_back(vector(run.point(v)));
-  curve.tangents.resize(n);
-  for (const auto& e : run.creases().edges)
-    for (Index side = 0; side < 2; ++side)
-      if ((run.level().source(e.halfedge(side)) + 1) % n == run.level().target(e.halfedge(side)))
-        curve.tangents[run.level().source(e.halfedge(side))] = vector(e.tangent_from[side]);
-  of_linear = curve;
-  // the crease of the surface is the curve
-  Crease_curve near = curve;
-  for (int k = 0; k < 4; ++k) near.refine(false);
-  run.refine(4);
-  EXPECT_EQ(run.creases().stars.size(), near.points.size());
-  for (const auto& star : run.creases().stars) {
-    Real least = 1;
-    for (const Vector& p : near.points)
-      least = (std::min)(least, (p - vector(run.point(star.vertex))).norm());
-    EXPECT_LE(least, 1e-14);
-  }
-  for (Crease_curve* c : {&curve, &of_linear}) {
-    for (int k = 0; k < 3; ++k) c->refine(c == &of_linear);
-    Real jump = c->curvature_jump();
-    for (int k = 4; k <= 11; ++k) {
-      c->refine(c == &of_linear);
-      const Real next = c->curvature_jump();
-      EXPECT_LE(next, 0.56 * jump) << "round " << k;
-      if (k > 9) {
-        EXPECT_NEAR(double(next / jump), 0.5, 0.01);
-      }
-      jump = next;
-    }
-  }
 }
 
 // \name A cylinder's end, cut off by another surface

@@ -47,13 +47,6 @@ using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Mesh mesh_of(const Soup& soup)
-{
-  Mesh mesh;
-  build(soup, mesh);
-  return mesh;
-}
-
 // everything that a Surface_mesh stores, without walking through its connectivity
 struct State
 {
@@ -117,7 +110,7 @@ void expect_refused(Mesh mesh, const std::vector<std::string>& words)
 
 TEST(Bad_input, LoopTakesTrianglesOnly)
 {
-  Mesh mesh = mesh_of(mixed_with_border());
+  Mesh mesh = built<Mesh>(mixed_with_border());
   const State before(mesh);
   const std::string message = message_of([&] { PN::subdivide(mesh, PN::Loop_scheme()); });
   expect_words(message, {"face 0", "4", "triangles"});
@@ -139,7 +132,7 @@ TEST(Bad_input, LoopNamesTheFace)
   soup.points.push_back({2.5, 1, 0});
   soup.points.push_back({2.5, 2, 0});
   soup.faces.push_back({2, 8, 10, 11});
-  Mesh mesh = mesh_of(soup);
+  Mesh mesh = built<Mesh>(soup);
   expect_words(message_of([&] { PN::subdivide(mesh, PN::Loop_scheme()); }),
                {"face 9 ", "4 corners"});
 }
@@ -147,7 +140,7 @@ TEST(Bad_input, LoopNamesTheFace)
 TEST(Bad_input, FaceOfDegreeTwo)
 {
   // the edge 0-1 of a triangle doubled, with a face of two corners between
-  Mesh mesh = mesh_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  Mesh mesh = built<Mesh>({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
   const Halfedge h = mesh.halfedge(Vertex(0), Vertex(1)), outer = mesh.opposite(h);
   const Halfedge before = mesh.prev(outer), after = mesh.next(outer);
   const Halfedge g = mesh.add_edge(Vertex(0), Vertex(1)), o = mesh.opposite(g);
@@ -171,7 +164,7 @@ TEST(Bad_input, PointsThatAreNotFinite)
 {
   for (double x : {not_a_number, infinity, -infinity})
     for (int k = 0; k < 3; ++k) {
-      Mesh mesh = mesh_of(tetrahedron());
+      Mesh mesh = built<Mesh>(tetrahedron());
       double p[3] = {1, 2, 3};
       p[k] = x;
       mesh.point(Vertex(2)) = Point(p[0], p[1], p[2]);
@@ -181,7 +174,7 @@ TEST(Bad_input, PointsThatAreNotFinite)
 
 TEST(Bad_input, APointWithoutEdgesThatIsNotFinite)
 {
-  Mesh mesh = mesh_of(tetrahedron());
+  Mesh mesh = built<Mesh>(tetrahedron());
   mesh.add_vertex(Point(0, not_a_number, 0));
   expect_refused(mesh, {"point", "vertex 4", "not finite"});
 }
@@ -190,7 +183,7 @@ TEST(Bad_input, NormalsThatAreNotFinite)
 {
   for (double x : {not_a_number, infinity, -infinity})
     for (int k = 0; k < 3; ++k) {
-      Mesh mesh = mesh_of(tetrahedron());
+      Mesh mesh = built<Mesh>(tetrahedron());
       auto n = add_normals(mesh);
       double m[3] = {0, 0, 1};
       m[k] = x;
@@ -214,7 +207,7 @@ TEST(Bad_input, PointsThatOverflowAreRefusedInTheEnd)
   Soup large = cube();
   for (Triple& p : large.points)
     for (double& x : p) x *= 1.7e308;
-  Mesh mesh = mesh_of(large);
+  Mesh mesh = built<Mesh>(large);
   auto n = add_normals(mesh);
   const State before(mesh);
   const auto refuse = [&] {
@@ -250,7 +243,7 @@ TEST(Bad_input, APolyhedronNamesVerticesByTheirPosition)
 // half-edges exceed 2^32 - 2 at k = 14 (24 * 4^13 = 1.6e9).
 TEST(Bad_input, MoreElementsThanTheIndexTypeNumbers)
 {
-  Mesh mesh = mesh_of(cube());
+  Mesh mesh = built<Mesh>(cube());
   const State before(mesh);
   for (unsigned rounds : {14u, 15u, 20u, 1000000u, std::numeric_limits<unsigned>::max()}) {
     const std::string message = message_of<std::length_error>([&] {
@@ -264,7 +257,7 @@ TEST(Bad_input, MoreElementsThanTheIndexTypeNumbers)
 
 TEST(Bad_input, ANegativeNumberOfIterations)
 {
-  Mesh mesh = mesh_of(cube());
+  Mesh mesh = built<Mesh>(cube());
   expect_words(message_of([&] {
                  PN::subdivide(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(-1));
                }),
@@ -288,7 +281,7 @@ TEST(Bad_input, BowTieOfTwoBorderGaps)
 {
   // two triangles that share vertex 2 only, as any soup of theirs is read
   Mesh mesh =
-    mesh_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 2, 0}, {1, 2, 0}}, {{0, 1, 2}, {2, 4, 3}}});
+    built<Mesh>({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 2, 0}, {1, 2, 0}}, {{0, 1, 2}, {2, 4, 3}}});
   ASSERT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
   expect_refused(mesh, {"vertex 2", "bow-tie", "duplicate"});
 }
@@ -296,7 +289,7 @@ TEST(Bad_input, BowTieOfTwoBorderGaps)
 TEST(Bad_input, BowTieOfTwoClosedFans)
 {
   // vertex 7 of the second tetrahedron becomes vertex 3 of the first
-  Mesh mesh = mesh_of(tetrahedron());
+  Mesh mesh = built<Mesh>(tetrahedron());
   build(tetrahedron(), mesh);
   for (auto h : CGAL::halfedges_around_target(Vertex(7), mesh)) {
     ASSERT_EQ(mesh.target(h), Vertex(7));
@@ -310,7 +303,7 @@ TEST(Bad_input, BowTieOfTwoClosedFans)
 
 TEST(Bad_input, EdgeWithoutFaces)
 {
-  Mesh linked = mesh_of(tetrahedron());
+  Mesh linked = built<Mesh>(tetrahedron());
   const Vertex v = linked.add_vertex(Point(5, 0, 0)), w = linked.add_vertex(Point(6, 0, 0));
   const Halfedge h = linked.add_edge(v, w);
   const Mesh unlinked = linked;
@@ -325,7 +318,7 @@ TEST(Bad_input, EdgeWithoutFaces)
 TEST(Bad_input, DanglingEdgeInsideOfAFace)
 {
   // from vertex 0 into the face 3 2 1 0 of a cube
-  Mesh mesh = mesh_of(cube());
+  Mesh mesh = built<Mesh>(cube());
   const Vertex v = mesh.add_vertex(Point(0, 0, -1));
   Halfedge h = mesh.halfedge(Face(0));
   while (mesh.target(h) != Vertex(0)) h = mesh.next(h);
@@ -341,7 +334,7 @@ TEST(Bad_input, DanglingEdgeInsideOfAFace)
 
 TEST(Bad_input, BrokenLinks)
 {
-  const Mesh good = mesh_of(cube());
+  const Mesh good = built<Mesh>(cube());
   const Halfedge h(5);
   Mesh mesh = good;
   mesh.set_target(h, Vertex());
@@ -365,7 +358,7 @@ TEST(Bad_input, BrokenLinks)
 
 TEST(Bad_input, ARemovedFaceThatHalfEdgesName)
 {
-  Mesh mesh = mesh_of(cube());
+  Mesh mesh = built<Mesh>(cube());
   mesh.remove_face(Face(2));
   expect_words(message_of([&] { PN::subdivide(mesh, PN::CatmullClark_scheme()); }),
                {"half-edge", "no valid face"});
@@ -375,7 +368,7 @@ TEST(Bad_input, ARemovedFaceThatHalfEdgesName)
 
 TEST(Bad_input, LinksThatContradictEachOther)
 {
-  const Mesh good = mesh_of(cube());
+  const Mesh good = built<Mesh>(cube());
   const Halfedge h(5);
   // the target of another half-edge
   Mesh mesh = good;
@@ -409,7 +402,7 @@ TEST(Bad_input, LinksThatContradictEachOther)
 TEST(Bad_input, AFaceOfTwoLoops)
 {
   // top and bottom of a cube as one face
-  Mesh mesh = mesh_of(cube());
+  Mesh mesh = built<Mesh>(cube());
   for (auto h : CGAL::halfedges_around_face(mesh.halfedge(Face(1)), mesh))
     mesh.set_face(h, Face(0));
   mesh.remove_face(Face(1));
@@ -468,7 +461,7 @@ TEST(Limiting_cases, AnEmptyMeshStaysEmpty)
 // not even looked at
 TEST(Limiting_cases, ZeroIterationsLeaveAnyMeshAsItIs)
 {
-  Mesh mesh = mesh_of(mixed_with_border());
+  Mesh mesh = built<Mesh>(mixed_with_border());
   auto n = add_normals(mesh);
   mesh.point(Vertex(1)) = Point(not_a_number, infinity, 0);
   n[Vertex(1)] = Vector(not_a_number, 0, 0);
@@ -536,7 +529,7 @@ TEST(Limiting_cases, AMeshWithoutArea)
 {
   Soup soup = cube();
   for (auto& p : soup.points) p = {0.1, 0.2, 0.3};
-  Mesh mesh = mesh_of(soup);
+  Mesh mesh = built<Mesh>(soup);
   PN::subdivide(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(2));
   EXPECT_EQ(mesh.number_of_faces(), 96u);
   for (auto v : mesh.vertices())
@@ -548,7 +541,7 @@ TEST(Limiting_cases, ZeroAreaFacesAddNothingToAnEstimate)
   // a flat square with a degenerate triangle (collinear: 0, 1, 4) along one edge
   const Soup soup{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 0, 0}},
                   {{0, 1, 2, 3}, {1, 0, 4}}};
-  Mesh mesh = mesh_of(soup);
+  Mesh mesh = built<Mesh>(soup);
   auto n = add_normals(mesh);
   PN::estimate_control_normals(mesh, n);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(n[Vertex(i)], Vector(0, 0, 1));

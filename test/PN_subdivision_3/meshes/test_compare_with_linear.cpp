@@ -8,6 +8,7 @@
 
 // Comparison with the linear result, against loops over faces and coordinates that are written here, in long double.
 
+#include "Mesh_cases.h"
 #include "support/Exact_rational.h"
 
 #include <CGAL/PN_certificates_3/compare_with_linear.h>
@@ -24,11 +25,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 
-#include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
-#include <array>
-#include <cmath>
-#include <map>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -36,6 +34,7 @@
 #include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
+using mesh_cases::built;
 
 namespace {
 
@@ -44,87 +43,49 @@ using Point_3 = Kernel::Point_3;
 using Vector_3 = Kernel::Vector_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
 using Real = long double;
-using Triple = std::array<Real, 3>;
-using Faces = std::vector<std::vector<std::size_t>>;
-
-Triple minus(const Triple& a, const Triple& b)
-{
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Triple cross(const Triple& a, const Triple& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Real dot(const Triple& a, const Triple& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Real norm(const Triple& a)
-{
-  return std::sqrt(dot(a, a));
-}
+using Vector = Eigen::Matrix<Real, 3, 1>;
+using mesh_cases::Polygon;
 
 // Points and faces of a mesh, and what is measured of them.
-struct Soup
+struct Measured
 {
-  explicit Soup(const Mesh& mesh)
+  explicit Measured(const Mesh& mesh)
+    : faces(mesh_cases::faces_of(mesh))
   {
-    for (const auto v : mesh.vertices()) {
-      const Point_3& p = mesh.point(v);
-      points.push_back({p.x(), p.y(), p.z()});
-    }
-    for (const auto f : mesh.faces()) {
-      faces.emplace_back();
-      for (const auto v : mesh.vertices_around_face(mesh.halfedge(f))) faces.back().push_back(v);
-    }
-  }
-
-  Triple mean(const std::vector<std::size_t>& face) const
-  {
-    Triple m{0, 0, 0};
-    for (const std::size_t v : face)
-      for (int c = 0; c < 3; ++c) m[c] += points[v][c] / Real(face.size());
-    return m;
+    for (const auto& p : mesh_cases::points(mesh)) points.emplace_back(p[0], p[1], p[2]);
   }
 
   // a sixth of the determinants of the triangles round the means
   Real volume() const
   {
     Real sum = 0;
-    for (const auto& face : faces)
+    for (const Polygon& face : faces) {
+      Vector mean = Vector::Zero();
+      for (const std::size_t v : face) mean += points[v] / Real(face.size());
       for (std::size_t i = 0; i < face.size(); ++i)
-        sum += dot(mean(face), cross(points[face[i]], points[face[(i + 1) % face.size()]])) / 6;
-    return sum;
-  }
-
-  // Newell's
-  Triple area_vector(const std::vector<std::size_t>& face) const
-  {
-    Triple n{0, 0, 0};
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      const Triple &a = points[face[i]], &b = points[face[(i + 1) % face.size()]];
-      for (int c = 0; c < 3; ++c) {
-        const int d = (c + 1) % 3, e = (c + 2) % 3;
-        n[c] += (a[d] - b[d]) * (a[e] + b[e]) / 2;
-      }
+        sum += mean.dot(points[face[i]].cross(points[face[(i + 1) % face.size()]])) / 6;
     }
-    return n;
+    return sum;
   }
 
   // the angles in degrees at edges of two faces
   std::map<std::pair<std::size_t, std::size_t>, Real> turns() const
   {
-    std::map<std::pair<std::size_t, std::size_t>, Triple> sides;
-    for (const auto& face : faces)
+    std::map<std::pair<std::size_t, std::size_t>, Vector> sides;
+    for (const Polygon& face : faces) {
+      Vector area = Vector::Zero();
+      for (std::size_t i = 2; i < face.size(); ++i)
+        area += (points[face[i - 1]] - points[face[0]]).cross(points[face[i]] - points[face[0]]);
       for (std::size_t i = 0; i < face.size(); ++i)
-        sides[{face[i], face[(i + 1) % face.size()]}] = area_vector(face);
+        sides[{face[i], face[(i + 1) % face.size()]}] = area;
+    }
     std::map<std::pair<std::size_t, std::size_t>, Real> angles;
     for (const auto& [ends, n] : sides) {
       const auto other = sides.find({ends.second, ends.first});
       if (ends.first > ends.second || other == sides.end()) continue;
-      const Triple& m = other->second;
-      if (norm(m) > 0 && norm(n) > 0)
-        angles[ends] = std::atan2(norm(cross(m, n)), dot(m, n)) * 180 / std::acos(Real(-1));
+      const Vector& m = other->second;
+      if (m.norm() > 0 && n.norm() > 0)
+        angles[ends] = std::atan2(m.cross(n).norm(), m.dot(n)) * 180 / std::acos(Real(-1));
     }
     return angles;
   }
@@ -139,67 +100,51 @@ struct Soup
   Real mean_length(std::size_t v) const
   {
     std::set<std::size_t> neighbors;
-    for (const auto& face : faces)
+    for (const Polygon& face : faces)
       for (std::size_t i = 0; i < face.size(); ++i) {
         const std::size_t a = face[i], b = face[(i + 1) % face.size()];
         if (a == v) neighbors.insert(b);
         if (b == v) neighbors.insert(a);
       }
     Real sum = 0;
-    for (const std::size_t w : neighbors) sum += norm(minus(points[w], points[v]));
+    for (const std::size_t w : neighbors) sum += (points[w] - points[v]).norm();
     return neighbors.empty() ? 0 : sum / Real(neighbors.size());
   }
 
-  std::vector<Triple> points;
-  Faces faces;
+  std::vector<Vector> points;
+  std::vector<Polygon> faces;
 };
-
-Mesh make_mesh(const std::vector<Point_3>& points, const Faces& faces)
-{
-  Mesh mesh;
-  for (const Point_3& p : points) mesh.add_vertex(p);
-  for (const auto& face : faces) {
-    std::vector<Mesh::Vertex_index> corners;
-    for (const std::size_t v : face) corners.emplace_back(static_cast<unsigned>(v));
-    EXPECT_NE(mesh.add_face(corners), Mesh::null_face());
-  }
-  return mesh;
-}
 
 Mesh cube(double a = 1, double b = 1, double c = 1)
 {
-  return make_mesh(
-    {{-a, -b, -c},
-     {a, -b, -c},
-     {a, b, -c},
-     {-a, b, -c},
-     {-a, -b, c},
-     {a, -b, c},
-     {a, b, c},
-     {-a, b, c}},
-    {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
+  Mesh mesh = built<Mesh>(mesh_cases::cube());
+  for (const auto v : mesh.vertices()) {
+    const Point_3& p = mesh.point(v);
+    mesh.point(v) = Point_3(a * p.x(), b * p.y(), c * p.z());
+  }
+  return mesh;
 }
 
 // a prism with n sides of which the first one is in x direction
 Mesh prism(std::size_t n)
 {
-  std::vector<Point_3> points;
-  Faces faces(2);
+  mesh_cases::Soup soup{{}, {{}, {}}};
   for (std::size_t i = 0; i < 2 * n; ++i) {
     const double t = 2 * std::acos(-1.) * double(i % n) / double(n);
-    points.emplace_back(std::cos(t), std::sin(t), i < n ? 0 : 1);
-    faces[i / n].push_back(i < n ? n - 1 - i : i);
+    soup.points.push_back({std::cos(t), std::sin(t), i < n ? 0. : 1.});
+    soup.faces[i / n].push_back(i < n ? n - 1 - i : i);
   }
-  for (std::size_t i = 0; i < n; ++i) faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
-  return make_mesh(points, faces);
+  for (std::size_t i = 0; i < n; ++i)
+    soup.faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
+  return built<Mesh>(soup);
 }
 
 // two triangles that meet in an edge at this angle
 Mesh roof(double degrees)
 {
   const double t = degrees * std::acos(-1.) / 180;
-  return make_mesh({{0, 0, 0}, {1, 0, 0}, {0.5, -1, 0}, {0.5, std::cos(t), std::sin(t)}},
-                   {{1, 0, 2}, {0, 1, 3}});
+  return built<Mesh>({{{0, 0, 0}, {1, 0, 0}, {0.5, -1, 0}, {0.5, std::cos(t), std::sin(t)}},
+                      {{1, 0, 2}, {0, 1, 3}}});
 }
 
 Mesh transformed(Mesh mesh, double factor, const Vector_3& move = CGAL::NULL_VECTOR)
@@ -230,21 +175,20 @@ Mesh refined(Mesh mesh, const Scheme& scheme, unsigned rounds)
 
 Mesh torus()
 {
-  std::vector<Point_3> points;
-  Faces faces;
+  mesh_cases::Soup soup;
   const double turn = 2 * std::acos(-1.);
   for (std::size_t i = 0; i < 9; ++i)
     for (std::size_t j = 0; j < 6; ++j) {
       const double u = turn * double(i) / 9, v = turn * double(j) / 6, r = 3 + std::cos(v);
-      points.emplace_back(r * std::cos(u), r * std::sin(u), std::sin(v));
+      soup.points.push_back({r * std::cos(u), r * std::sin(u), std::sin(v)});
       const auto at = [](std::size_t k, std::size_t l) { return k % 9 * 6 + l % 6; };
-      faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+      soup.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
     }
-  return make_mesh(points, faces);
+  return built<Mesh>(soup);
 }
 
-void expect_measures(const PN::Comparison_with_linear& c, const Soup& control, const Soup& result,
-                     const Soup& linear)
+void expect_measures(const PN::Comparison_with_linear& c, const Measured& control,
+                     const Measured& result, const Measured& linear)
 {
   EXPECT_NEAR(c.control_volume, double(control.volume()), 1e-12 * std::abs(c.control_volume));
   EXPECT_NEAR(c.volume_ratio, double(result.volume() / control.volume()), 1e-11);
@@ -257,7 +201,7 @@ void expect_measures(const PN::Comparison_with_linear& c, const Soup& control, c
   EXPECT_EQ(c.control_vertices, control.points.size());
   Real largest = 0, at_vertex = 0;
   for (std::size_t v = 0; v < linear.points.size(); ++v) {
-    const Real x = norm(minus(result.points[v], linear.points[v])) / linear.mean_length(v);
+    const Real x = (result.points[v] - linear.points[v]).norm() / linear.mean_length(v);
     largest = std::max(largest, x);
     if (v == c.farthest_vertex) at_vertex = x;
   }
@@ -298,9 +242,9 @@ TEST(Compare_with_linear, MeasuresWhatPlainLoopsMeasure)
       const Mesh mesh = shaken(torus(), by, seed);
       const PN::CatmullClark_scheme scheme;
       const auto c = compare(mesh, scheme, 2);
-      const Soup result(refined(mesh, scheme, 2)), linear(refined(mesh, PN::linear(scheme), 2));
+      const Measured result(refined(mesh, scheme, 2)), linear(refined(mesh, PN::linear(scheme), 2));
       EXPECT_TRUE(c.is_closed);
-      expect_measures(c, Soup(mesh), result, linear);
+      expect_measures(c, Measured(mesh), result, linear);
       folds += c.folded_edges;
       sharp_folds += c.sharply_folded_edges;
     }
@@ -329,8 +273,8 @@ TEST(Compare_with_linear, EverySchemeIsComparedWithItsOwnTwin)
       }
       return split;
     }();
-    const Soup result(refined(mesh, scheme, 2)), linear(refined(mesh, PN::linear(scheme), 2));
-    expect_measures(compare(mesh, scheme, 2), Soup(mesh), result, linear);
+    const Measured result(refined(mesh, scheme, 2)), linear(refined(mesh, PN::linear(scheme), 2));
+    expect_measures(compare(mesh, scheme, 2), Measured(mesh), result, linear);
     const auto any = PN::any_scheme<double>(scheme.name());
     expect_same(compare(mesh, any, 2), compare(mesh, scheme, 2), 0);
   });
@@ -445,11 +389,11 @@ TEST(Compare_with_linear, OpenMeshesAndFlatOnesHaveNoVolume)
   EXPECT_TRUE(std::isnan(open.volume_ratio));
   EXPECT_FALSE(open.is_swollen());
   // pillows of two squares in a plane that no axis is in; of one that is cut volumes cancel but for rounding
-  const std::vector<Point_3> corners = {
+  const std::vector<mesh_cases::Triple> corners = {
     {0, 0, 0}, {1, 0, 0.3}, {1.1, 1, 1}, {0.1, 1, 0.7}, {0.41, 0.37, 0.3709}};
   for (const Mesh& flat :
-       {make_mesh({corners.begin(), corners.end() - 1}, {{0, 1, 2, 3}, {3, 2, 1, 0}}),
-        make_mesh(corners, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {3, 2, 1, 0}})})
+       {built<Mesh>({{corners.begin(), corners.end() - 1}, {{0, 1, 2, 3}, {3, 2, 1, 0}}}),
+        built<Mesh>({corners, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {3, 2, 1, 0}}})})
     for (const double far : {0., 1e5}) {
       const auto c = compare(transformed(flat, 1, Vector_3(far, far, far)), PN::linear(scheme), 1);
       EXPECT_TRUE(c.is_closed);
@@ -546,10 +490,10 @@ TEST(Compare_with_linear, FacesWithoutAreaAreLeftOut)
     for (int run = 0; run < 50; ++run) {
       const double x = d(random), y = d(random), z = d(random);
       const auto at = [&](double t, double u) { // along a line, and beside it
-        return Point_3(far + t * x, far + t * y + u, far + t * z);
+        return mesh_cases::Triple{far + t * x, far + t * y + u, far + t * z};
       };
-      const Mesh mesh = make_mesh({at(0, 0), at(1, 0), at(1. / 3, 0), at(.5, 1), at(.5, -1)},
-                                  {{0, 1, 2}, {0, 4, 1}, {2, 1, 3}, {0, 2, 3}});
+      const Mesh mesh = built<Mesh>({{at(0, 0), at(1, 0), at(1. / 3, 0), at(.5, 1), at(.5, -1)},
+                                     {{0, 1, 2}, {0, 4, 1}, {2, 1, 3}, {0, 2, 3}}});
       const auto c = PN::compare_with_linear(mesh, mesh, mesh);
       EXPECT_EQ(c.folded_edges, 0u);
     }
@@ -714,7 +658,8 @@ TEST(Compare_with_linear, RoundnessIsThatOfTheCall)
   auto copy = result.add_property_map<Mesh::Vertex_index, double>("v:copy", 1).first;
   for (const auto v : mesh.vertices()) copy[v] = roundness[v];
   PN::subdivide(result, scheme, np(copy));
-  expect_measures(c, Soup(mesh), Soup(result), Soup(refined(mesh, PN::linear(scheme), 2)));
+  expect_measures(c, Measured(mesh), Measured(result),
+                  Measured(refined(mesh, PN::linear(scheme), 2)));
   EXPECT_GT(c.largest_distance, 0.1);
 }
 

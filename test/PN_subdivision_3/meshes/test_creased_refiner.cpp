@@ -36,30 +36,30 @@ using Parallel_tag = CGAL::Sequential_tag;
 TEST(Creased_refiner, CatmullClark)
 {
   for (unsigned seed = 1; seed < 6; ++seed) {
-    expect_creases_as_subdivide(quads_and_others(), PN::CatmullClark_scheme(), 3, true, seed);
-    expect_creases_as_subdivide(triangles(), PN::CatmullClark_scheme(), 1, true, seed);
+    expect_as_subdivide(quads_and_others(), PN::CatmullClark_scheme(), 3, seed);
+    expect_as_subdivide(triangles(), PN::CatmullClark_scheme(), 1, seed);
   }
 }
 TEST(Creased_refiner, LoopOnSeveralThreads)
 {
   for (unsigned seed = 1; seed < 6; ++seed)
-    expect_creases_as_subdivide<Parallel_tag>(triangles(), PN::Loop_scheme(), 3, true, seed);
+    expect_as_subdivide<Parallel_tag>(triangles(), PN::Loop_scheme(), 3, seed);
 }
 TEST(Creased_refiner, EstimatedNormals)
 {
   for (unsigned seed = 1; seed < 6; ++seed)
-    expect_creases_as_subdivide(quads_and_others(), PN::CatmullClark_scheme(), 2, false, seed);
+    expect_as_subdivide(quads_and_others(), PN::CatmullClark_scheme(), 2, seed, false);
 }
 TEST(Creased_refiner, LinearScheme)
 {
-  expect_creases_as_subdivide(quads_and_others(), PN::linear(PN::CatmullClark_scheme()), 3);
+  expect_as_subdivide(quads_and_others(), PN::linear(PN::CatmullClark_scheme()), 3, 1);
 }
 TEST(Creased_refiner, BordersThatAreCreases)
 {
   for (const PN::Border border :
        {PN::Border::surface, PN::Border::curve, PN::Border::corners, PN::Border::fixed})
-    expect_creases_as_subdivide(triangles(),
-                                PN::internal::with_border(PN::Loop_scheme::Tuned(), border), 3);
+    expect_as_subdivide(triangles(), PN::internal::with_border(PN::Loop_scheme::Tuned(), border), 3,
+                        1);
 }
 
 // What is far from the change is left alone, though creases are evaluated everywhere.
@@ -103,23 +103,6 @@ TEST(Creased_refiner, RefusesTheNormalOfAVertexThatHasSeveral)
   EXPECT_THROW(
     PN::Surface_refiner(mesh, PN::DooSabin_scheme(), params::edge_is_constrained_map(sharp)),
     std::invalid_argument);
-}
-
-TEST(Creased_refiner, BuildsTheWholeMesh)
-{
-  const Creased control(quads_and_others(), 3);
-  control.with_parameters(2, true, [&](const auto& np) {
-    PN::Surface_refiner refiner(control.mesh, PN::CatmullClark_scheme(), np);
-    Mesh built;
-    refiner.build_mesh(built);
-    Creased refined = control;
-    refined.with_parameters(2, true, [&](const auto& parameters) {
-      PN::subdivide(refined.mesh, PN::CatmullClark_scheme(), parameters);
-    });
-    EXPECT_TRUE(is_linked(built));
-    EXPECT_EQ(faces_of(built), faces_of(refined.mesh));
-    EXPECT_EQ(points(built), points(refined.mesh));
-  });
 }
 
 // One point of a mesh whose border is a crease moves. The points of the refiner against those of subdivide().

@@ -58,20 +58,7 @@ TEST(Surface_refiner, ModifiedScheme)
 
 TEST(Surface_refiner, LinearScheme)
 {
-  const Soup soup = quads_and_others();
-  Mesh mesh;
-  build(soup, mesh, mesh.points());
-  const auto scheme = PN::linear(PN::Kobbelt_scheme());
-  Mesh quads;
-  build(cube(), quads, quads.points());
-  PN::Surface_refiner refiner(quads, scheme, params::number_of_iterations(3));
-  refiner.set_point(Vertex(3), Point(-1, 1.5, -2));
-  const auto changed = refiner.update();
-  quads.point(Vertex(3)) = Point(-1, 1.5, -2);
-  PN::subdivide(quads, scheme, params::number_of_iterations(3));
-  EXPECT_EQ(refiner.points(), std::vector<Point>(quads.points().begin(), quads.points().end()));
-  EXPECT_TRUE(refiner.normals().empty());
-  EXPECT_FALSE(changed.empty());
+  expect_as_subdivide(cube(), PN::linear(PN::Kobbelt_scheme()), 3);
 }
 
 TEST(Surface_refiner, ReachesTheTwoRingOfFacesAndNothingElse)

@@ -9,6 +9,8 @@
 // Meshes with edges without length, coincident points and faces without area: what becomes of them turns with them, in each of
 // the 48 exact ways to exchange and reflect the axes, and does not depend on numbers of vertices and faces and first corners.
 
+#include "Mesh_cases.h"
+
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_limit_surface_3/tessellate.h>
 #include <CGAL/PN_subdivision_3/detect_creases.h>
@@ -20,11 +22,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -39,10 +36,12 @@ namespace {
 
 namespace PN = CGAL::PN_subdivision_3;
 namespace np = CGAL::parameters;
+using mesh_cases::built;
+using mesh_cases::points;
+using mesh_cases::Triple;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Triple = std::array<double, 3>;
 using Points = std::vector<Triple>;
 
 struct Control
@@ -215,36 +214,14 @@ Control creased_box()
   return c;
 }
 
-Mesh mesh_of(const Control& c)
-{
-  Mesh mesh;
-  for (const Triple& p : c.points) mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
-  for (const std::vector<int>& f : c.faces) {
-    std::vector<Mesh::Vertex_index> corners;
-    for (const int v : f) corners.push_back(Mesh::Vertex_index(Mesh::size_type(v)));
-    EXPECT_NE(mesh.add_face(corners), Mesh::null_face()) << c.name;
-  }
-  return mesh;
-}
-
-Points points_of(const Mesh& mesh)
-{
-  Points points;
-  for (const auto v : mesh.vertices()) {
-    const auto& p = mesh.point(v);
-    points.push_back({p.x(), p.y(), p.z()});
-  }
-  return points;
-}
-
 // --- what is done with them ---
 
 template <class Scheme>
 Points subdivided(const Control& c, const Scheme& scheme, PN::Control_normal_estimate how)
 {
-  Mesh mesh = mesh_of(c);
+  Mesh mesh = built<Mesh>(c);
   PN::subdivide(mesh, scheme, PN::parameters::control_normal_estimate(how).number_of_iterations(1));
-  return points_of(mesh);
+  return points(mesh);
 }
 
 struct Action
@@ -272,23 +249,23 @@ std::vector<Action> runs()
                       return subdivided(c, PN::DooSabin_scheme(), Estimate::angle);
                     }});
   result.push_back({"creases", false, [catmull_clark](const Control& c) {
-                      Mesh mesh = mesh_of(c);
+                      Mesh mesh = built<Mesh>(c);
                       const auto sharp =
                         mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
                       PN::detect_creases(mesh, 50, sharp);
                       PN::subdivide(mesh, catmull_clark,
                                     np::number_of_iterations(2).edge_is_constrained_map(sharp));
-                      return points_of(mesh);
+                      return points(mesh);
                     }});
   result.push_back({"limits", false, [catmull_clark](const Control& c) {
-                      Mesh mesh = mesh_of(c);
+                      Mesh mesh = built<Mesh>(c);
                       PN::subdivide_to_limit(mesh, catmull_clark, np::number_of_iterations(1));
-                      return points_of(mesh);
+                      return points(mesh);
                     }});
   result.push_back({"tessellation", false, [catmull_clark](const Control& c) {
                       Mesh triangles;
-                      PN::tessellate(mesh_of(c), catmull_clark, 0.15, triangles);
-                      return points_of(triangles);
+                      PN::tessellate(built<Mesh>(c), catmull_clark, 0.15, triangles);
+                      return points(triangles);
                     }});
   return result;
 }
@@ -343,7 +320,7 @@ constexpr double rounding = 1e-10;
 
 Mesh creased_tessellation(const Control& c)
 {
-  Mesh mesh = mesh_of(c), triangles;
+  Mesh mesh = built<Mesh>(c), triangles;
   const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
   const auto vertex = [](int v) { return Mesh::Vertex_index(Mesh::size_type(v)); };
   for (const auto& [a, b] : c.sharp) sharp[mesh.edge(mesh.halfedge(vertex(a), vertex(b)))] = true;
@@ -357,7 +334,7 @@ Mesh creased_tessellation(const Control& c)
 std::set<std::array<std::size_t, 3>> triangles_by_place(const Mesh& mesh, const Points& places)
 {
   std::vector<std::size_t> nearest;
-  for (const Triple& p : points_of(mesh)) {
+  for (const Triple& p : points(mesh)) {
     nearest.push_back(0);
     for (std::size_t i = 0; i < places.size(); ++i)
       if (distance(p, places[i]) < distance(p, places[nearest.back()])) nearest.back() = i;
@@ -422,7 +399,7 @@ TEST(Symmetries, creased_tessellations_are_the_same)
   std::mt19937 random(7);
   for (const Control& c : {creased_ball(), creased_box()}) {
     const Mesh expected = creased_tessellation(c);
-    const Points places = points_of(expected);
+    const Points places = points(expected);
     const auto triangles = triangles_by_place(expected, places);
     EXPECT_EQ(triangles.size(), expected.number_of_faces()) << c.name;
     for (int k = 0; k < 3; ++k) {

@@ -413,11 +413,6 @@ TEST(Coherent_normals, SimilaritiesCommute)
   expect_similarities_commute(any_shapes(), coherent<>, {-600, -300, 300, 600}, 512 * ulp);
 }
 
-TEST(Coherent_normals, NumberingHasNoPart)
-{
-  expect_numbering_has_no_part(any_shapes(), coherent<>, 64 * ulp);
-}
-
 TEST(Coherent_normals, ReversedFacesReverseThem)
 {
   expect_reversed_faces_reverse(any_shapes(), coherent<>, 64 * ulp);

@@ -11,6 +11,7 @@
 
 #include "Extent.h"
 #include "Failing_map.h"
+#include "Mesh_cases.h"
 #include "Sampled_surfaces.h"
 #include "support/Exact_rational.h"
 
@@ -21,6 +22,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -45,15 +47,8 @@ struct Mesh_with_normals
   explicit Mesh_with_normals(const Control_mesh& control)
   {
     normals = mesh.template add_property_map<Vertex, Vector>("v:normal").first;
-    for (std::size_t i = 0; i < control.points.size(); ++i) {
-      const Triple &p = control.points[i], &n = control.normals[i];
-      normals[mesh.add_vertex(typename K::Point_3(p[0], p[1], p[2]))] = Vector(n[0], n[1], n[2]);
-    }
-    for (const auto& face : control.faces) {
-      std::vector<Vertex> corners;
-      for (const int i : face) corners.emplace_back(static_cast<std::uint32_t>(i));
-      mesh.add_face(corners);
-    }
+    mesh_cases::build(control, mesh);
+    mesh_cases::put_normals(control.normals, mesh, normals);
   }
   Mesh_with_normals(const Mesh_with_normals& other)
     : mesh(other.mesh)
@@ -265,29 +260,6 @@ TEST(Smooth_normals, NoiseOfPointsLowersTheRoundness)
 
 // --- the minimum ---
 
-// by elimination with pivots
-std::vector<double> dense_solution(std::vector<std::vector<double>> a, std::vector<double> b)
-{
-  const std::size_t n = b.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k; i < n; ++i)
-      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
-    std::swap(a[k], a[pivot]);
-    std::swap(b[k], b[pivot]);
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const double f = a[i][k] / a[k][k];
-      for (std::size_t j = k; j < n; ++j) a[i][j] -= f * a[k][j];
-      b[i] -= f * b[k];
-    }
-  }
-  for (std::size_t k = n; k-- > 0;) {
-    for (std::size_t j = k + 1; j < n; ++j) b[k] -= a[k][j] * b[j];
-    b[k] /= a[k][k];
-  }
-  return b;
-}
-
 std::vector<Vector_3> minimum(const Control_mesh& control, const std::vector<Vector_3>& m,
                               double lambda)
 {
@@ -310,12 +282,14 @@ std::vector<Vector_3> minimum(const Control_mesh& control, const std::vector<Vec
     for (const int v : f) area[std::size_t(v)] += size / double(f.size());
     sum += size;
   }
-  std::vector<std::vector<double>> a(3 * n, std::vector<double>(3 * n, 0));
-  std::vector<double> b(3 * n);
+  const auto size = Eigen::Index(3 * n);
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);
+  Eigen::VectorXd b(size);
   for (std::size_t v = 0; v < n; ++v)
-    for (std::size_t k = 0; k < 3; ++k) {
-      a[3 * v + k][3 * v + k] = area[v] * double(n) / sum;
-      b[3 * v + k] = a[3 * v + k][3 * v + k] * m[v][int(k)];
+    for (int k = 0; k < 3; ++k) {
+      const auto i = Eigen::Index(3 * v) + k;
+      a(i, i) = area[v] * double(n) / sum;
+      b(i) = a(i, i) * m[v][k];
     }
   for (const auto& [i, j] : edges) {
     const Vector_3 e = point(j) - point(i);
@@ -323,13 +297,12 @@ std::vector<Vector_3> minimum(const Control_mesh& control, const std::vector<Vec
       for (const int w : {i, j})
         for (int k = 0; k < 3; ++k)
           for (int l = 0; l < 3; ++l)
-            a[std::size_t(3 * v + k)][std::size_t(3 * w + l)] +=
-              lambda * e[k] * e[l] / e.squared_length();
+            a(3 * v + k, 3 * w + l) += lambda * e[k] * e[l] / e.squared_length();
   }
-  const std::vector<double> x = dense_solution(a, b);
+  const Eigen::VectorXd x = a.partialPivLu().solve(b);
   std::vector<Vector_3> normals;
-  for (std::size_t v = 0; v < n; ++v) {
-    const Vector_3 y(x[3 * v], x[3 * v + 1], x[3 * v + 2]);
+  for (Eigen::Index v = 0; v < size; v += 3) {
+    const Vector_3 y(x(v), x(v + 1), x(v + 2));
     normals.push_back(y / std::sqrt(y.squared_length()));
   }
   return normals;

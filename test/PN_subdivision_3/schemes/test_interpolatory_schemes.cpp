@@ -22,8 +22,6 @@
 
 namespace {
 
-using reference::Real;
-using reference::Row;
 using test_meshes::Control_mesh;
 
 #ifdef PN_TEST_WITH_OPENMESH
@@ -138,41 +136,6 @@ TEST(Kobbelt, IsTheTensorProductOfTheFourPointRuleOnGrids)
                     1e-13);
       }
     }
-}
-
-Row row_of(const Kernel::Point_3& p)
-{
-  Row row(3);
-  row << p.x(), p.y(), p.z();
-  return row;
-}
-
-// The package's face points at such a vertex are, along either direction, the four-point rule over
-// the package's edge points.
-TEST(Kobbelt, FacesAtAnIsolatedVertexDoNotDependOnTheDirection)
-{
-  for (int n : {3, 5, 6, 7, 8, 9, 12}) {
-    const Control_mesh control = test_meshes::star(n, 4, test_meshes::Cells::quads);
-    Surface_mesh old = to_surface_mesh(control), mesh = old;
-    refine_linearly<Kobbelt_description>(mesh, 1);
-    const auto edge_point = [&](Surface_mesh::Halfedge_index h) {
-      const auto index = old.number_of_vertices() + old.edge(h).idx();
-      return row_of(mesh.point(Surface_mesh::Vertex_index(unsigned(index))));
-    };
-    const auto beyond = [&](Surface_mesh::Halfedge_index h) { // the opposite edge in the next quad
-      return edge_point(old.next(old.next(old.opposite(h))));
-    };
-    for (auto h : old.halfedges_around_target(old.halfedge(Surface_mesh::Vertex_index(0)))) {
-      const auto index = old.number_of_vertices() + old.number_of_edges() + old.face(h).idx();
-      const Row face_point = row_of(mesh.point(Surface_mesh::Vertex_index(unsigned(index))));
-      for (auto side : {h, old.next(h)}) {
-        const auto other = old.next(old.next(side));
-        const Row across =
-          (9 * (edge_point(side) + edge_point(other)) - beyond(side) - beyond(other)) / 16;
-        EXPECT_LE(double((across - face_point).cwiseAbs().maxCoeff()), 2e-15) << "valence " << n;
-      }
-    }
-  }
 }
 
 // Other tensions, against the reference form.

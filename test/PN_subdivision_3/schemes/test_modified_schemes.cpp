@@ -6,17 +6,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// The modified schemes: where they differ from the unmodified ones, the eigenvalues and eigenvectors
-// of the 1-ring, rows known from hand, all valences and caps.
+// The modified schemes: where they differ from the unmodified ones, rows against eigenvalues and eigenvectors of the
+// 1-ring, which the reference is made of, and known from hand, all valences and caps.
 
 #include "Messages.h"
 #include "Modified_rings.h"
 #include "analysis/subdivision_matrix.h"
-#include "reference/Complex_matrix.h"
 
 #include <CGAL/Gmpq.h>
-
-#include <Eigen/Eigenvalues>
 
 namespace {
 
@@ -309,38 +306,6 @@ TEST(Modified_Loop, IsTheUnmodifiedOneIfTheCapBindsNothing)
             1e-4);
 }
 
-// Printed values, ten digits.
-TEST(Modified_CatmullClark, HasTheKnownRowsForValence5)
-{
-  const Matrix m = ring_matrix<Quads>(5, PN::CatmullClark_scheme::Tuned());
-  const double expected[3][11] = {
-    {0.5722399175, 0.0696454244, 0.0696454244, 0.0696454244, 0.0696454244, 0.0696454244,
-     0.0159065921, 0.0159065921, 0.0159065921, 0.0159065921, 0.0159065921},
-    {0.4352839028, 0.3184706230, 0.0947060041, -0.0226354775, -0.0226354775, 0.0947060041,
-     0.0531463091, 0.0079208842, -0.0200299655, 0.0079208842, 0.0531463091},
-    {0.3976648015, 0.2125852363, 0.2125852363, 0.0316835369, -0.0801198620, 0.0316835369,
-     0.1992809409, 0.0207417468, -0.0234234601, -0.0234234601, 0.0207417468}};
-  for (int j = 0; j < 11; ++j) {
-    EXPECT_NEAR(double(m(0, j)), expected[0][j], 6e-11) << j;
-    EXPECT_NEAR(double(m(1, j)), expected[1][j], 6e-11) << j;
-    EXPECT_NEAR(double(m(6, j)), expected[2][j], 6e-11) << j;
-  }
-}
-
-TEST(Modified_Loop, HasTheKnownRowsForValence7)
-{
-  const Matrix m = ring_matrix<Triangles>(7, PN::Loop_scheme::Tuned());
-  const double expected[8] = {0.4485786311,  0.3109739125,  0.1281114780, 0.0338514585,
-                              -0.0417392082, -0.0417392082, 0.0338514585, 0.1281114780};
-  EXPECT_NEAR(double(m(0, 0)), 0.5894914104, 6e-11);
-  for (int j = 0; j < 8; ++j) {
-    EXPECT_NEAR(double(m(1, j)), expected[j], 6e-11) << j;
-    if (j > 0) {
-      EXPECT_NEAR(double(m(0, j)), 0.0586440842, 6e-11) << j;
-    }
-  }
-}
-
 // Fractions by hand: kappa = 1 for n = 3, 56/55 for n = 4.
 TEST(Modified_Loop, HasExactRationalRowsForValences3And4)
 {
@@ -373,108 +338,6 @@ TEST(Modified_CatmullClark, HasAnExactRationalMeanForValence3)
     EXPECT_LE(std::abs(CGAL::to_double(rows[i][0] - Q(3, 8))), 1e-16);
   for (std::size_t i : {4u, 5u, 6u})
     EXPECT_LE(std::abs(CGAL::to_double(rows[i][0] - Q(9, 32))), 1e-16);
-}
-
-// --- eigenvalues and eigenvectors ---
-
-// For cap 1/2: lambda', how many eigenvalues become lambda'^2 / 2, which are kept.
-struct Spectrum
-{
-  int n;
-  double lambda;
-  int bounded;
-  std::vector<double> kept;
-};
-
-const std::vector<Spectrum> catmull_clark_spectra = {
-  {3, 0.5, 3, {0}},
-  {5, 0.549988354518, 5, {0.077526, 0.113639, 0.113639}},
-  {6, 0.579682326102, 5, {0.083333, 0.107818, 0.107818, 0.152403, 0.152403}},
-  {7, 0.598510283482, 7, {0.086337, 0.104426, 0.104426, 0.135321, 0.135321}},
-  {8, 0.611116526695, 7, {0.088159, 0.102272, 0.102272, 0.125, 0.125, 0.170899, 0.170899}},
-  {9, 0.619939220626, 9, {0.089380, 0.100816, 0.100816, 0.118275, 0.118275, 0.152403, 0.152403}},
-  {10,
-   0.626341267547,
-   9,
-   {0.090253, 0.099786, 0.099786, 0.113639, 0.113639, 0.140025, 0.140025, 0.183765, 0.183765}}};
-
-const std::vector<Spectrum> loop_spectra = {
-  {3, 0.5, 0, {0.0625}},           {4, 0.5, 1, {0.125}},
-  {5, 0.452254248594, 3, {}},      {7, 0.530872450465, 5, {}},
-  {8, 0.551776695297, 5, {0.125}}, {9, 0.566511110780, 5, {0.140077, 0.140077}},
-  {10, 0.577254248594, 7, {0.125}}};
-
-template <class Kind>
-void expect_spectrum(const Spectrum& s)
-{
-  const Matrix m = ring_matrix<Kind>(s.n, typename Kind::Modified());
-  std::vector<double> values, expected(std::size_t(s.bounded), s.lambda * s.lambda / 2);
-  for (const reference::Complex& x : Matrix(m).eigenvalues()) {
-    EXPECT_NEAR(double(x.imag()), 0, 1e-14);
-    values.push_back(double(x.real()));
-  }
-  expected.insert(expected.end(), {1, s.lambda, s.lambda});
-  expected.insert(expected.end(), s.kept.begin(), s.kept.end());
-  ASSERT_EQ(values.size(), expected.size()) << s.n;
-  std::sort(values.begin(), values.end());
-  std::sort(expected.begin(), expected.end());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    EXPECT_NEAR(values[i], expected[i], 6e-7) << "valence " << s.n << ", eigenvalue " << i;
-  for (std::size_t i = 1; i <= 2; ++i)
-    EXPECT_NEAR(values[values.size() - 1 - i], s.lambda, 1e-12) << s.n;
-  EXPECT_NEAR(values.back(), 1, 1e-14);
-}
-
-TEST(Modified_CatmullClark, HasTheTabulatedEigenvalues)
-{
-  for (const Spectrum& s : catmull_clark_spectra) expect_spectrum<Quads>(s);
-}
-
-TEST(Modified_Loop, HasTheTabulatedEigenvalues)
-{
-  for (const Spectrum& s : loop_spectra) expect_spectrum<Triangles>(s);
-}
-
-// The unmodified matrix and the modified one commute, the weights of the limit point stay, and the
-// two eigenvectors of frequency 1, the characteristic map, have the eigenvalue lambda'.
-TYPED_TEST(Modified_scheme, KeepsTheEigenvectors)
-{
-  for (int n : {3, 4, 5, 6, 7, 8, 9, 12, 20}) {
-    if (n == TypeParam::regular_valence) continue;
-    const Matrix plain = TypeParam::plain_ring(n),
-                 m = ring_matrix<TypeParam>(n, typename TypeParam::Modified());
-    EXPECT_LE(largest(plain * m - m * plain), 1e-15) << n;
-
-    const std::vector<Real> weights = TypeParam::limit_weights(n);
-    reference::Row limit(m.rows());
-    limit[0] = weights[0];
-    for (int g = 0; g < TypeParam::groups; ++g)
-      for (int i = 0; i < n; ++i) limit[1 + g * n + i] = weights[std::size_t(1 + g)];
-    EXPECT_NEAR(double(limit.sum()), 1, 1e-15);
-    EXPECT_LE(largest(limit * m - limit), 1e-15) << n;
-
-    // columns cos, sin on the ring, and for quads a radius of the outer vertices
-    const auto circles = [&](Real radius) {
-      Matrix map = Matrix::Zero(m.rows(), 2);
-      for (int g = 0; g < TypeParam::groups; ++g)
-        for (int i = 0; i < n; ++i) {
-          const Real turn = (Real(i) + Real(g) / 2) / n;
-          map(1 + g * n + i, 0) = (g == 0 ? 1 : radius) * reference::cosine(turn);
-          map(1 + g * n + i, 1) = (g == 0 ? 1 : radius) * reference::cosine(turn - Real(0.25));
-        }
-      return map;
-    };
-    Real radius = 1;
-    if (TypeParam::groups == 2)
-      for (int power = 0; power < 200; ++power) {
-        const Matrix next = plain * circles(radius);
-        radius = next(1 + n, 0) / reference::cosine(Real(0.5) / n) / next(1, 0);
-      }
-    const Matrix map = circles(radius);
-    const Real lambda = (plain * map)(1, 0);
-    const bool raised = n == 3 || (TypeParam::groups == 1 && n == 4);
-    EXPECT_LE(largest(m * map - (raised ? Real(0.5) : lambda) * map), 1e-15) << n;
-  }
 }
 
 // --- sums ---

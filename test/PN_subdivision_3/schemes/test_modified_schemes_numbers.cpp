@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// The modified schemes in all number types, and their functions on other meshes and kernels.
+// The modified schemes in all number types.
 
 #include "Modified_rings.h"
 
@@ -14,9 +14,6 @@
 #include <CGAL/FPU.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
-#include <CGAL/PN_subdivision_3/subdivision_methods_3.h>
-#include <CGAL/Polyhedron_3.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -173,58 +170,6 @@ TEST(Irrational_weights, AreTheNearestDoubles)
       for (std::size_t j = 1; j < rows.size(); ++j) // the center has the rest
         EXPECT_EQ(rows[i][j], exact[i][j].convert_to<double>()) << n << ": " << i << ", " << j;
   }
-}
-
-// --- other meshes and kernels ---
-
-template <class Mesh>
-Mesh mesh_from(const Control_mesh& control)
-{
-  Mesh mesh;
-  CGAL::copy_face_graph(to_surface_mesh(control), mesh);
-  return mesh;
-}
-
-// Other meshes number their edges in other orders.
-template <class Mesh>
-void expect_same_points(const Mesh& mesh, const Surface_mesh& expected, double tolerance)
-{
-  ASSERT_EQ(num_vertices(mesh), num_vertices(expected));
-  const auto points = get(CGAL::vertex_point, mesh);
-  std::set<std::size_t> found;
-  for (auto v : vertices(mesh)) {
-    const auto& p = get(points, v);
-    const Kernel::Point_3 q(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));
-    for (auto w : expected.vertices())
-      if (CGAL::squared_distance(q, expected.point(w)) <= tolerance * tolerance)
-        found.insert(w.idx());
-  }
-  EXPECT_EQ(found.size(), num_vertices(expected));
-}
-
-// The functions, on other meshes and kernels, with normals estimated.
-template <class Subdivide>
-void expect_same_on_other_meshes(const Control_mesh& control, const Subdivide& subdivide)
-{
-  using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
-  Surface_mesh expected = to_surface_mesh(control);
-  auto polyhedron = mesh_from<CGAL::Polyhedron_3<Kernel>>(control);
-  auto exact = mesh_from<CGAL::Surface_mesh<Epeck::Point_3>>(control);
-  subdivide(expected);
-  subdivide(polyhedron);
-  subdivide(exact);
-  expect_same_points(polyhedron, expected, 1e-14);
-  expect_same_points(exact, expected, 1e-14);
-}
-
-TEST(Modified_schemes, HaveFunctionsForAllMeshesAndKernels)
-{
-  expect_same_on_other_meshes(star(5, 2, Cells::quads), [](auto& mesh) {
-    PN::CatmullClark_subdivision(mesh, PN::parameters::tuned(true));
-  });
-  expect_same_on_other_meshes(star(7, 2, Cells::triangles), [](auto& mesh) {
-    PN::Loop_subdivision(mesh, PN::parameters::tuned(true));
-  });
 }
 
 } // namespace

@@ -85,17 +85,4 @@ TYPED_TEST(Normal_scheme, KeepsOldNormalsBitForBitIfTheirSchemeInterpolates)
   }
 }
 
-TYPED_TEST(Normal_scheme, IsLinearForEqualNormals)
-{
-  for (Control_mesh control : meshes<TypeParam>()) {
-    control.normals.assign(control.points.size(), {0.6, 0, 0.8});
-    Surface_mesh mesh = to_surface_mesh(control), linear = mesh;
-    refine_by_both<TypeParam>(mesh, 2);
-    refine_linearly<typename TypeParam::Points>(linear, 2);
-    for (auto v : linear.vertices()) normal_map(linear)[v] = Kernel::Vector_3(0.6, 0, 0.8);
-    EXPECT_TRUE(is_within(difference_by_index(result_of(mesh), result_of(linear)), 1e-13))
-      << control.name;
-  }
-}
-
 } // namespace

@@ -272,27 +272,6 @@ Surface_mesh bipyramid_in_quads(int n)
   return to_surface_mesh(control);
 }
 
-TEST(Roundness_of_values, GrowsTheVolumeOfABipyramid)
-{
-  // by Catmull-Clark's scheme: points of faces and edges rise with w
-  double last = 0;
-  for (const double w : {0., 0.25, 0.5, 0.75, 1.}) {
-    Surface_mesh mesh = bipyramid_in_quads(4);
-    for (auto v : mesh.vertices()) normal_map(mesh)[v] = mesh.point(v) - CGAL::ORIGIN;
-    refine_with_constant<CatmullClark_description>(mesh, w, 3);
-    double volume = 0;
-    for (auto f : mesh.faces()) {
-      const auto h = mesh.halfedge(f);
-      const Kernel::Point_3 a = mesh.point(mesh.target(h));
-      for (auto g = mesh.next(h); mesh.next(g) != h; g = mesh.next(g))
-        volume += CGAL::volume(Kernel::Point_3(0, 0, 0), a, mesh.point(mesh.target(g)),
-                               mesh.point(mesh.target(mesh.next(g))));
-    }
-    EXPECT_GT(volume, last) << w;
-    last = volume;
-  }
-}
-
 TEST(Roundness_of_values, OutsideOfItsRangeIsRefusedAndTheMeshIsAsItWas)
 {
   const Surface_mesh control = bipyramid_in_quads(3);

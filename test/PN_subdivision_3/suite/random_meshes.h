@@ -142,27 +142,10 @@ TYPED_TEST_P(Random_meshes, AreRefinedBySingleRoundsAsAtOnce)
   });
 }
 
-// Some of them are large enough for several chunks.
-TYPED_TEST_P(Random_meshes, AreRefinedInParallelAsSequentially)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  for_each_seed<TypeParam>([](Control_mesh mesh, std::mt19937& generator) {
-    if (generator() % 2 == 0) set_wild_normals(mesh, unsigned(generator()));
-    const unsigned rounds = generator() % 8 == 0 ? 4 : 2;
-    Surface_mesh sequential = to_surface_mesh(mesh), parallel = sequential;
-    refine<TypeParam>(sequential, rounds);
-    refine<TypeParam, CGAL::Parallel_tag>(parallel, rounds);
-    EXPECT_TRUE(is_identical(sequential, parallel));
-  });
-#else
-  GTEST_SKIP() << "left out: TBB not found (Debian package libtbb-dev)";
-#endif
-}
-
 REGISTER_TYPED_TEST_SUITE_P(Random_meshes, OnSpheresAndCylindersStayOnThem, CommuteWithSimilarities,
                             WithReversedNormalsHaveTheSamePointsBitForBit,
                             WithZeroOrEqualNormalsAreRefinedLinearly,
-                            AreRefinedBySingleRoundsAsAtOnce, AreRefinedInParallelAsSequentially);
+                            AreRefinedBySingleRoundsAsAtOnce);
 
 } // namespace random_meshes
 

@@ -11,6 +11,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_ESTIMATED_NORMALS_H
 #define CGAL_PN_SUBDIVISION_3_TEST_ESTIMATED_NORMALS_H
 
+#include "Mesh_cases.h"
 #include "Sampled_surfaces.h"
 #include "reference/Control_normals.h"
 
@@ -20,8 +21,6 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
-
-#include <numeric>
 
 namespace estimated_normals {
 
@@ -35,17 +34,7 @@ constexpr double ulp = std::numeric_limits<double>::epsilon(); // 2^-52
 template <class K>
 CGAL::Surface_mesh<typename K::Point_3> to_mesh(const Control_mesh& control)
 {
-  CGAL::Surface_mesh<typename K::Point_3> mesh;
-  for (const Triple& p : control.points)
-    mesh.add_vertex(
-      typename K::Point_3(typename K::FT(p[0]), typename K::FT(p[1]), typename K::FT(p[2])));
-  for (const reference::Face& face : control.faces) {
-    std::vector<CGAL::SM_Vertex_index> vertices;
-    for (int v : face) vertices.emplace_back(unsigned(v));
-    if (mesh.add_face(vertices) == mesh.null_face())
-      throw std::logic_error("the test mesh " + control.name + " is not a manifold");
-  }
-  return mesh;
+  return mesh_cases::built<CGAL::Surface_mesh<typename K::Point_3>>(control);
 }
 
 template <class K = CGAL::Simple_cartesian<double>>
@@ -83,28 +72,6 @@ inline double largest_distance(const std::vector<Triple>& a, const std::vector<T
   for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
     if (!(distance(a[i], b[i]) <= largest)) largest = distance(a[i], b[i]); // NaN is large
   return largest;
-}
-
-// the same mesh, with its faces in another order, each from another corner on; vertex v is now number place[v]
-struct Renumbered
-{
-  Control_mesh mesh;
-  std::vector<std::size_t> place;
-};
-
-inline Renumbered renumbered(const Control_mesh& mesh, std::mt19937& generator)
-{
-  Renumbered result{mesh, std::vector<std::size_t>(mesh.points.size())};
-  auto& [other, place] = result;
-  std::iota(place.begin(), place.end(), std::size_t(0));
-  std::shuffle(place.begin(), place.end(), generator);
-  for (std::size_t v = 0; v < place.size(); ++v) other.points[place[v]] = mesh.points[v];
-  for (reference::Face& f : other.faces) {
-    for (int& v : f) v = int(place[std::size_t(v)]);
-    std::rotate(f.begin(), f.begin() + 1, f.end());
-  }
-  std::shuffle(other.faces.begin(), other.faces.end(), generator);
-  return result;
 }
 
 // normals, and roundness where it is estimated
@@ -163,23 +130,6 @@ void expect_similarities_commute(const std::vector<Control_mesh>& meshes, const 
       m = {double(n[0]), double(n[1]), double(n[2])};
     }
     expect_near(turned, expected, bound, mesh.name);
-  }
-}
-
-template <class Estimate>
-void expect_numbering_has_no_part(const std::vector<Control_mesh>& meshes, const Estimate& estimate,
-                                  double bound)
-{
-  std::mt19937 generator(8);
-  for (const Control_mesh& mesh : meshes) {
-    const auto [other, place] = renumbered(mesh, generator);
-    const Estimates expected = estimate(mesh), result = estimate(other);
-    Estimates back = result;
-    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-      back.normals[v] = result.normals[place[v]];
-      if (!result.roundness.empty()) back.roundness[v] = result.roundness[place[v]];
-    }
-    expect_near(back, expected, bound, mesh.name);
   }
 }
 

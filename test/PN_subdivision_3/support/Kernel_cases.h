@@ -12,6 +12,7 @@
 #define CGAL_PN_SUBDIVISION_3_TEST_KERNEL_CASES_H
 
 #include "Curve_cases.h"
+#include "Mesh_cases.h"
 #include "Scheme_runs.h"
 #include "Schemes.h"
 #include "analysis/curve_analysis.h"
@@ -128,17 +129,11 @@ void expect_schemes(testing::Types<Description...>, double tolerance, double uni
 template <class K>
 struct Mesh_with_normals
 {
-  using FT = typename K::FT;
   using Vector = typename K::Vector_3;
 
   explicit Mesh_with_normals(const Control_mesh& control)
   {
-    for (const Triple& p : control.points) mesh.add_vertex({FT(p[0]), FT(p[1]), FT(p[2])});
-    for (const reference::Face& face : control.faces) {
-      std::vector<CGAL::SM_Vertex_index> corners;
-      for (int v : face) corners.emplace_back(static_cast<CGAL::SM_Vertex_index::size_type>(v));
-      mesh.add_face(corners);
-    }
+    mesh_cases::build(control, mesh);
     PN::estimate_control_normals(mesh, normals);
   }
 

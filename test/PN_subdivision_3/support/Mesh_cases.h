@@ -11,6 +11,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_MESH_CASES_H
 #define CGAL_PN_SUBDIVISION_3_TEST_MESH_CASES_H
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
@@ -98,28 +99,38 @@ inline std::vector<Triple> normals(const Soup& soup)
   return result;
 }
 
-template <class Mesh, class Point_map>
-void build(const Soup& soup, Mesh& mesh, Point_map points)
+// of a soup, or of whatever else has points and faces
+template <class Shape, class Mesh, class Point_map>
+void build(const Shape& shape, Mesh& mesh, Point_map points)
 {
   using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
   using Point = typename boost::property_traits<Point_map>::value_type;
+  using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
   std::vector<Vertex> v;
-  for (const Triple& p : soup.points) {
+  for (const Triple& p : shape.points) {
     v.push_back(add_vertex(mesh));
     set_halfedge(v.back(), boost::graph_traits<Mesh>::null_halfedge(), mesh);
-    put(points, v.back(), Point(p[0], p[1], p[2]));
+    put(points, v.back(), Point(FT(p[0]), FT(p[1]), FT(p[2])));
   }
-  for (const Polygon& f : soup.faces) {
+  for (const auto& f : shape.faces) {
     std::vector<Vertex> corners;
-    for (std::size_t i : f) corners.push_back(v[i]);
+    for (const auto i : f) corners.push_back(v[std::size_t(i)]);
     ASSERT_NE(CGAL::Euler::add_face(corners, mesh), boost::graph_traits<Mesh>::null_face());
   }
 }
 
-template <class Mesh>
-void build(const Soup& soup, Mesh& mesh)
+template <class Shape, class Mesh>
+void build(const Shape& shape, Mesh& mesh)
 {
-  build(soup, mesh, get(CGAL::vertex_point, mesh));
+  build(shape, mesh, get(CGAL::vertex_point, mesh));
+}
+
+template <class Mesh, class Shape = Soup>
+Mesh built(const Shape& shape)
+{
+  Mesh mesh;
+  build(shape, mesh);
+  return mesh;
 }
 
 template <class Mesh, class Normal_map>

@@ -30,13 +30,7 @@ struct Quads
   static constexpr int regular_valence = 4;
   static constexpr int groups = 2;
   static PN::CatmullClark_scheme unmodified() { return {}; }
-  static Matrix plain_ring(int n) { return reference::catmull_clark_ring(n); }
   static Matrix ring(int n, Real cap) { return reference::modified_catmull_clark_ring(n, cap); }
-  // the left eigenvector of the eigenvalue 1: v, a neighbor, a vertex between them
-  static std::vector<Real> limit_weights(Real n)
-  {
-    return {n / (n + 5), 4 / (n * (n + 5)), 1 / (n * (n + 5))};
-  }
 };
 
 struct Triangles
@@ -46,13 +40,7 @@ struct Triangles
   static constexpr int regular_valence = 6;
   static constexpr int groups = 1;
   static PN::Loop_scheme unmodified() { return {}; }
-  static Matrix plain_ring(int n) { return reference::loop_ring(n); }
   static Matrix ring(int n, Real cap) { return reference::modified_loop_ring(n, cap); }
-  static std::vector<Real> limit_weights(Real n)
-  {
-    const Real root = 3 + 2 * reference::cosine(1 / n), alpha = (40 - root * root) / 64;
-    return {3 / (3 + 8 * alpha), 8 * alpha / (n * (3 + 8 * alpha))};
-  }
 };
 
 using Kinds_of_faces = testing::Types<Quads, Triangles>;

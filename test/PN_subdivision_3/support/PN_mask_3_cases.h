@@ -75,28 +75,6 @@ inline Soup pebble(bool closed)
   return soup;
 }
 
-// An open tube about the z axis, uneven in angle and height.
-inline Soup tube(bool triangles)
-{
-  constexpr std::size_t n = 7, rings = 4;
-  Soup soup;
-  for (std::size_t r = 0; r < rings; ++r)
-    for (double angle : {0., 0.7, 1.9, 2.8, 3.6, 4.9, 5.5})
-      soup.points.push_back({3 * std::cos(angle + 0.1 * double(r)),
-                             3 * std::sin(angle + 0.1 * double(r)),
-                             0.3 * double(r * r) + angle / 9});
-  for (std::size_t r = 0; r + 1 < rings; ++r)
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t a = n * r + i, b = n * r + (i + 1) % n, c = b + n, d = a + n;
-      if (triangles) {
-        soup.faces.push_back({a, b, c});
-        soup.faces.push_back({a, c, d});
-      } else
-        soup.faces.push_back({a, b, c, d});
-    }
-  return soup;
-}
-
 inline Soup on_sphere(Soup soup, double radius)
 {
   for (Triple& p : soup.points) {

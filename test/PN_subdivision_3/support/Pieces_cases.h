@@ -43,9 +43,7 @@ struct Control
   explicit Control(const Control_mesh& control)
     : normals(mesh.template add_property_map<typename Mesh::Vertex_index, Vector>("n").first)
   {
-    mesh_cases::Soup soup{control.points, {}};
-    for (const auto& f : control.faces) soup.faces.emplace_back(f.begin(), f.end());
-    mesh_cases::build(soup, mesh, mesh.points());
+    mesh_cases::build(control, mesh);
     mesh_cases::put_normals(control.normals, mesh, normals);
   }
 

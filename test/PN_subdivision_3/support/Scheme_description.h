@@ -35,8 +35,6 @@ struct Scheme_description
   static constexpr bool is_primal = true;
   // old points and normals are kept
   static constexpr bool is_interpolatory = false;
-  // an average cannot fade away
-  static constexpr bool has_positive_weights = true;
   // has a rule for interior vertices of valence 2
   static constexpr bool takes_valence_2 = true;
   // k calls with one round are one call with k rounds

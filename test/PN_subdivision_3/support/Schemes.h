@@ -57,7 +57,6 @@ struct Butterfly_description
   static constexpr std::size_t degree = 3;
   static constexpr bool is_interpolatory = true;
   static constexpr bool takes_valence_2 = false;
-  static constexpr bool has_positive_weights = false;
   static constexpr unsigned rounds_of_reproduction = 4;
 };
 
@@ -67,7 +66,6 @@ struct Kobbelt_description
   static constexpr std::size_t degree = 4;
   static constexpr bool is_interpolatory = true;
   static constexpr bool takes_valence_2 = false;
-  static constexpr bool has_positive_weights = false;
   static constexpr unsigned rounds_of_reproduction = 4;
 };
 

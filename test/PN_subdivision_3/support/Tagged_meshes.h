@@ -66,10 +66,7 @@ struct Tagged
   explicit Tagged(const Control& control)
     : points(Make_points<Mesh, Point_map>::make(mesh))
   {
-    mesh_cases::Soup soup;
-    soup.points = control.points;
-    for (const Face& f : control.faces) soup.faces.emplace_back(f.begin(), f.end());
-    mesh_cases::build(soup, mesh, points);
+    mesh_cases::build(control, mesh, points);
     sharp = get(CGAL::dynamic_edge_property_t<double>(), mesh);
     corners = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
     normals = get(CGAL::dynamic_halfedge_property_t<Vector_3>(), mesh);
