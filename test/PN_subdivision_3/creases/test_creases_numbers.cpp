@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Creases in other number types: the average keeps circles exactly, intervals contain the result, multiprecision is as near
-// as its precision says.
+// Creases in other number types: an exact round keeps rims and what is beside them exactly, intervals
+// contain the result, float and multiprecision are as near as their precision says.
 
 #include "Crease_shapes.h"
 #include "One_root_number.h"
@@ -17,6 +17,7 @@
 #include <CGAL/Gmpfr.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/PN_subdivision_3/creases/Crease_average.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
@@ -30,7 +31,7 @@ using namespace crease_shapes;
 using namespace CGAL::PN_subdivision_3;
 using rational_shapes::Rational;
 
-// \name The exact average
+// \name An exact round
 using Exact = One_root_number;
 using Exact_vector = Coordinates<Exact, 3>;
 using Samples = std::vector<rational_shapes::Vector<Rational>>;
@@ -38,6 +39,11 @@ using Samples = std::vector<rational_shapes::Vector<Rational>>;
 Exact_vector exact(const rational_shapes::Vector<Rational>& v)
 {
   return {Exact(v[0]), Exact(v[1]), Exact(v[2])};
+}
+
+Exact dot(const Exact_vector& a, const Exact_vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 // rational points of the unit circle at this height
@@ -49,6 +55,124 @@ Samples rational_circle(const Rational& z)
     circle.push_back({p[0], p[1], z});
   }
   return circle;
+}
+
+struct Exact_part
+{
+  Samples points;
+  Control control;
+  std::vector<std::size_t> group; // 0: the curved side
+  std::vector<Exact> heights;     // of the planes of the other groups
+  bool is_sphere;
+};
+
+// a solid with the given rings, rounded or upright, between planes
+Exact_part make_part(const std::vector<Samples>& rings, bool is_sphere)
+{
+  Exact_part part;
+  part.is_sphere = is_sphere;
+  const int n = int(rings[0].size());
+  for (const Samples& ring : rings) part.points.insert(part.points.end(), ring.begin(), ring.end());
+  const auto add = [&](Face f, std::size_t g) {
+    part.control.faces.push_back(std::move(f));
+    part.group.push_back(g);
+  };
+  Face bottom, top;
+  const int last = n * (int(rings.size()) - 1);
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    for (int k = 0; k < last; k += n) add({k + i, k + j, k + n + j, k + n + i}, 0);
+    bottom.insert(bottom.begin(), i);
+    top.push_back(last + i);
+    part.control.sharp_edges[crease_levels::undirected(i, j)] = infinity;
+    if (!is_sphere)
+      part.control.sharp_edges[crease_levels::undirected(last + i, last + j)] = infinity;
+  }
+  part.heights = {Exact(rings[0][0][2]), Exact(rings.back()[0][2])};
+  add(bottom, 1);
+  add(top, is_sphere ? 0 : 2);
+  part.control.points.resize(part.points.size());
+  return part;
+}
+
+Exact_vector true_normal(const Exact_part& part, std::size_t group, const Exact_vector& p)
+{
+  if (group != 0) return {Exact(0), Exact(0), Exact(group == 1 ? -1 : 1)};
+  return part.is_sphere ? p : Exact_vector{p[0], p[1], Exact(0)};
+}
+
+template <class Scheme>
+void expect_exact_round(const Exact_part& part, const Control& control,
+                        std::vector<std::size_t> group, const Scheme& scheme)
+{
+  using Refiner = internal::Level_refiner<Scheme, PN_average<Exact, 3>, internal::Creases<Exact>>;
+  Level_connectivity level = crease_levels::level_of(control);
+  auto creases = internal::Make_creases<Exact>(level, Border::surface)(
+    [&](Index e) {
+      const auto it = control.sharp_edges.find(
+        crease_levels::undirected(int(level.source(2 * e)), int(level.target(2 * e))));
+      return it == control.sharp_edges.end() ? 0. : it->second;
+    },
+    [](Index) { return 0.; });
+  for (auto& e : creases.edges)
+    for (Index side = 0; side < 2; ++side) {
+      const Index h = e.halfedge(side);
+      const Exact_vector p = exact(part.points[level.source(h)]),
+                         q = exact(part.points[level.target(h)]);
+      const Exact turn = p[0] * q[1] - p[1] * q[0];
+      const Exact sign(turn < Exact(0) ? -1 : 1);
+      e.tangent_from[side] = {-sign * p[1], sign * p[0], Exact(0)};
+    }
+  typename Refiner::Values values(creases.number_of_slots);
+  const internal::Cut_copy<Exact> cut(level, creases);
+  internal::for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
+    const Exact_vector p = exact(part.points[level.target(h)]);
+    values[slot] = Point_normal<Exact, 3>{p, true_normal(part, group[level.face(h)], p)};
+  });
+  // the groups of the children
+  std::vector<std::size_t> refined = group;
+  for (Index f = 0; f < level.number_of_faces(); ++f) {
+    const Index m = level.degree(level.halfedge_of_face(f));
+    const bool quads = std::is_same_v<typename Scheme::Host, PQQ_host>;
+    refined.insert(refined.end(), quads ? m - 1 : m, group[f]);
+  }
+  Refiner refiner(scheme, std::move(level), std::move(creases), std::move(values));
+  refiner.refine();
+  const internal::Cut_copy<Exact> child(refiner.level(), refiner.creases());
+  internal::for_each_corner(refiner.level(), child.connectivity(), [&](Index h, Index slot) {
+    const Point_normal<Exact, 3> value = refiner.values()[slot];
+    const std::size_t g = refined[refiner.level().face(h)];
+    const Exact_vector n = true_normal(part, g, value.point);
+    if (g == 0)
+      EXPECT_TRUE(dot(n, n) == Exact(1)); // the point is on the sphere or cylinder
+    else
+      EXPECT_TRUE(value.point[2] == part.heights[g - 1]);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_TRUE(value.normal[k] == n[k]);
+  });
+  EXPECT_GE(refiner.creases().edges.size(), 14u);
+}
+
+void expect_exact_round(const Exact_part& part)
+{
+  expect_exact_round(part, part.control, part.group, CatmullClark_scheme());
+  std::vector<std::size_t> group;
+  for (std::size_t f = 0; f < part.group.size(); ++f)
+    group.insert(group.end(), part.control.faces[f].size() - 2, part.group[f]);
+  expect_exact_round(part, triangulated(part.control), group, Loop_scheme());
+}
+
+TEST(Exact_creases, Capped_cylinder)
+{
+  expect_exact_round(
+    make_part({rational_circle(Rational(0)), rational_circle(Rational(2))}, false));
+}
+
+TEST(Exact_creases, Half_ball)
+{
+  Samples ring;
+  for (const Real a : uneven(7))
+    ring.push_back(rational_shapes::unit_3(double(std::cos(a)), double(std::sin(a)), 0.8));
+  expect_exact_round(make_part({rational_circle(Rational(0)), ring}, true));
 }
 
 // any affine weights: a circle in space and the normals of all surfaces of revolution along it
@@ -105,6 +229,16 @@ Control semi_sharp_cylinder()
     if (++k % 3 == 0) edge.second = 0.3 * k;
   c.sharp_vertices[2] = 0.7;
   return c;
+}
+
+TEST(Creases_in_numbers, Float)
+{
+  Part part = capped_cylinder(uneven(7));
+  part.place();
+  expect_near_double<float>(part.control(), CatmullClark_scheme(), 3,
+                            8 * double(std::numeric_limits<float>::epsilon()));
+  expect_near_double<float>(triangulated(semi_sharp_cylinder()), Loop_scheme(), 2,
+                            16 * double(std::numeric_limits<float>::epsilon()));
 }
 
 TEST(Creases_in_numbers, Exact_constructions)
