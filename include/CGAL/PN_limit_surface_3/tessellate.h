@@ -72,8 +72,9 @@ public:
       bool goes_on = false;
       read(access, s, Parameters::const_point_map(control, np_),
            [&](const Tessellation_demand& demand, auto& level, auto& creases, auto* bounds) {
-             goes_on = run_tessellation<FT>(scheme_of_rounds(s), demand, for_chunks_, table_, level,
-                                            creases, bounds, runs, report, build_out);
+             goes_on = run_tessellation<FT, may_carry_attributes<NamedParameters>()>(
+               scheme_of_rounds(s), demand, for_chunks_, table_, level, creases, bounds, runs,
+               report, build_out);
            });
       return goes_on;
     };

@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Piece_candidates.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/rows/Stencil.h>
@@ -222,6 +223,32 @@ public:
     list_faces(centers, rings);
     list_edges();
     list_vertices();
+  }
+
+  // the elements of the faces that are marked, in increasing order
+  Ring_candidates(const Level_connectivity& whole, const Face_marks& marks)
+    : whole_(whole)
+    , keeps_(Keeps::walks)
+    , are_many_(true)
+    , is_taken_(whole.number_of_faces(), true)
+    , place_of_edge_(whole.number_of_edges(), true)
+  {
+    for (Index f = 0; f < marks.size(); ++f)
+      if (marks[f] != 0) {
+        is_taken_.insert(f, 0);
+        faces_.push_back(whole.halfedge_of_face(f));
+      }
+    const auto is_inside = [&](Index h) {
+      return !whole.is_border(h) && marks[whole.face(h)] != 0;
+    };
+    for (Index e = 0; e < whole.number_of_edges(); ++e)
+      if (is_inside(2 * e) || is_inside(2 * e + 1)) {
+        place_of_edge_.insert(e, static_cast<Index>(edges_.size()));
+        edges_.push_back(2 * e);
+      }
+    list_vertices();
+    std::sort(vertices_.begin(), vertices_.end(),
+              [&](Index h, Index g) { return whole.target(h) < whole.target(g); });
   }
 
   bool is_taken(Index f) const { return is_taken_.find(f) != Level_connectivity::null; }

@@ -83,8 +83,8 @@ void cut_adaptive_level(Level& level, Face_marks kept, unsigned rings)
   for (unsigned r = 0; r < rings; ++r) add_ring(whole, kept);
   const auto number = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), char(1)));
   if (10 * number > 9 * kept.size()) return; // it would save little
-  const All_candidates candidates(whole, kept);
-  Piece_extraction<All_candidates> extraction(whole, candidates, false);
+  const Ring_candidates candidates(whole, kept);
+  Piece_extraction<Ring_candidates> extraction(whole, candidates, false);
   Level_part part(extraction, true);
   auto [creases, origins] = part.creases_and_slots(whole, level.creases);
   Level left{{},

@@ -42,7 +42,7 @@ namespace CGAL::PN_subdivision_3::internal {
 // its limit when it is new, so that the vertices of the result are the whole cost. Faces of the control mesh and children
 // of its polygons get a round before it is known whether they have to be split, so that something has been seen of every
 // face.
-template <class Scheme, class FT, class Level_creases>
+template <class Scheme, class FT, class Level_creases, bool carries_attributes>
 class Adaptive_refinement
 {
 public:
@@ -50,7 +50,10 @@ public:
   using Average = Average_of_scheme<Scheme, FT>;
   using Value = typename Average::Value;
   using Level = Adaptive_level<Value, Level_creases>;
-  using Attributes = Tessellation_attributes<Scheme, FT, Level_creases>;
+  using Result = typename Limit_evaluation<Scheme, FT>::Result;
+  using Attributes =
+    std::conditional_t<carries_attributes, Tessellation_attributes<Scheme, FT, Level_creases>,
+                       No_tessellation_attributes<Result>>;
   using Selection = Face_selection<typename Scheme::Host, FT, Value, Level_creases>;
 
   Adaptive_refinement(const Scheme& scheme, const Tessellation_demand& demand,
@@ -92,7 +95,6 @@ private:
   using Host = typename Scheme::Host;
   using Refiner = Level_refiner<Scheme, Average, Level_creases>;
   static constexpr bool is_creased = are_creases_v<Level_creases>;
-  using Result = typename Limit_evaluation<Scheme, FT>::Result;
   using Results = std::vector<Result>;
   using Flatness = typename Selection::Flatness;
   using Slots = Slots_of_corners<Level_creases>;

@@ -197,6 +197,33 @@ private:
   std::size_t of_corners_ = 0;
 };
 
+// What it carries of calls that name no attributes: nothing.
+template <class Result>
+struct No_tessellation_attributes
+{
+  using Index = Level_connectivity::Index;
+
+  template <class Scheme>
+  No_tessellation_attributes(const Scheme&, const Limit_demand&, const For_chunks&)
+  {}
+  template <class Level>
+  void read(const Tessellation_data&, Level&)
+  {}
+  template <class Level>
+  std::vector<Result> limits(const Level&, std::size_t, unsigned, const std::vector<Index>*)
+  {
+    return {};
+  }
+  void set(std::size_t, Index, const Result&) {}
+  template <class Level>
+  void refine(const Level&, unsigned, Level&) const
+  {}
+  template <class Level, class Host>
+  void split_corners(const Level&, const Host&, Level&) const
+  {}
+  void keep_vertices(const std::vector<bool>&) {}
+};
+
 // The arrays of a user's table, of which a tessellation carries the numbers.
 class Tessellation_table
 {

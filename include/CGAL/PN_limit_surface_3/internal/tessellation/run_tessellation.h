@@ -359,8 +359,19 @@ std::vector<bool> used_vertices(const Split_edges<FT>& all, const Leaf_triangles
   return used;
 }
 
+// Whether a call names attributes, without which what carries them is not compiled. The library is for all calls.
+template <class NamedParameters>
+constexpr bool may_carry_attributes()
+{
+#ifdef CGAL_PN_SUBDIVISION_3_LIMITS
+  return true;
+#else
+  return is_given_v<attributes_t, NamedParameters>;
+#endif
+}
+
 // One run on a control mesh that has been read. The last one calls build(all, mesh).
-template <class FT, class Scheme, class Value, class Level_creases>
+template <class FT, bool carries_attributes, class Scheme, class Value, class Level_creases>
 bool run_tessellation(
   const Scheme& scheme, const Tessellation_demand& demand, const For_chunks& for_chunks,
   const Tessellation_table& table, Valued_level<Value>& control, Level_creases& creases,
@@ -370,8 +381,10 @@ bool run_tessellation(
 {
   using Index = Level_connectivity::Index;
   const Index control_vertices = control.level.number_of_vertices();
-  const Tessellation_data attributes = table.read(control.level);
-  Adaptive_refinement<Scheme, FT, Level_creases> refinement(scheme, demand, for_chunks, bounds);
+  Tessellation_data attributes;
+  if constexpr (carries_attributes) attributes = table.read(control.level);
+  Adaptive_refinement<Scheme, FT, Level_creases, carries_attributes> refinement(scheme, demand,
+                                                                                for_chunks, bounds);
   refinement(std::move(control), std::move(creases), attributes, runs.take_nodes());
   const Leaf_triangles<FT> triangles = runs.triangles(refinement, table.dimension_of_corners());
   if (runs.go_on(refinement, triangles)) return true;
@@ -380,8 +393,9 @@ bool run_tessellation(
   refinement.remove_unused(used);
   const Tessellation_mesh<FT> mesh(refinement.all(), triangles);
   Attribute_table carried;
-  if (table.any())
-    carried = table.of_result(refinement, triangles, attributes, first_indices(control_vertices));
+  if constexpr (carries_attributes)
+    if (table.any())
+      carried = table.of_result(refinement, triangles, attributes, first_indices(control_vertices));
   build(refinement.all(), mesh);
   table.set(std::move(carried));
   runs.report(refinement, triangles, report);
@@ -392,7 +406,7 @@ bool run_tessellation(
 
 // for the library CGAL::PN_subdivision_3_limits, see limits_at_slots.h
 #define CGAL_PN_SUBDIVISION_3_TESSELLATION_OF(EXTERN, SCHEME, CREASES)                             \
-  EXTERN template bool run_tessellation(                                                           \
+  EXTERN template bool run_tessellation<double, true>(                                             \
     const compiled_once::SCHEME&, const Tessellation_demand&, const For_chunks&,                   \
     const Tessellation_table&, Valued_level<compiled_once::Value<compiled_once::SCHEME>>&,         \
     CREASES&, Face_bounds<compiled_once::Value<compiled_once::SCHEME>, CREASES>*,                  \
