@@ -10,6 +10,7 @@
 
 #include "support/Options.h"
 #include <CGAL/PN_curves/curve_corners.h>
+#include <CGAL/PN_fitting_3/internal/find_root.h>
 #include <CGAL/PN_fitting_3/interpolate_curve.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -270,6 +271,27 @@ TEST(Interpolating_curves, WhatCannotBeIsRefused)
   Curve_2 infinite = data;
   infinite[3].first = Point_2(HUGE_VAL, 0);
   EXPECT_THROW(PN::interpolate_curve(infinite, cubic, closed), std::invalid_argument);
+}
+
+// Of linear residuals the steps are those of GMRES: as many as unknowns, behind a first one without a direction.
+TEST(Interpolating_curves, RootsOfLinearResidualsTakeAFewSteps)
+{
+  Eigen::Matrix3d matrix;
+  matrix << 1, 0.3, 0.1, -0.2, 0.6, 0.3, 0.1, 0.4, 0.8;
+  const Eigen::Vector3d b(1, 2, 3), expected = matrix.partialPivLu().solve(b);
+  for (const std::size_t most_kept : {20, 2, 1}) {
+    const PN::internal::Root root = PN::internal::find_root(
+      Eigen::VectorXd::Zero(3),
+      [&](auto& x, auto& r) {
+        r = b - matrix * x;
+        return r.norm();
+      },
+      1e-12, 60, 60, most_kept);
+    if (most_kept == 20) {
+      EXPECT_LE(root.steps, 4u);
+    }
+    EXPECT_LT((root.x - expected).norm(), 1e-11) << most_kept;
+  }
 }
 
 // In double, whatever the number type; points that stay keep all their digits.
