@@ -411,7 +411,7 @@ private:
     control_->set_roundness(roundness);
     const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
     if constexpr (!std::is_same_v<Attributes, internal::No_attributes>)
-      attributes_.refine<FT>(scheme, access, level, creases, of_mesh.sharpness(level), rounds, size,
+      attributes_.refine<FT>(scheme, access, level, creases, of_mesh.sharpness(level), rounds,
                              attributes, for_chunks);
     points_.assign(size.vertices, Point_3(0, 0, 0));
     if (is_pn) normals_.assign(size.vertices, Vector_3(0, 0, 0));

@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
@@ -42,22 +43,23 @@ public:
   Rounds& operator*() const { return *rounds_; }
   explicit operator bool() const { return rounds_ != nullptr; }
 
-  // a round with creases cuts its level open
+  // a round with creases cuts its level open; then attributes have a copy of the whole one
   template <class Refiner>
   void before_cut(const Refiner& refiner)
   {
-    if constexpr (are_creases_v<Creases_of<Refiner>>)
-      if (rounds_) whole_.emplace(refiner.level());
+    if constexpr (are_creases_v<std::decay_t<decltype(refiner.creases())>>)
+      if (rounds_) {
+        whole_.emplace(refiner.level());
+        count_valences(*whole_, refiner.creases());
+      }
   }
   template <class Scheme, class Refiner, class Level_round>
   void begin_round(const Scheme& scheme, const Refiner& refiner, const Level_round& round,
                    Kind_of_round kind)
   {
-    if (!rounds_) return;
-    if constexpr (are_creases_v<Creases_of<Refiner>>)
-      rounds_->begin_creased_round(scheme, round, *whole_, refiner.creases(), kind);
-    else
-      rounds_->begin_round(scheme, round.round(), refiner.level(), kind);
+    if (rounds_)
+      rounds_->begin_round(scheme, round, whole_ ? *whole_ : refiner.level(), refiner.creases(),
+                           kind);
   }
   const typename Rounds::Rows_sink* rows() const { return rounds_ ? rounds_->rows() : nullptr; }
 
@@ -106,9 +108,6 @@ public:
   }
 
 private:
-  template <class Refiner>
-  using Creases_of = std::decay_t<decltype(std::declval<const Refiner&>().creases())>;
-
   std::unique_ptr<Rounds> rounds_;
   std::optional<Level_connectivity> whole_; // the level of a round with creases, before it is cut
 };
@@ -137,6 +136,18 @@ public:
   }
 };
 
+// the rounds of attributes that have been read
+template <class FT, class Host, class Level_creases>
+auto make_attribute_rounds(Control_attributes<FT>&& attributes, Level_origins::Kinds visited,
+                           const Level_connectivity& level, const Level_creases& creases,
+                           const Control_sharpness& sharpness, const Element_names& names,
+                           const For_chunks& for_chunks)
+{
+  return Optional_attribute_rounds<FT>(std::make_unique<Attribute_rounds<FT>>(
+    std::move(attributes), kept_elements_v<Host>, visited, level,
+    vertices_of_extra_slots(creases, level.number_of_vertices()), sharpness, names, for_chunks));
+}
+
 // the attributes of a call in its rounds, with the values of the call's mesh
 template <class FT, class Host, class Attributes, class Access, class Level_creases, class Values>
 auto attribute_rounds_of_call([[maybe_unused]] const Attributes& attributes,
@@ -146,14 +157,12 @@ auto attribute_rounds_of_call([[maybe_unused]] const Attributes& attributes,
                               [[maybe_unused]] const Values& of_mesh,
                               [[maybe_unused]] const For_chunks& for_chunks)
 {
-  using Rounds = Optional_attribute_rounds<FT, !Attributes::is_empty>;
   if constexpr (!Attributes::is_empty)
     if (attributes.is_any())
-      return Rounds(std::make_unique<Attribute_rounds<FT>>(
-        attributes.template read<FT>(access, level), kept_elements_v<Host>, Attributes::visited,
-        level, vertices_of_extra_slots(creases, level.number_of_vertices()),
-        of_mesh.sharpness(level), access, for_chunks));
-  return Rounds();
+      return make_attribute_rounds<FT, Host>(attributes.template read<FT>(access, level),
+                                             Attributes::visited, level, creases,
+                                             of_mesh.sharpness(level), access, for_chunks);
+  return Optional_attribute_rounds<FT, !Attributes::is_empty>();
 }
 
 } // namespace CGAL::PN_subdivision_3::internal
