@@ -252,14 +252,15 @@ private:
       for (Index& h : values)
         if (h != null) h = refined.target(h);
     if (kind == Corner_kind::smooth)
-      smooth_[rank].for_each_extra_corner(refined, [&](Index h, Index slot) { values[h] = slot; });
+      for_each_extra_corner(refined, smooth_[rank].creases(),
+                            [&](Index h, Index slot) { values[h] = slot; });
     return values;
   }
 
   // puts the values of copies or the origins of the elements of a kind; of(origin) is what the columns take
-  template <class Columns, class Function>
-  static void put_columns(const Columns& columns, std::uint64_t number,
-                          Function_ref<Origin(Index)> origin_of, const Function& of)
+  template <class Columns, class Origin_of, class Function>
+  static void put_columns(const Columns& columns, std::uint64_t number, const Origin_of& origin_of,
+                          const Function& of)
   {
     if (columns.empty()) return;
     constexpr Index most = 64; // at once

@@ -336,18 +336,18 @@ public:
     if (!puts_at_once_) return Kind::average(begin, end, n_, old_.data(), new_.data() + value * n_);
     Buffer average(n_);
     Kind::average(begin, end, n_, old_.data(), average.data());
-    put_values(value, 1, average.data());
+    put(value, 1, average);
   }
   void evaluate(Index first, const Stencil_block<FT>& rows) override
   {
     if (!puts_at_once_) return averages(rows, new_.data() + first * n_);
     Buffer results(rows.number_of_rows() * n_);
     averages(rows, results.data());
-    put_values(first, rows.number_of_rows(), results.data());
+    put(first, rows.number_of_rows(), results);
   }
   void copy(Index from, Index to) override
   {
-    if (!puts_at_once_) std::copy_n(new_.begin() + from * n_, n_, new_.begin() + to * n_);
+    for (std::size_t c = 0; !puts_at_once_ && c < n_; ++c) new_[to * n_ + c] = new_[from * n_ + c];
   }
   void end_round() override
   {
@@ -360,8 +360,7 @@ public:
   void put(const std::vector<Index>& sources) override
   {
     column_->begin(sources.size());
-    for (std::size_t i = 0; i < sources.size(); ++i)
-      if (sources[i] != null) put_values(static_cast<Index>(i), 1, old_.data() + sources[i] * n_);
+    put(0, sources.size(), old_, sources.data());
   }
 
   std::unique_ptr<Row_values<FT>> part(const std::vector<Index>& sources) const override
@@ -394,21 +393,18 @@ private:
     for (std::size_t r = 0; r < number; ++r)
       Kind::average(rows.begin(r), rows.end(r), n_, old_.data(), results + r * n_);
   }
-  void put_values(Index first, std::size_t number, const Number* values)
+  // all values are changed to what the column takes
+  template <class Any_values>
+  void put(Index first, std::size_t number, Any_values& values, const Index* sources = nullptr)
   {
-    if constexpr (!std::is_same_v<Number, Of_column>)
-      for (std::size_t i = 0; i < number; ++i) {
-        const Of_column nearest = values[i].nearest();
-        column_->put(first + Index(i), 1, &nearest);
-      }
-    else {
+    if constexpr (std::is_same_v<Number, Of_column>) {
       if constexpr (std::is_same_v<Kind, Number_values<FT>>)
-        if (are_directions_) {
-          Buffer units(values, values + number * n_);
-          make_units(n_, units);
-          return column_->put(first, number, units.data());
-        }
-      column_->put(first, number, values);
+        if (are_directions_) make_units(n_, values);
+      column_->put(first, number, values.data(), sources);
+    } else {
+      boost::container::small_vector<Of_column, 32> nearest;
+      for (const Number& shares : values) nearest.push_back(shares.nearest());
+      column_->put(first, number, nearest.data(), sources);
     }
   }
 

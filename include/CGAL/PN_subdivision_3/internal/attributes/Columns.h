@@ -48,8 +48,10 @@ public:
 
   // to be called before the first value is put
   virtual void begin(std::size_t number_of_elements) = 0;
-  // puts the values of elements that follow one another
-  virtual void put(Index first, std::size_t number, const Number* from) = 0;
+  // Puts the values of elements that follow one another: the values in their order or, if sources are given, those of
+  // these positions; an element keeps its value if its source is null.
+  virtual void put(Index first, std::size_t number, const Number* values,
+                   const Index* sources = nullptr) = 0;
   virtual bool has_concurrent_put() const = 0;
   virtual void commit() noexcept = 0;
 
@@ -183,19 +185,26 @@ struct Averaged
   }
 };
 
+// Elements have one number, and control values are not asked for.
+struct Without_rows
+{
+  static std::size_t numbers(std::size_t) { return 1; }
+  template <class T>
+  static bool are_equal(const T&, const T&)
+  {
+    return false;
+  }
+  template <class Store, class Number>
+  static void read(const Store&, std::size_t, std::size_t, Number*)
+  {}
+};
+
 // The number is that of a control element with the same value, or null for a new value.
 template <class T>
-struct Copied
+struct Copied : Without_rows
 {
   using Number = Level_connectivity::Index;
 
-  static std::size_t numbers(std::size_t) { return 1; }
-  static bool are_equal(const T&, const T&) { return false; }
-  template <class Store>
-  static void read(const Store&, std::size_t i, std::size_t, Number* to)
-  {
-    *to = static_cast<Number>(i);
-  }
   template <class Store>
   static T value(const Store& store, const Number* from, std::size_t j, std::size_t width)
   {
@@ -218,15 +227,10 @@ inline Control_element control_element(const Origin& origin)
   return {kind, origin.index};
 }
 template <class T>
-struct Parent
+struct Parent : Without_rows
 {
   using Number = Origin_and_face;
 
-  static std::size_t numbers(std::size_t) { return 1; }
-  static bool are_equal(const T&, const T&) { return false; }
-  template <class Store>
-  static void read(const Store&, std::size_t, std::size_t, Number*)
-  {}
   template <class Store>
   static T value(const Store&, const Number* from, std::size_t, std::size_t)
   {
@@ -252,26 +256,33 @@ public:
     , width_(width)
   {}
 
-  std::size_t numbers_of_value() const override { return Conversion::numbers(width_); }
+  std::size_t numbers_of_value() const override { return Conversion::numbers(width()); }
   bool are_equal(Index a, Index b) const override
   {
-    for (std::size_t j = 0; j < width_; ++j)
-      if (!Conversion::are_equal(store_.old(a * width_ + j), store_.old(b * width_ + j)))
+    for (std::size_t j = 0; j < width(); ++j)
+      if (!Conversion::are_equal(store_.old(a * width() + j), store_.old(b * width() + j)))
         return false;
     return true;
   }
   void read(Index element, Number* to) const override
   {
-    Conversion::read(store_, element, width_, to);
+    Conversion::read(store_, element, width(), to);
   }
 
-  void begin(std::size_t number_of_elements) override { store_.begin(number_of_elements * width_); }
-  void put(Index first, std::size_t number, const Number* from) override
+  void begin(std::size_t number_of_elements) override
   {
-    const std::size_t numbers = Conversion::numbers(width_);
-    for (std::size_t i = first; i < first + number; ++i, from += numbers)
-      for (std::size_t j = 0; j < width_; ++j)
-        store_.set(static_cast<Index>(i * width_ + j), Conversion::value(store_, from, j, width_));
+    store_.begin(number_of_elements * width());
+  }
+  void put(Index first, std::size_t number, const Number* values, const Index* sources) override
+  {
+    const std::size_t numbers = Conversion::numbers(width());
+    for (std::size_t i = 0; i < number; ++i) {
+      const std::size_t source = sources == nullptr ? i : sources[i];
+      if (source == Level_connectivity::null) continue;
+      for (std::size_t j = 0; j < width(); ++j)
+        store_.set(static_cast<Index>((first + i) * width() + j),
+                   Conversion::value(store_, values + source * numbers, j, width()));
+    }
   }
   bool has_concurrent_put() const override { return Store::has_concurrent_put; }
   void commit() noexcept override { store_.commit(); }
@@ -293,6 +304,9 @@ public:
   }
 
 private:
+  // known where it costs time
+  std::size_t width() const { return Store::is_list ? width_ : 1; }
+
   Store store_;
   const std::size_t width_;
 };
