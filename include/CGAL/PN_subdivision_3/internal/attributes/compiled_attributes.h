@@ -24,6 +24,8 @@
   CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, SCHEME, No_creases)                           \
   CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, SCHEME, Creases<double>)
 #define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_OF_ALL(EXTERN)                                            \
+  EXTERN template class Rows<double, Number_values<double>>;                                       \
+  EXTERN template class Rows<double, Label_values<double>>;                                        \
   EXTERN template class Attribute_rounds<double>;                                                  \
   CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, Any_of_quads)                                \
   CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, Any_of_triangles)                            \
