@@ -294,12 +294,13 @@ private:
   void take(Control_attributes<FT>& put, const Attributes<Items...>&)
   {
     // attributes of a kind are in the order in which the call names them
-    (take_first<List_of<Items>>(Items::list(put)), ...);
+    (take_first<Items>(Items::list(put)), ...);
   }
-  template <class T, class List>
-  void take_first(List& list)
+  template <class Item, class Attributes_of_kind>
+  void take_first(Attributes_of_kind& list)
   {
-    lists_.emplace_back(taken<T>(*list.front()));
+    using Values = decltype(List_of<Item>::values);
+    lists_.emplace_back(List_of<Item>{taken<Values>(*list.front())});
     list.erase(list.begin());
   }
 
@@ -319,8 +320,14 @@ private:
     return attributes;
   }
 
+  // attributes that are put have elements of the same kind, and values of the same type
+  template <class T, class Keys>
+  struct List
+  {
+    std::vector<T> values;
+  };
   template <class Item>
-  using List_of = std::vector<Value_of_map<decltype(Item::map)>>;
+  using List_of = List<Value_of_map<decltype(Item::map)>, typename Item::Keys>;
 
   template <class Access, class Item>
   static void put_item(const Access& access, const Level_connectivity& refined, const Item& item,
@@ -330,7 +337,7 @@ private:
     const List_of<Item>* list = std::any_cast<List_of<Item>>(&kept);
     require(list != nullptr);
     for_each_element<Keys>(refined,
-                           [&](Index i) { put(item.map, Keys::at(access, i), (*list)[i]); });
+                           [&](Index i) { put(item.map, Keys::at(access, i), list->values[i]); });
   }
 
   static void require(bool is_same)
