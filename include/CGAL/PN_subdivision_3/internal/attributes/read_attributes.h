@@ -74,7 +74,7 @@ constexpr bool check_attribute_values()
   if constexpr (!is_label) {
     constexpr bool can_be_averaged = std::is_default_constructible_v<T> && has_averages<T, FT>();
     constexpr bool can_be_compared =
-      !std::is_same_v<Keys, Halfedge_of_mesh> || Has_equality<T>::value;
+      !can_be_averaged || !std::is_same_v<Keys, Halfedge_of_mesh> || Has_equality<T>::value;
     constexpr bool have_length =
       rule != Attribute_rule::direction || Attribute_traits<T, FT>::has_components;
     static_assert(
