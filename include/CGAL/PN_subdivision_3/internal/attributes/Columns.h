@@ -280,7 +280,7 @@ public:
       const std::size_t source = sources == nullptr ? i : sources[i];
       if (source == Level_connectivity::null) continue;
       for (std::size_t j = 0; j < width(); ++j)
-        store_.set(static_cast<Index>((first + i) * width() + j),
+        store_.set((first + i) * width() + j,
                    Conversion::value(store_, values + source * numbers, j, width()));
     }
   }
