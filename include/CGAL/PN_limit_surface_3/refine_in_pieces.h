@@ -427,7 +427,7 @@ private:
         auto [all, of_part] = internal::Refined_attributes::for_pieces<FT, Host>(
           access, level, creases, of_mesh.sharpness(level), attributes,
           internal::For_chunks::with(Concurrency_tag()));
-        carried = typename Refiner::Attribute_rounds(std::move(all));
+        carried = std::move(all);
         attributes_of_ = std::move(of_part);
       }
     const auto make = [&](auto* refiner) {

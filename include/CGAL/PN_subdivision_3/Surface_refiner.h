@@ -395,7 +395,7 @@ private:
     const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
     if constexpr (internal::is_there_v<Attributes>)
       attributes_.refine<FT>(scheme, access, level, creases, control.maps.sharpness(level), rounds,
-                             size, attributes, for_chunks);
+                             attributes, for_chunks);
     points_.assign(size.vertices, Point_3(0, 0, 0));
     if (is_pn) normals_.assign(size.vertices, Vector_3(0, 0, 0));
     rounds_ = std::make_unique<internal::Stored_rounds<Hosted_scheme, Average, Level_creases>>(

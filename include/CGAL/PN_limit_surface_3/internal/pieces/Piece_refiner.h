@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_limit_surface_3/internal/pieces/Divided_level.h>
 #include <CGAL/PN_limit_surface_3/internal/pieces/Piece_levels.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Call_attribute_rounds.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Refined_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>

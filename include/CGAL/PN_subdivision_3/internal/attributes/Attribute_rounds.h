@@ -10,11 +10,10 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_ATTRIBUTE_ROUNDS_H
 
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Attribute_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Crease_rows.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Linear_corners.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
@@ -25,6 +24,7 @@
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -67,14 +67,10 @@ public:
   Attribute_rounds(const Attribute_rounds&) = delete;
   Attribute_rounds& operator=(const Attribute_rounds&) = delete;
 
-  template <class Scheme, class Plain_round>
-  void begin_round(const Scheme& scheme, const Plain_round& round, const Level_connectivity& level,
-                   Kind_of_round kind);
-  // `level` is the whole one; it stays until the round ends
-  template <class Scheme, class Level_round>
-  void begin_creased_round(const Scheme& scheme, const Level_round& round,
-                           Level_connectivity& level, const Creases<FT>& creases,
-                           Kind_of_round kind);
+  // `level` is the whole one, for smooth rules; it stays until the round ends
+  template <class Scheme, class Level_round, class Level_creases>
+  void begin_round(const Scheme& scheme, const Level_round& round, const Level_connectivity& level,
+                   const Level_creases& creases, Kind_of_round kind);
 
   // null if there is nothing to do with the rows, or the child, of a round
   const Rows_sink* rows() const
@@ -101,12 +97,13 @@ public:
   // puts everything for the elements of the refined mesh, which has been made large enough
   void put(const Level_size& size, const Level_connectivity* refined, const Origin_source& rules);
   void commit() noexcept { attributes_.commit(); }
+  // from which lists that have been put are taken
+  Control_attributes<FT>& attributes() { return attributes_; }
 
-  // puts the attributes of a part after all rounds; what has been put is taken from the result
+  // puts the attributes of a part after all rounds
   Control_attributes<FT>& put_part(const Level_part& part)
   {
     put(part.level.size(), &part.level, origins_);
-    commit();
     return attributes_;
   }
   // whether charts are cut, so that their rules look at more faces than the rules of the scheme
@@ -130,19 +127,13 @@ private:
     std::vector<Index> kept_vertices;
     bool is_of_vertices;
   };
-  // what takes rows, and the child
-  struct Sinks
+  struct Evaluate_rows
   {
     void operator()(Index first, const Stencil_block<FT>& rows) const
     {
       for (const By_rows& by_rows : self.by_rows_) by_rows.values->evaluate(first, rows);
       if (self.charts_take_rows_)
         for (Smooth_corners<FT>& corners : self.smooth_) corners.evaluate(first, rows);
-    }
-    void operator()(const Level_connectivity& child) const
-    {
-      for (Row_values<FT>* values : self.linear_) self.end_linear_round_(child, *values);
-      for (Smooth_corners<FT>& corners : self.smooth_) self.end_smooth_round_(corners);
     }
     Attribute_rounds& self;
   };
@@ -177,19 +168,18 @@ private:
       " scheme keeps no edges: refine without this attribute, or by a scheme that splits edges");
   }
 
-  void begin_corners(Corner_attribute_values<FT>& corner, const Level_connectivity& level,
+  void begin_corners(Row_values<FT>& values, Corner_rule rule, const Level_connectivity& level,
                      const std::vector<Index>& slot_vertices, const Control_sharpness& sharpness,
                      const Element_names& names)
   {
-    Row_values<FT>& values = *corner.values;
-    if (corner.rule == Corner_rule::all) {
+    if (rule == Corner_rule::all) {
       if (!kept_.edges) refuse("an attribute of corners is linear, but the");
       values.begin(faced_halfedges(level));
       linear_.push_back(&values);
       corner_kinds_.push_back({Corner_kind::linear, 0});
       return;
     }
-    Charts<FT> charts(level, corner.rule, sharpness,
+    Charts<FT> charts(level, rule, sharpness,
                       [&](Index h, Index g) { return values.are_equal(h, g); });
     std::vector<Index> corner_of_slots = charts.corner_of_slots();
     if (charts.is_cut()) {
@@ -210,36 +200,40 @@ private:
     corner_kinds_.push_back({Corner_kind::by_rows, 0});
   }
 
+  // what charts and linear corners do when the child is known
   template <class Scheme, class Plain_round, class Mask>
-  void begin([[maybe_unused]] const Scheme& scheme, const Plain_round& round,
-             const Level_connectivity& level,
-             [[maybe_unused]] const std::shared_ptr<const Mask>& smooth_mask,
-             std::size_t number_of_values, Kind_of_round kind)
+  void begin_corners_of_round(const Scheme& scheme, const Plain_round& round,
+                              const Level_connectivity& level,
+                              const std::shared_ptr<const Mask>& smooth_mask)
   {
-    for (const By_rows& by_rows : by_rows_)
-      if (kind == Kind_of_round::last_put_at_once && by_rows.is_of_vertices)
-        by_rows.values->begin_last_round(number_of_values, for_chunks_.has_threads());
-      else
-        by_rows.values->begin_round(number_of_values);
-    const Level_size size = round.refined_size();
-    if constexpr (Splits_edges<typename Plain_round::Host>::value) {
-      for (Smooth_corners<FT>& corners : smooth_)
-        corners.begin_round(level, static_cast<Index>(size.vertices), charts_take_rows_);
-      end_smooth_round_ = [&scheme, &round, &level, smooth_mask,
-                           this](Smooth_corners<FT>& corners) {
-        corners.end_round(scheme, round, level, smooth_mask.get(), for_chunks_);
-      };
-      end_linear_round_ = [&round, &level, this](const Level_connectivity& child,
-                                                 Row_values<FT>& values) {
-        Linear_corners<FT, typename Plain_round::Host>(round.host(), level, child,
-                                                       values)(for_chunks_);
-      };
-    }
+    for (Smooth_corners<FT>& corners : smooth_)
+      corners.begin_round(level, static_cast<Index>(round.refined_size().vertices),
+                          charts_take_rows_);
     for (Row_values<FT>* values : linear_)
-      values->begin_round(static_cast<std::size_t>(size.halfedges()));
-    if (kind == Kind_of_round::inner && wanted_.any())
-      refined_origins_ = Level_origins::of_child(
-        rules(round, level), size, Level_origins::needed(wanted_, kept_.edges), for_chunks_);
+      values->begin_round(static_cast<std::size_t>(round.refined_size().halfedges()));
+    using Linear = Linear_corners<FT, typename Plain_round::Host>;
+    end_corners_ = [&scheme, &round, &level, smooth_mask, this](const Level_connectivity& child) {
+      for (Row_values<FT>* values : linear_)
+        Linear(round.host(), level, child, *values)(for_chunks_);
+      for (Smooth_corners<FT>& corners : smooth_)
+        corners.end_round(scheme, round, level, smooth_mask.get(), for_chunks_);
+    };
+  }
+
+  // the rows of new vertices on creases, and the slots that have the values of their vertices
+  template <class Level_round, class Mask>
+  void make_crease_rows(const Level_round& round, const Level_connectivity& level,
+                        const Creases<FT>& creases, const Mask* smooth_mask)
+  {
+    const auto& refined = round.refined();
+    const Cut_copy<FT> cut(level, creases);
+    Crease_rows<FT, Mask> rows(level, cut, creases, refined, round.round().mask(), smooth_mask);
+    rows.for_each([&](Index slot, const Entry_row<FT>& row) {
+      if (slot < round.number_of_vertices()) crease_rows_.emplace_back(slot, row);
+    });
+    for (const Crease_star& star : refined.creases.stars)
+      for (Index w = 1; w < star.number_of_wedges; ++w)
+        copies_.emplace_back(star.vertex, star.slot(w));
   }
 
   static std::vector<Index> faced_halfedges(const Level_connectivity& level)
@@ -258,34 +252,25 @@ private:
       for (Index& h : values)
         if (h != null) h = refined.target(h);
     if (kind == Corner_kind::smooth)
-      smooth_[rank].for_each_extra_corner(refined, [&](Index h, Index slot) { values[h] = slot; });
+      for_each_extra_corner(refined, smooth_[rank].creases(),
+                            [&](Index h, Index slot) { values[h] = slot; });
     return values;
   }
 
-  void put_edges(const Level_size& size, const Origin_source& rules)
+  // puts the values of copies or the origins of the elements of a kind; of(origin) is what the columns take
+  template <class Columns, class Origin_of, class Function>
+  static void put_columns(const Columns& columns, std::uint64_t number, const Origin_of& origin_of,
+                          const Function& of)
   {
-    std::vector<Index> sources(size.edges);
-    for (Index e = 0; e < sources.size(); ++e) {
-      const Origin origin = rules.edge(e);
-      sources[e] = origin.kind == Origin::Kind::edge ? origin.index : null;
-    }
-    for (auto& values : attributes_.edges) values->put(sources);
-  }
-  void put_faces(const Level_size& size, const Origin_source& rules)
-  {
-    std::vector<Index> sources(size.faces);
-    for (Index f = 0; f < sources.size(); ++f) sources[f] = control_face(rules.face(f));
-    for (auto& values : attributes_.faces) values->put(sources);
-  }
-  void put_origins(typename Control_attributes<FT>::template List<Origin_values>& list,
-                   std::uint64_t number, Function_ref<Origin(Index)> origin_of)
-  {
-    for (auto& values : list) {
-      values->begin(static_cast<std::size_t>(number));
-      for (Index i = 0; i < number; ++i) {
-        const Origin origin = origin_of(i);
-        values->set(i, control_element(origin), control_face(origin));
-      }
+    if (columns.empty()) return;
+    constexpr Index most = 64; // at once
+    std::array<decltype(of(Origin())), most> values;
+    const auto end = static_cast<Index>(number);
+    for (auto& column : columns) column->begin(end);
+    for (Index first = 0; first < end; first += most) {
+      const Index n = (std::min)(most, end - first);
+      for (Index i = 0; i < n; ++i) values[i] = of(origin_of(first + i));
+      for (auto& column : columns) column->put(first, n, values.data());
     }
   }
 
@@ -308,13 +293,12 @@ private:
   std::vector<Row_values<FT>*> linear_;
   std::vector<std::pair<Corner_kind, std::size_t>> corner_kinds_; // the rank in smooth_
   bool charts_take_rows_ = true;
-  std::function<void(Smooth_corners<FT>&)> end_smooth_round_;
-  std::function<void(const Level_connectivity&, Row_values<FT>&)> end_linear_round_;
+  std::function<void(const Level_connectivity&)> end_corners_;
   std::vector<std::pair<Index, Entry_row<FT>>> crease_rows_;
   std::vector<std::pair<Index, Index>> copies_;
-  const Sinks sinks_{*this};
-  const Rows_sink rows_sink_{sinks_};
-  const Child_sink child_sink_{sinks_};
+  const Evaluate_rows evaluate_rows_{*this};
+  const Rows_sink rows_sink_{evaluate_rows_};
+  const Child_sink child_sink_{end_corners_};
 };
 
 template <class FT>
@@ -333,8 +317,9 @@ Attribute_rounds<FT>::Attribute_rounds(Control_attributes<FT>&& attributes, Kept
     values->begin(slot_vertices);
     by_rows_.push_back({values.get(), {}, true});
   }
-  for (auto& corner : attributes_.corners)
-    begin_corners(corner, level, slot_vertices, sharpness, names);
+  for (std::size_t i = 0; i < attributes_.corners.size(); ++i)
+    begin_corners(*attributes_.corners[i], attributes_.corner_rules[i], level, slot_vertices,
+                  sharpness, names);
   wanted_ = attributes_.needed_origins();
   wanted_.vertices = wanted_.vertices || visited.vertices;
   wanted_.edges = wanted_.edges || visited.edges;
@@ -359,11 +344,10 @@ Attribute_rounds<FT>::Attribute_rounds(const Attribute_rounds& whole, const Leve
   }
   std::size_t rank_by_rows = whole.attributes_.vertices.size();
   for (std::size_t i = 0; i < whole.attributes_.corners.size(); ++i) {
-    const auto& corner = whole.attributes_.corners[i];
     const auto [kind, rank] = whole.corner_kinds_[i];
     const auto add = [&](const Indices& sources) -> Row_values<FT>& {
-      attributes_.corners.push_back({corner.values->part(sources), corner.rule});
-      return *attributes_.corners.back().values;
+      attributes_.corners.push_back(whole.attributes_.corners[i]->part(sources));
+      return *attributes_.corners.back();
     };
     corner_kinds_.push_back({kind, rank});
     if (kind == Corner_kind::linear)
@@ -378,49 +362,45 @@ Attribute_rounds<FT>::Attribute_rounds(const Attribute_rounds& whole, const Leve
       smooth_.emplace_back(values, std::move(creases), smooth);
     }
   }
-  attributes_.take_parts_of_copied(whole.attributes_);
+  attributes_.take_parts_of_columns(whole.attributes_);
   if (wanted_.any())
     origins_ = Level_origins::of_child(Origins_of_part(whole.origins_, part), part.level.size(),
                                        Level_origins::needed(wanted_, kept_.edges), for_chunks_);
 }
 
 template <class FT>
-template <class Scheme, class Plain_round>
-void Attribute_rounds<FT>::begin_round(const Scheme& scheme, const Plain_round& round,
-                                       const Level_connectivity& level, Kind_of_round kind)
+template <class Scheme, class Level_round, class Level_creases>
+void Attribute_rounds<FT>::begin_round(const Scheme& scheme, const Level_round& round,
+                                       const Level_connectivity& level,
+                                       const Level_creases& creases, Kind_of_round kind)
 {
-  using Mask = std::decay_t<decltype(round.mask())>;
-  begin(scheme, round, level, std::shared_ptr<const Mask>(),
-        static_cast<std::size_t>(round.refined_size().vertices), kind);
-}
-
-template <class FT>
-template <class Scheme, class Level_round>
-void Attribute_rounds<FT>::begin_creased_round(const Scheme& scheme, const Level_round& round,
-                                               Level_connectivity& level,
-                                               const Creases<FT>& creases, Kind_of_round kind)
-{
-  using Mask = std::decay_t<decltype(round.round().mask())>;
+  constexpr bool are_creases = are_creases_v<Level_creases>;
+  const auto& plain = round.round();
+  using Plain_round = std::decay_t<decltype(plain)>;
+  using Mask = std::decay_t<decltype(plain.mask())>;
   std::shared_ptr<const Mask> smooth_mask;
-  if (has_smooth_rules(creases, round.refined(), true)) {
-    count_valences(level, creases);
-    smooth_mask =
-      std::make_shared<const Mask>(scheme.template mask<FT>(level, round.round().number()));
-  }
-  const auto& refined = round.refined();
-  charts_take_rows_ = false; // rows are of slots of the creases
-  begin(scheme, round.round(), level, smooth_mask, refined.creases.number_of_slots, kind);
+  std::size_t number_of_values = round.number_of_vertices();
+  charts_take_rows_ = !are_creases; // rows are of slots of the creases
   crease_rows_.clear();
   copies_.clear();
-  if (by_rows_.empty()) return;
-  const Cut_copy<FT> cut(level, creases);
-  Crease_rows<FT, Mask> rows(level, cut, creases, refined, round.round().mask(), smooth_mask.get());
-  rows.for_each([&](Index slot, const Entry_row<FT>& row) {
-    if (slot < round.number_of_vertices()) crease_rows_.emplace_back(slot, row);
-  });
-  for (const Crease_star& star : refined.creases.stars)
-    for (Index w = 1; w < star.number_of_wedges; ++w)
-      copies_.emplace_back(star.vertex, star.slot(w));
+  if constexpr (are_creases) {
+    number_of_values = round.refined().creases.number_of_slots;
+    if (has_smooth_rules(creases, round.refined(), true))
+      smooth_mask = std::make_shared<const Mask>(scheme.template mask<FT>(level, plain.number()));
+    if (!by_rows_.empty()) make_crease_rows(round, level, creases, smooth_mask.get());
+  }
+  for (const By_rows& by_rows : by_rows_)
+    if (kind == Kind_of_round::last_put_at_once && by_rows.is_of_vertices)
+      by_rows.values->begin_last_round(number_of_values, round.number_of_vertices(),
+                                       for_chunks_.has_threads());
+    else
+      by_rows.values->begin_round(number_of_values);
+  if constexpr (Splits_edges<typename Plain_round::Host>::value)
+    begin_corners_of_round(scheme, plain, level, smooth_mask);
+  if (kind == Kind_of_round::inner && wanted_.any())
+    refined_origins_ =
+      Level_origins::of_child(rules(plain, level), plain.refined_size(),
+                              Level_origins::needed(wanted_, kept_.edges), for_chunks_);
 }
 
 template <class FT>
@@ -442,14 +422,23 @@ template <class FT>
 void Attribute_rounds<FT>::put(const Level_size& size, const Level_connectivity* refined,
                                const Origin_source& rules)
 {
-  for (auto& values : attributes_.vertices) values->put_all(static_cast<Index>(size.vertices));
+  for (auto& values : attributes_.vertices)
+    if (!values->is_put()) values->put(first_indices(size.vertices));
   for (std::size_t i = 0; i < attributes_.corners.size(); ++i)
-    attributes_.corners[i].values->put(values_of_corners(i, *refined));
-  if (!attributes_.edges.empty()) put_edges(size, rules);
-  if (!attributes_.faces.empty()) put_faces(size, rules);
-  put_origins(attributes_.vertex_origins, size.vertices, [&](Index v) { return rules.vertex(v); });
-  put_origins(attributes_.edge_origins, size.edges, [&](Index e) { return rules.edge(e); });
-  put_origins(attributes_.face_origins, size.faces, [&](Index f) { return rules.face(f); });
+    attributes_.corners[i]->put(values_of_corners(i, *refined));
+  const auto edge = [](const Origin& o) { return o.kind == Origin::Kind::edge ? o.index : null; };
+  const auto face = [this](const Origin& o) { return control_face(o); };
+  const auto both = [this](const Origin& o) {
+    return Origin_and_face{control_element(o), control_face(o)};
+  };
+  const auto vertices = [&](Index v) { return rules.vertex(v); };
+  const auto edges = [&](Index e) { return rules.edge(e); };
+  const auto faces = [&](Index f) { return rules.face(f); };
+  put_columns(attributes_.edges, size.edges, edges, edge);
+  put_columns(attributes_.faces, size.faces, faces, face);
+  put_columns(attributes_.vertex_origins, size.vertices, vertices, both);
+  put_columns(attributes_.edge_origins, size.edges, edges, both);
+  put_columns(attributes_.face_origins, size.faces, faces, both);
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -175,13 +175,6 @@ public:
     creases_ = std::move(refined_->creases);
   }
 
-  // calls f(half-edge, slot) where the slot of the corner of a half-edge is not its target
-  template <class Function>
-  void for_each_extra_corner(const Level_connectivity& refined, const Function& f) const
-  {
-    internal::for_each_extra_corner(refined, creases_, f);
-  }
-
   static void keep_values(Row_values<FT>& values, const std::vector<Index>& vertices)
   {
     Entry_row<FT> row;

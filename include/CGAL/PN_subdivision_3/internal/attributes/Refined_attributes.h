@@ -11,28 +11,28 @@
 
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Call_attribute_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Columns.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Level_origins.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
+#  include <CGAL/PN_subdivision_3/internal/attributes/compiled_attributes.h>
+#endif
 
-#include <boost/container/vector.hpp>
-#include <boost/property_map/property_map.hpp>
-
-#include <algorithm>
 #include <any>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <type_traits>
@@ -40,6 +40,143 @@
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
+
+// Attribute_rounds, if there are any, and the steps of a round of a Level_refiner that serve them.
+template <class FT, bool may_be_any = true>
+class Optional_attribute_rounds
+{
+public:
+  using Rounds = Attribute_rounds<FT>;
+
+  Optional_attribute_rounds() = default;
+  explicit Optional_attribute_rounds(std::unique_ptr<Rounds> rounds)
+    : rounds_(std::move(rounds))
+  {}
+  Rounds* operator->() const { return rounds_.get(); }
+  Rounds& operator*() const { return *rounds_; }
+  explicit operator bool() const { return rounds_ != nullptr; }
+
+  // a round with creases cuts its level open; then attributes have a copy of the whole one
+  template <class Refiner>
+  void before_cut(const Refiner& refiner)
+  {
+    if constexpr (are_creases_v<std::decay_t<decltype(refiner.creases())>>)
+      if (rounds_) {
+        whole_.emplace(refiner.level());
+        count_valences(*whole_, refiner.creases());
+      }
+  }
+  template <class Scheme, class Refiner, class Level_round>
+  void begin_round(const Scheme& scheme, const Refiner& refiner, const Level_round& round,
+                   Kind_of_round kind)
+  {
+    if (rounds_)
+      rounds_->begin_round(scheme, round, whole_ ? *whole_ : refiner.level(), refiner.creases(),
+                           kind);
+  }
+  const typename Rounds::Rows_sink* rows() const { return rounds_ ? rounds_->rows() : nullptr; }
+
+  // a round before the last one, which has been made
+  template <class Scheme, class Refiner, class Level_round>
+  void refine(const Scheme& scheme, Refiner& refiner, Level_round& round)
+  {
+    begin_round(scheme, refiner, round, Kind_of_round::inner);
+    refiner.refine(round, rows(), rounds_ ? rounds_->child() : nullptr);
+    if (rounds_) rounds_->end_round();
+  }
+  template <class Scheme, class Refiner>
+  void refine(const Scheme& scheme, Refiner& refiner)
+  {
+    before_cut(refiner);
+    auto round = refiner.next_round();
+    refine(scheme, refiner, round);
+  }
+
+  // ends the last round, of which the refiner has the level, and puts what it gives
+  template <class Refiner, class Round>
+  void put(const Refiner& refiner, const Round& last, const For_chunks& for_chunks)
+  {
+    if (!rounds_) return;
+    std::optional<Level_connectivity> refined;
+    if (rounds_->needs_refined_level()) {
+      refined = child_level(last, for_chunks);
+      if (rounds_->child() != nullptr) (*rounds_->child())(*refined);
+    }
+    rounds_->end_round();
+    rounds_->put(last.refined_size(), refined ? &*refined : nullptr,
+                 rounds_->rules(last, refiner.level()));
+  }
+  void commit() noexcept
+  {
+    if (rounds_) rounds_->commit();
+  }
+
+  // The attributes of a part of the level, given its slots in the level.
+  Optional_attribute_rounds part(const Level_part& part,
+                                 const std::vector<Level_part::Index>& slot_ids,
+                                 const typename Rounds::Chart_slots& chart_slots) const
+  {
+    return Optional_attribute_rounds(
+      std::make_unique<Rounds>(*rounds_, part, slot_ids, chart_slots));
+  }
+
+private:
+  std::unique_ptr<Rounds> rounds_;
+  std::optional<Level_connectivity> whole_; // the level of a round with creases, before it is cut
+};
+
+// Without attributes there is nothing to do.
+template <class FT>
+class Optional_attribute_rounds<FT, false>
+{
+public:
+  explicit constexpr operator bool() const { return false; }
+  template <class... Arguments>
+  void before_cut(const Arguments&...) const
+  {}
+  template <class... Arguments>
+  void begin_round(const Arguments&...) const
+  {}
+  template <class... Arguments>
+  void put(const Arguments&...) const
+  {}
+  void commit() const noexcept {}
+  static constexpr std::nullptr_t rows() { return nullptr; }
+  template <class Scheme, class Refiner, class... Level_round>
+  void refine(const Scheme&, Refiner& refiner, Level_round&... round) const
+  {
+    refiner.refine(round...);
+  }
+};
+
+// the rounds of attributes that have been read
+template <class FT, class Host, class Level_creases>
+auto make_attribute_rounds(Control_attributes<FT>&& attributes, Level_origins::Kinds visited,
+                           const Level_connectivity& level, const Level_creases& creases,
+                           const Control_sharpness& sharpness, const Element_names& names,
+                           const For_chunks& for_chunks)
+{
+  return Optional_attribute_rounds<FT>(std::make_unique<Attribute_rounds<FT>>(
+    std::move(attributes), kept_elements_v<Host>, visited, level,
+    vertices_of_extra_slots(creases, level.number_of_vertices()), sharpness, names, for_chunks));
+}
+
+// the attributes of a call in its rounds, with the values of the call's mesh
+template <class FT, class Host, class Attributes, class Access, class Level_creases, class Values>
+auto attribute_rounds_of_call([[maybe_unused]] const Attributes& attributes,
+                              [[maybe_unused]] const Access& access,
+                              [[maybe_unused]] const Level_connectivity& level,
+                              [[maybe_unused]] const Level_creases& creases,
+                              [[maybe_unused]] const Values& of_mesh,
+                              [[maybe_unused]] const For_chunks& for_chunks)
+{
+  if constexpr (!Attributes::is_empty)
+    if (attributes.is_any())
+      return make_attribute_rounds<FT, Host>(attributes.template read<FT>(access, level),
+                                             Attributes::visited, level, creases,
+                                             of_mesh.sharpness(level), access, for_chunks);
+  return Optional_attribute_rounds<FT, !Attributes::is_empty>();
+}
 
 // The attributes of a refined mesh that nobody holds: read from the control mesh, refined once, and put into the maps
 // of meshes that are made later.
@@ -56,39 +193,30 @@ public:
   template <class FT, class Scheme, class Access, class Level_creases, class Attributes>
   void refine(const Scheme& scheme, const Access& access, const Level_connectivity& level,
               const Level_creases& creases, const Control_sharpness& sharpness, unsigned rounds,
-              const Level_size& refined_size, const Attributes& attributes,
-              const For_chunks& for_chunks)
+              const Attributes& attributes, const For_chunks& for_chunks)
   {
-    auto kept = read(access, level, refined_size, attributes);
-    if (rounds > 0)
-      refine_kept<FT>(linear(scheme), access, level, creases, sharpness, rounds, kept, for_chunks);
-    if constexpr (std::is_same_v<Attributes, Attribute_table>) {
-      for (const auto* arrays : {&kept.vertices, &kept.corners, &kept.edges})
-        for (const Attribute_array& array : *arrays)
-          memory_ += array.values.size() * sizeof(double);
-      lists_.emplace_back(std::move(kept));
-    }
+    auto read = read_attributes<FT>(Into_lists<Access>{access}, level, attributes);
+    if (rounds == 0) return take(read, attributes);
+    auto all = make_attribute_rounds<FT, typename Scheme::Host>(
+      std::move(read), Level_origins::Kinds(), level, creases, sharpness, access, for_chunks);
+    refine_all<FT>(linear(scheme), level, creases, rounds, all, for_chunks);
+    take(all->attributes(), attributes);
   }
 
   // Begins to refine the attributes of a control mesh for parts of the mesh. The returned function takes the attributes of a
-  // part whose values have been put, and keeps the values of the mesh.
+  // part whose values have been put.
   template <class FT, class Host, class Access, class Level_creases, class Attributes>
   static auto for_pieces(const Access& access, const Level_connectivity& level,
                          const Level_creases& creases, const Control_sharpness& sharpness,
                          const Attributes& attributes, const For_chunks& for_chunks)
   {
-    Refined_attributes lists; // of the control mesh
-    auto kept = std::make_shared<decltype(lists.read(access, level, level.size(), attributes))>(
-      lists.read(access, level, level.size(), attributes));
-    static constexpr Numbers_as_elements numbers{};
-    auto rounds = std::make_unique<Attribute_rounds<FT>>(
-      read_attributes<FT>(numbers, level, *kept), kept_elements_v<Host>, Level_origins::Kinds(),
-      level, vertices_of_extra_slots(creases, level.number_of_vertices()), sharpness, access,
-      for_chunks);
+    auto rounds = make_attribute_rounds<FT, Host>(
+      read_attributes<FT>(Into_lists<Access>{access}, level, attributes), Level_origins::Kinds(),
+      level, creases, sharpness, access, for_chunks);
     const std::function<Refined_attributes(Control_attributes<FT>&)> of_part =
-      [kept](Control_attributes<FT>& put) {
+      [kinds = without_values(attributes)](Control_attributes<FT>& put) {
         Refined_attributes part;
-        part.take(put, *kept);
+        part.take(put, kinds);
         return part;
       };
     return std::make_pair(std::move(rounds), of_part);
@@ -124,18 +252,12 @@ public:
 
 private:
   // the points of the linear twin are all 0: only its rows count
-  template <class FT, class Scheme, class Access, class Level_creases, class Attributes>
-  static void refine_kept(const Scheme& scheme, const Access& access, Level_connectivity level,
-                          Level_creases creases, const Control_sharpness& sharpness,
-                          unsigned rounds, Attributes& attributes, const For_chunks& for_chunks)
+  template <class FT, class Scheme, class Level_creases>
+  static void refine_all(const Scheme& scheme, Level_connectivity level, Level_creases creases,
+                         unsigned rounds, Optional_attribute_rounds<FT>& attribute_rounds,
+                         const For_chunks& for_chunks)
   {
-    using Average = Average_of_scheme<Scheme, FT>;
-    using Refiner = Level_refiner<Scheme, Average, Level_creases>;
-    static constexpr Numbers_as_elements numbers{};
-    Optional_attribute_rounds<FT> attribute_rounds(std::make_unique<Attribute_rounds<FT>>(
-      read_attributes<FT>(numbers, level, attributes), kept_elements_v<typename Scheme::Host>,
-      Level_origins::Kinds(), level, vertices_of_extra_slots(creases, level.number_of_vertices()),
-      sharpness, access, for_chunks));
+    using Refiner = Level_refiner<Scheme, Average_of_scheme<Scheme, FT>, Level_creases>;
     typename Refiner::Values points(creases.number_of_slots, zero_vector<FT, 3>());
     Refiner refiner(scheme, std::move(level), std::move(creases), std::move(points), for_chunks);
     for (unsigned k = 1; k < rounds; ++k) attribute_rounds.refine(scheme, refiner);
@@ -144,114 +266,78 @@ private:
     attribute_rounds.begin_round(scheme, refiner, last, Kind_of_round::last_put_later);
     refiner.refined_values(last, attribute_rounds.rows());
     attribute_rounds.put(refiner, last.round(), for_chunks);
-    attribute_rounds.commit();
   }
 
-  template <class FT>
-  void take(Control_attributes<FT>& put, const Attribute_table& control)
+  template <class T, class Values>
+  T taken(Values& values)
   {
-    Attribute_table table;
-    const auto take = [](auto& arrays, const auto& list) {
-      for (const auto& values : list)
-        arrays.push_back(std::any_cast<Attribute_array>(values_of(values).kept_of_part()));
+    T list = std::any_cast<T>(values.take_list());
+    memory_ += list.size() * sizeof(typename T::value_type);
+    return list;
+  }
+  template <class FT>
+  void take(Control_attributes<FT>& put, const Attribute_table& shape)
+  {
+    Attribute_table table = without_values(shape);
+    const auto take_arrays = [this](auto& arrays, const auto& list) {
+      for (std::size_t i = 0; i < arrays.size(); ++i)
+        arrays[i].values = this->template taken<std::vector<double>>(*list[i]);
     };
-    take(table.vertices, put.vertices);
-    take(table.corners, put.corners);
-    take(table.edges, put.edges);
-    table.has_face_parents = control.has_face_parents;
-    for (const auto& values : put.face_origins)
-      table.face_parents = std::any_cast<std::vector<std::uint32_t>>(values->kept_of_part());
+    take_arrays(table.vertices, put.vertices);
+    take_arrays(table.corners, put.corners);
+    take_arrays(table.edges, put.edges);
+    for (const auto& parents : put.face_origins)
+      table.face_parents = taken<std::vector<std::uint32_t>>(*parents);
     lists_.emplace_back(std::move(table));
   }
   template <class FT, class... Items>
   void take(Control_attributes<FT>& put, const Attributes<Items...>&)
   {
     // attributes of a kind are in the order in which the call names them
-    (lists_.push_back(take_first(Items::list(put))), ...);
+    (take_first<Items>(Items::list(put)), ...);
   }
-  template <class List>
-  static std::any take_first(List& list)
+  template <class Item, class Attributes_of_kind>
+  void take_first(Attributes_of_kind& list)
   {
-    std::any first = values_of(list.front()).kept_of_part();
+    using Values = decltype(List_of<Item>::values);
+    lists_.emplace_back(List_of<Item>{taken<Values>(*list.front())});
     list.erase(list.begin());
-    return first;
-  }
-  template <class FT>
-  static Row_values<FT>& values_of(const Corner_attribute_values<FT>& corner)
-  {
-    return *corner.values;
-  }
-  template <class Values>
-  static Values& values_of(const std::unique_ptr<Values>& values)
-  {
-    return *values;
   }
 
-  template <class Access>
-  Attribute_table read(const Access&, const Level_connectivity&, const Level_size&,
-                       const Attribute_table& table)
+  static Attribute_table without_values(const Attribute_table& table)
   {
-    return table;
-  }
-  template <class Access, class... Items>
-  auto read(const Access& access, const Level_connectivity& level, const Level_size& refined_size,
-            const Attributes<Items...>& attributes)
-  {
-    return std::apply(
-      [&](const Items&... items) {
-        // items are read from left to right
-        return attributes_of(std::tuple{read_item(access, level, refined_size, items)...});
-      },
-      attributes.items);
+    Attribute_table result;
+    for (const auto arrays :
+         {&Attribute_table::vertices, &Attribute_table::corners, &Attribute_table::edges})
+      for (const Attribute_array& array : table.*arrays)
+        (result.*arrays).push_back({array.dimension, {}, array.rule, array.rule_of_vertices});
+    result.has_face_parents = table.has_face_parents;
+    return result;
   }
   template <class... Items>
-  static Attributes<Items...> attributes_of(std::tuple<Items...> items)
+  static Attributes<Items...> without_values(const Attributes<Items...>& attributes)
   {
-    return {std::move(items)};
+    return attributes;
   }
 
-  template <class Map>
-  using Value_of = std::decay_t<typename boost::property_traits<Map>::value_type>;
-
-  template <class Access, template <class> class Item, class Map>
-  auto read_item(const Access& access, const Level_connectivity& level,
-                 const Level_size& refined_size, const Item<Map>& item)
+  // attributes that are put have elements of the same kind, and values of the same type
+  template <class T, class Keys>
+  struct List
   {
-    using Keys = typename Item<Map>::Keys;
-    using Refined_map = Map_of_numbers<Value_of<Map>, Keys>;
-    const std::size_t n = Keys::number(level.size());
-    const Refined_map map{std::make_shared<typename Refined_map::List>(
-      (std::max)(n, Keys::number(refined_size)), Value_of<Map>())};
-    if constexpr (is_readable_v<Map>)
-      for (Index i = 0; i < n; ++i)
-        if (has_value<Keys>(level, i)) put(map, i, get(item.map, Keys::at(access, i)));
-    lists_.emplace_back(map);
-    memory_ += map.list->size() * sizeof(Value_of<Map>);
-    if constexpr (std::is_same_v<Item<Map>, Corner_attribute<Map>>)
-      return Corner_attribute<Refined_map>{map, item.rule};
-    else
-      return Item<Refined_map>{{map}};
-  }
+    std::vector<T> values;
+  };
+  template <class Item>
+  using List_of = List<Value_of_map<decltype(Item::map)>, typename Item::Keys>;
 
   template <class Access, class Item>
   static void put_item(const Access& access, const Level_connectivity& refined, const Item& item,
                        const std::any& kept)
   {
     using Keys = typename Item::Keys;
-    using Refined_map = Map_of_numbers<Value_of<decltype(item.map)>, Keys>;
-    const Refined_map* map = std::any_cast<Refined_map>(&kept);
-    require(map != nullptr);
-    for (Index i = 0; i < Keys::number(refined.size()); ++i)
-      if (has_value<Keys>(refined, i)) put(item.map, Keys::at(access, i), get(*map, i));
-  }
-
-  template <class Keys>
-  static bool has_value([[maybe_unused]] const Level_connectivity& level, [[maybe_unused]] Index i)
-  {
-    if constexpr (std::is_same_v<Keys, Halfedge_of_mesh>)
-      return !level.is_border(i);
-    else
-      return true;
+    const List_of<Item>* list = std::any_cast<List_of<Item>>(&kept);
+    require(list != nullptr);
+    for_each_element<Keys>(refined,
+                           [&](Index i) { put(item.map, Keys::at(access, i), list->values[i]); });
   }
 
   static void require(bool is_same)
@@ -262,7 +348,7 @@ private:
         "kinds, with the same types of values, in the same order");
   }
 
-  std::vector<std::any> lists_; // a Map_of_numbers for each attribute, or a table
+  std::vector<std::any> lists_; // of the values of each attribute, or a table
   std::size_t memory_ = 0;
 };
 

@@ -10,10 +10,9 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_READ_ATTRIBUTES_H
 
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Columns.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
@@ -28,7 +27,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -60,24 +62,33 @@ constexpr bool has_averages()
     return Has_sum<Sum>::value;
 }
 
-// the values of an attribute that has rows
-template <class Map, class Keys, class FT>
+template <class T, class FT, class Keys, Attribute_rule rule>
 constexpr bool check_attribute_values()
 {
-  using T = std::decay_t<typename boost::property_traits<Map>::value_type>;
-  constexpr bool can_be_averaged = std::is_default_constructible_v<T> && has_averages<T, FT>();
-  static_assert(
-    can_be_averaged,
-    "PN_subdivision_3: the values of an attribute of vertices or corners have no sum a + "
-    "b, no product a * 0.5 or no default constructor: see PNSubdivisionAttribute, or "
-    "specialize Attribute_traits; labels of vertices are named by nearest_attribute()");
-  if constexpr (can_be_averaged && std::is_same_v<Keys, Halfedge_of_mesh>) {
-    constexpr bool can_be_compared = Has_equality<typename Attribute_traits<T, FT>::Sum>::value;
+  constexpr bool is_label = rule == Attribute_rule::nearest;
+  constexpr bool can_be_copied =
+    !is_label || (std::is_default_constructible_v<T> && std::is_copy_constructible_v<T>);
+  static_assert(can_be_copied,
+                "PN_subdivision_3: the labels of vertices cannot be copied, or have no default "
+                "constructor");
+  if constexpr (!is_label) {
+    constexpr bool can_be_averaged = std::is_default_constructible_v<T> && has_averages<T, FT>();
+    constexpr bool can_be_compared =
+      !can_be_averaged || !std::is_same_v<Keys, Halfedge_of_mesh> || Has_equality<T>::value;
+    constexpr bool have_length =
+      rule != Attribute_rule::direction || Attribute_traits<T, FT>::has_components;
+    static_assert(
+      can_be_averaged,
+      "PN_subdivision_3: the values of an attribute of vertices or corners have no sum a + "
+      "b, no product a * 0.5 or no default constructor: see PNSubdivisionAttribute, or "
+      "specialize Attribute_traits; labels of vertices are named by nearest_attribute()");
     static_assert(can_be_compared, "PN_subdivision_3: the values of an attribute of corners cannot "
                                    "be compared by ==, which finds its seams");
-    return can_be_compared;
+    static_assert(have_length, "PN_subdivision_3: directions are vectors of numbers that "
+                               "Attribute_traits knows");
+    return can_be_averaged && can_be_compared && have_length;
   } else
-    return can_be_averaged;
+    return can_be_copied;
 }
 
 // The rules of values of vertices: that of their type, or one that is given.
@@ -100,28 +111,28 @@ struct Given_rule
   static constexpr Attribute_rule of = rule;
 };
 
-// the values of labels are copied
-template <class T>
-constexpr bool check_label()
+// the values of a map by a rule, null if they do not have it
+template <class FT, class Keys, Attribute_rule rule, class Access, class Map>
+std::unique_ptr<Row_values<FT>> rows_of_map(const Access& access, const Level_connectivity& level,
+                                            const Map& map)
 {
-  constexpr bool can_be_copied =
-    std::is_default_constructible_v<T> && std::is_copy_constructible_v<T>;
-  static_assert(can_be_copied,
-                "PN_subdivision_3: the labels of vertices cannot be copied, or have no default "
-                "constructor");
-  return can_be_copied;
-}
-template <Attribute_rule rule, class T, class FT>
-constexpr bool check_direction()
-{
-  constexpr bool is_right =
-    rule != Attribute_rule::direction || Attribute_traits<T, FT>::has_components;
-  static_assert(is_right, "PN_subdivision_3: directions are vectors of numbers that "
-                          "Attribute_traits knows");
-  return is_right;
+  using T = Value_of_map<Map>;
+  if constexpr (!check_attribute_values<T, FT, Keys, rule>())
+    return nullptr;
+  else if constexpr (rule == Attribute_rule::nearest)
+    return std::make_unique<Rows<FT, Label_values<FT>>>(
+      column_of_map<Keys, Copied<T>>(access, level, map));
+  else {
+    using Traits = Attribute_traits<T, FT>;
+    using Kind =
+      std::conditional_t<Traits::has_components, Number_values<FT>, Sum_values<FT, Traits>>;
+    using Conversion = Averaged<T, FT, std::is_same_v<Keys, Halfedge_of_mesh>>;
+    return std::make_unique<Rows<FT, Kind>>(column_of_map<Keys, Conversion>(access, level, map),
+                                            rule == Attribute_rule::direction);
+  }
 }
 
-// What attributes() takes. Each adds itself to the attributes of the call.
+// What attributes() takes. Each adds itself to a list of the attributes of the call.
 
 template <class Map, class Rule>
 struct Vertex_attribute_by
@@ -136,19 +147,8 @@ struct Vertex_attribute_by
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Control_attributes<FT>& c) const
   {
-    using T = std::decay_t<typename boost::property_traits<Map>::value_type>;
-    constexpr Attribute_rule rule = Rule::template of<T, FT>;
-    const std::size_t n = level.number_of_vertices();
-    if constexpr (rule == Attribute_rule::nearest) {
-      if constexpr (check_label<T>())
-        c.vertices.push_back(std::make_unique<Nearest_values<FT>>(
-          std::make_unique<Copied_map<Access, Map, Keys>>(access, map, n)));
-    } else if constexpr (check_attribute_values<Map, Keys, FT>()) {
-      if constexpr (check_direction<rule, T, FT>()) {
-        using Values = Row_map<Access, Map, Keys, FT, rule>;
-        c.vertices.push_back(std::make_unique<Values>(access, map, first_indices(n)));
-      }
-    }
+    constexpr Attribute_rule rule = Rule::template of<Value_of_map<Map>, FT>;
+    c.vertices.push_back(rows_of_map<FT, Keys, rule>(access, level, map));
   }
   Map map;
 };
@@ -175,52 +175,43 @@ struct Corner_attribute
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Control_attributes<FT>& c) const
   {
-    if constexpr (check_attribute_values<Map, Keys, FT>()) {
-      using Values = Row_map<Access, Map, Keys, FT>;
-      c.corners.push_back({std::make_unique<Values>(access, map, corners_of(level)), rule});
-    }
+    c.corners.push_back(rows_of_map<FT, Keys, Attribute_rule::average>(access, level, map));
+    c.corner_rules.push_back(rule);
   }
   Map map;
   Corner_rule rule;
 };
 
-// The others have no rows, and are in a list of copies.
-template <class Map, class Keys_, template <class, class, class> class Values, auto copies>
+// The others have no rows.
+template <class Map, class Keys_, template <class> class Conversion, auto columns>
 struct Item_without_rows
 {
   using Keys = Keys_;
 
-  template <class FT>
-  static auto& list(Control_attributes<FT>& c)
-  {
-    return c.*copies;
-  }
+  static auto& list(Columns_of_call& c) { return c.*columns; }
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Control_attributes<FT>& c) const
   {
-    list(c).push_back(
-      std::make_unique<Values<Access, Map, Keys>>(access, map, Keys::number(level.size())));
+    list(c).push_back(column_of_map<Keys, Conversion<Value_of_map<Map>>>(access, level, map));
   }
   Map map;
 };
 
 template <class Map>
-struct Edge_attribute : Item_without_rows<Map, Edge_of_mesh, Copied_map, &Copied_attributes::edges>
+struct Edge_attribute : Item_without_rows<Map, Edge_of_mesh, Copied, &Columns_of_call::edges>
 {};
 template <class Map>
-struct Face_attribute : Item_without_rows<Map, Face_of_mesh, Copied_map, &Copied_attributes::faces>
+struct Face_attribute : Item_without_rows<Map, Face_of_mesh, Copied, &Columns_of_call::faces>
 {};
 template <class Map>
-struct Face_parents
-  : Item_without_rows<Map, Face_of_mesh, Origin_map, &Copied_attributes::face_origins>
+struct Face_parents : Item_without_rows<Map, Face_of_mesh, Parent, &Columns_of_call::face_origins>
 {};
 template <class Map>
 struct Vertex_parents
-  : Item_without_rows<Map, Vertex_of_mesh, Origin_map, &Copied_attributes::vertex_origins>
+  : Item_without_rows<Map, Vertex_of_mesh, Parent, &Columns_of_call::vertex_origins>
 {};
 template <class Map>
-struct Edge_parents
-  : Item_without_rows<Map, Edge_of_mesh, Origin_map, &Copied_attributes::edge_origins>
+struct Edge_parents : Item_without_rows<Map, Edge_of_mesh, Parent, &Columns_of_call::edge_origins>
 {};
 
 // the result of attributes()
@@ -261,49 +252,75 @@ Control_attributes<FT> read_attributes(const Access& access, const Level_connect
   return result;
 }
 
-template <class FT, class Access>
-Control_attributes<FT> read_attributes(const Access&, const Level_connectivity& level,
-                                       Attribute_table& table)
+// refuses an array that does not fit its elements
+inline void check_array(const Attribute_array& array, std::size_t number, const char* kind)
+{
+  const auto n = [](std::size_t x) { return std::to_string(x); };
+  if (array.dimension == 0)
+    throw std::invalid_argument(std::string("PN_subdivision_3: an attribute of ") + kind +
+                                " has dimension 0");
+  if (array.values.size() / array.dimension == number && array.values.size() % array.dimension == 0)
+    return;
+  throw std::invalid_argument(std::string("PN_subdivision_3: an attribute of ") + kind + " has " +
+                              n(array.values.size()) + " values, but the mesh has " + n(number) +
+                              " of them with " + n(array.dimension) + " each");
+}
+constexpr const char* corners_in_messages = "corners (half-edges)";
+
+// the table is const if it is only read
+template <class FT, class Access, class Table>
+std::enable_if_t<std::is_same_v<const Table, const Attribute_table>, Control_attributes<FT>>
+read_attributes(const Access& access, const Level_connectivity& level, Table& table)
 {
   Control_attributes<FT> c;
-  for (Attribute_array& array : table.vertices) {
+  const auto column = [&](auto conversion, auto& array, std::size_t number, const char* kind) {
+    check_array(array, number, kind);
+    return column_of_array<decltype(conversion)>(access, array.dimension, array.values);
+  };
+  using Numbers = Rows<FT, Number_values<FT>>;
+  for (auto& array : table.vertices) {
     const std::size_t n = level.number_of_vertices();
     if (array.rule_of_vertices == Attribute_rule::nearest)
-      c.vertices.push_back(
-        std::make_unique<Nearest_values<FT>>(std::make_unique<Copied_array>(array, n, "vertices")));
+      c.vertices.push_back(std::make_unique<Rows<FT, Label_values<FT>>>(
+        column(Copied<double>(), array, n, "vertices")));
     else
-      c.vertices.push_back(std::make_unique<Array_values<FT>>(array, n, "vertices"));
+      c.vertices.push_back(
+        std::make_unique<Numbers>(column(Averaged<double, FT, false>(), array, n, "vertices"),
+                                  array.rule_of_vertices == Attribute_rule::direction));
   }
-  for (Attribute_array& array : table.corners)
-    c.corners.push_back({std::make_unique<Array_values<FT>>(array, level.number_of_halfedges(),
-                                                            "corners (half-edges)"),
-                         array.rule});
-  for (Attribute_array& array : table.edges)
-    c.edges.push_back(std::make_unique<Copied_array>(array, level.number_of_edges(), "edges"));
+  for (auto& array : table.corners) {
+    c.corners.push_back(std::make_unique<Numbers>(column(
+      Averaged<double, FT, true>(), array, level.number_of_halfedges(), corners_in_messages)));
+    c.corner_rules.push_back(array.rule);
+  }
+  for (auto& array : table.edges)
+    c.edges.push_back(column(Copied<double>(), array, level.number_of_edges(), "edges"));
   if (table.has_face_parents)
-    c.face_origins.push_back(std::make_unique<Face_parent_array>(table.face_parents));
+    c.face_origins.push_back(column_of_array<Parent<std::uint32_t>>(access, 1, table.face_parents));
   return c;
 }
 
 // whether the values of corners have a seam
-template <class Values>
-bool have_seam(const Level_connectivity& level, const Values& values)
+inline bool have_seam(const Level_connectivity& level, Are_values_equal are_equal)
 {
-  return Charts<double>(level, Corner_rule::none, Control_sharpness(),
-                        [&](auto h, auto g) { return values.are_equal(h, g); })
-    .has_seams();
+  return Charts<double>(level, Corner_rule::none, Control_sharpness(), are_equal).has_seams();
 }
 template <class Access, class Map>
 bool has_seam(const Access& access, const Level_connectivity& level, const Map& map)
 {
-  return have_seam(level,
-                   Row_map<Access, Map, Halfedge_of_mesh, double>(access, map, corners_of(level)));
+  const Map_store<Access, Map, Halfedge_of_mesh> values(access, level, map);
+  return have_seam(level, [&](auto h, auto g) { return values.old(h) == values.old(g); });
 }
 template <class Access>
-bool has_seam(const Access&, const Level_connectivity& level, Attribute_array array)
+bool has_seam(const Access&, const Level_connectivity& level, const Attribute_array& array)
 {
-  return have_seam(
-    level, Array_values<double>(array, level.number_of_halfedges(), "corners (half-edges)"));
+  const std::size_t d = array.dimension;
+  check_array(array, level.number_of_halfedges(), corners_in_messages);
+  return have_seam(level, [&](auto h, auto g) {
+    const auto value = array.values.begin() + std::ptrdiff_t(h * d);
+    return std::equal(value, value + std::ptrdiff_t(d),
+                      array.values.begin() + std::ptrdiff_t(g * d));
+  });
 }
 
 // The first control face at an origin, that is the one with the least number at an edge or a vertex. Where

@@ -201,6 +201,19 @@ struct Creases
     stars.push_back(star);
   }
 
+  // Adds the star of other creases with another sharpness, and with the ends here that push_end(end) adds for the ends there.
+  // Returns the number of the star, or null if nothing is sharp there any more.
+  template <class Push_end>
+  Index add_star_of(const Creases& others, const Crease_star& star, double sharpness,
+                    const Push_end& push_end)
+  {
+    const auto first_end = static_cast<Index>(ends.size());
+    for (const Crease_halfedge& e : others.ends_of(star)) push_end(e);
+    if (ends.size() == first_end && !(sharpness > 0)) return Level_connectivity::null;
+    add_star({star.vertex, sharpness, star.is_border}, first_end);
+    return static_cast<Index>(stars.size() - 1);
+  }
+
 private:
   template <class T>
   static const T* find(const std::vector<T>& sorted, Index i, Index T::*number)
@@ -235,19 +248,35 @@ struct No_creases
 template <class Level_creases>
 constexpr bool are_creases_v = !std::is_same_v<Level_creases, No_creases>;
 
-// Whether an edge or vertex is sharp, but not infinitely.
-template <class FT>
-bool is_anything_ending(const Creases<FT>& creases)
+// Whether is(s) is true of the sharpness s of an edge or of a vertex.
+template <class FT, class Predicate>
+bool is_any_sharpness(const Creases<FT>& creases, const Predicate& is)
 {
-  const auto ends = [](const auto& x) {
-    return x.sharpness > 0 && x.sharpness < infinite_sharpness;
-  };
-  return std::any_of(creases.edges.begin(), creases.edges.end(), ends) ||
-         std::any_of(creases.stars.begin(), creases.stars.end(), ends);
+  const auto is_one = [&](const auto& element) { return is(element.sharpness); };
+  return std::any_of(creases.edges.begin(), creases.edges.end(), is_one) ||
+         std::any_of(creases.stars.begin(), creases.stars.end(), is_one);
 }
-inline bool is_anything_ending(No_creases)
+template <class Predicate>
+bool is_any_sharpness(No_creases, const Predicate&)
 {
   return false;
+}
+
+// whether the sharpness s lasts for less than a round
+inline bool is_fraction(double s)
+{
+  return s > 0 && s < 1;
+}
+template <class Level_creases>
+bool has_fractions(const Level_creases& creases)
+{
+  return is_any_sharpness(creases, is_fraction);
+}
+// whether an edge or vertex is sharp, but not for ever
+template <class Level_creases>
+bool is_anything_ending(const Level_creases& creases)
+{
+  return is_any_sharpness(creases, [](double s) { return s > 0 && s < infinite_sharpness; });
 }
 
 // The vertex of each slot that is numbered behind the vertices.
@@ -341,14 +370,11 @@ private:
 
   void refine_star(const Creases<FT>& old, const Crease_star& s)
   {
-    const auto first_end = static_cast<Index>(creases.ends.size());
-    for (const Crease_halfedge& e : old.ends_of(s))
-      if (rank[e.crease] != null)
-        creases.ends.push_back({second_half(rank[e.crease], e.side), e.side});
-    const double sharpness = refined_sharpness(s.sharpness);
-    if (creases.ends.size() == first_end && !(sharpness > 0)) return star.push_back(null);
-    star.push_back(static_cast<Index>(creases.stars.size()));
-    creases.add_star({s.vertex, sharpness, s.is_border}, first_end);
+    star.push_back(
+      creases.add_star_of(old, s, refined_sharpness(s.sharpness), [&](const Crease_halfedge& e) {
+        if (rank[e.crease] != null)
+          creases.ends.push_back({second_half(rank[e.crease], e.side), e.side});
+      }));
   }
 
   void add_edge_star(const Crease_edge<FT>& e, Index r, const Edge_split& split)

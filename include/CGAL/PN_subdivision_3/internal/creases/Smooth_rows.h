@@ -214,37 +214,34 @@ public:
     Slot_shares<FT, Mask> shares(level, slot_of, mask);
     for (const Crease_star& star : creases.stars) {
       if (needs_row(star)) shares.vertex(star.vertex, row_);
-      close_row(star_end_);
+      close_row();
     }
     for (const Crease_edge<FT>& e : creases.edges) {
       if (e.sharpness < 1) shares.edge(e.edge, row_);
-      close_row(edge_end_);
+      close_row();
     }
+    number_of_stars_ = creases.stars.size();
   }
 
   // the row of the star or crease edge at this position
-  Range of_star(std::size_t i) const { return range(i == 0 ? 0 : star_end_[i - 1], star_end_[i]); }
-  Range of_edge(std::size_t i) const
+  Range of_star(std::size_t i) const
   {
-    const std::size_t first = star_end_.empty() ? 0 : star_end_.back();
-    return range(i == 0 ? first : edge_end_[i - 1], edge_end_[i]);
+    return {entries_.data() + (i == 0 ? 0 : ends_[i - 1]), entries_.data() + ends_[i]};
   }
+  Range of_edge(std::size_t i) const { return of_star(number_of_stars_ + i); }
 
 private:
-  void close_row(std::vector<std::size_t>& ends)
+  void close_row()
   {
     entries_.insert(entries_.end(), row_.begin(), row_.end());
     row_.clear();
-    ends.push_back(entries_.size());
-  }
-  Range range(std::size_t begin, std::size_t end) const
-  {
-    return {entries_.data() + begin, entries_.data() + end};
+    ends_.push_back(entries_.size());
   }
 
   Entry_row<FT> row_;
   std::vector<Entry> entries_;
-  std::vector<std::size_t> star_end_, edge_end_;
+  std::vector<std::size_t> ends_; // of the rows: of the stars, then of the edges
+  std::size_t number_of_stars_ = 0;
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

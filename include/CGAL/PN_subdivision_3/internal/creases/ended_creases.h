@@ -153,24 +153,6 @@ std::vector<Coordinates<FT, 3>> merge_normals(const std::vector<Coordinates<FT, 
   return result;
 }
 
-// whether the sharpness s lasts for less than a round
-inline bool is_fraction(double s)
-{
-  return s > 0 && s < 1;
-}
-
-template <class FT>
-bool has_fractions(const Creases<FT>& creases)
-{
-  const auto is_one = [](const auto& element) { return is_fraction(element.sharpness); };
-  return std::any_of(creases.edges.begin(), creases.edges.end(), is_one) ||
-         std::any_of(creases.stars.begin(), creases.stars.end(), is_one);
-}
-inline bool has_fractions(No_creases)
-{
-  return false;
-}
-
 // Calls f(half-edge, wedge) for the corners at a star that has ends.
 template <class FT, class Function>
 void for_each_corner_of_star(const Level_connectivity& level, const Creases<FT>& creases,
@@ -266,6 +248,7 @@ struct Creases_without_fractions
   // `level` is whole
   Creases_without_fractions(const Level_connectivity& level, const Creases<FT>& old)
     : creases(level.number_of_vertices())
+    , number_of_vertices_(level.number_of_vertices())
   {
     creases.has_fixed_border = old.has_fixed_border;
     for (const Crease_edge<FT>& e : old.edges) {
@@ -299,8 +282,7 @@ struct Creases_without_fractions
   std::vector<Value> merged(const Creases<FT>& old, const Old_value& old_value) const
   {
     std::vector<Value> values(creases.number_of_slots);
-    const auto n = static_cast<Index>(old.number_of_slots - extra_slots(old));
-    for (Index v = 0; v < n; ++v) values[v] = old_value(v);
+    for (Index v = 0; v < number_of_vertices_; ++v) values[v] = old_value(v);
     for (std::size_t i = 0; i < star_.size(); ++i) {
       const Crease_star& star = old.stars[i];
       const Wedge_merge merge = remaining(old, star);
@@ -325,12 +307,6 @@ private:
     return merge_wedges<FT>(
       old, star, [&](const Crease_halfedge& e) { return !is_fraction(old.edge(e).sharpness); });
   }
-  static std::size_t extra_slots(const Creases<FT>& old)
-  {
-    std::size_t n = 0;
-    for (const Crease_star& star : old.stars) n += star.number_of_wedges - 1;
-    return n;
-  }
   Index slot(const Crease_star& star, std::size_t i, Index wedge) const
   {
     return star_[i] == Level_connectivity::null ? star.vertex : creases.stars[star_[i]].slot(wedge);
@@ -338,14 +314,10 @@ private:
 
   void add_star(const Creases<FT>& old, const Crease_star& star)
   {
-    const auto first_end = static_cast<Index>(creases.ends.size());
-    for (const Crease_halfedge& e : old.ends_of(star))
-      if (!is_fraction(old.edge(e).sharpness)) creases.ends.push_back({rank_[e.crease], e.side});
     const double sharpness = is_fraction(star.sharpness) ? 0 : star.sharpness;
-    if (creases.ends.size() == first_end && !(sharpness > 0))
-      return star_.push_back(Level_connectivity::null);
-    star_.push_back(static_cast<Index>(creases.stars.size()));
-    creases.add_star({star.vertex, sharpness, star.is_border}, first_end);
+    star_.push_back(creases.add_star_of(old, star, sharpness, [&](const Crease_halfedge& e) {
+      if (!is_fraction(old.edge(e).sharpness)) creases.ends.push_back({rank_[e.crease], e.side});
+    }));
   }
 
   void find_reach(const Level_connectivity& level, const Creases<FT>& old)
@@ -361,6 +333,7 @@ private:
         });
   }
 
+  Index number_of_vertices_;
   std::vector<Index> rank_; // of the old edges among the remaining edges
   std::vector<Index> star_; // of the old stars, or null
 };
