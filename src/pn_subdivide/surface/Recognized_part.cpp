@@ -48,7 +48,7 @@ public:
     for (const Vertex v : surface_.vertices())
       if (find_surfaces(v) && is_cut(v))
         if (const std::optional<Vec3> p = place_of(v, 0.4 * shortest_edge(v)))
-          result.push_back({std::size_t(v), Point_3(p->x, p->y, p->z)});
+          result.push_back({std::size_t(v), Point_3((*p)[0], (*p)[1], (*p)[2])});
     return result;
   }
 
@@ -68,7 +68,7 @@ public:
       if (std::none_of(around_.begin(), around_.end(), [&](std::size_t s) { return is_left[s]; }))
         continue;
       if (const std::optional<Vec3> p = place_of(v, 2 * most))
-        result.push_back({std::size_t(v), Point_3(p->x, p->y, p->z)});
+        result.push_back({std::size_t(v), Point_3((*p)[0], (*p)[1], (*p)[2])});
     }
     return result;
   }

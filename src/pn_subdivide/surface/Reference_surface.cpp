@@ -46,7 +46,7 @@ using Tree_traits = CGAL::AABB_traits<Kernel, Primitive>;
 
 Point_3 as_point(const Vec3& p)
 {
-  return {p.x, p.y, p.z};
+  return {p[0], p[1], p[2]};
 }
 
 double six_volumes(const Vec3& p, const Vec3& q, const Vec3& r)
@@ -195,7 +195,7 @@ private:
   }
   void put(const Vec3& p, const Vec3& q, const Vec3& r)
   {
-    if (!(norm(cross(q - p, r - p)) > 0)) return;
+    if (!(norm(Vec3(cross(q - p, r - p))) > 0)) return;
     tree_.triangles.emplace_back(as_point(p), as_point(q), as_point(r));
     tree_.shape_of_triangle.push_back(segment_);
   }
