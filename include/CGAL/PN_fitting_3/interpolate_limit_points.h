@@ -173,7 +173,7 @@ the user's whose `put()` throws also while old values are put back.
   - it is sharp without a map that takes its normals and tangents (the message names it);
   - `Limit_interpolation::Free::smooth` is asked for in mode `slide` or without a map of normals;
   - natural normals are asked for with a linear scheme or without a map
-<br><b>Cost:</b> Linear in the size of the mesh a step, of which there are ten to fifty. It takes about 6 kB of memory
+<br><b>Cost:</b> Linear in the size of the mesh a step, of which there are ten to fifty. It takes about 8 kB of memory
   per vertex
 
 \sa `prescribe_limit_data()`, `interpolate_curve()`

@@ -113,7 +113,7 @@ public:
 
   Limit_distance(const Scheme& scheme, const For_chunks& for_chunks)
     : scheme_(scheme)
-    , neighborhood_(facts_of(scheme).limit_neighborhood)
+    , facts_(facts_of(scheme))
     , for_chunks_(for_chunks)
   {}
 
@@ -168,13 +168,14 @@ private:
     // of a polygon the corner, until it becomes several faces
     if (!level.has_degree(base, degree))
       return {0, 0, quick_length(difference(values[level.target(base)].point, point))};
-    const Spline_piece piece(level, base, degree, neighborhood_.regular_rings > 0, [&](Index v) {
-      if (level.is_border_vertex(v)) return Piece_vertex::border;
-      const bool is_regular = level.valence(v) == Has_final_rules<Scheme>::regular_valence;
-      return is_regular ? Piece_vertex::interior : Piece_vertex::irregular;
-    });
+    const Spline_piece piece(
+      level, base, degree, facts_.limit_neighborhood.regular_rings > 0, [&](Index v) {
+        if (level.is_border_vertex(v)) return Piece_vertex::border;
+        const bool is_regular = level.valence(v) == Has_final_rules<Scheme>::regular_valence;
+        return is_regular ? Piece_vertex::interior : Piece_vertex::irregular;
+      });
     const bool is_spline =
-      neighborhood_.is_spline && piece.is_regular() && rounds + 1 >= facts_of(scheme_).first_round;
+      facts_.limit_neighborhood.is_spline && piece.is_regular() && rounds + 1 >= facts_.first_round;
     const auto at = [&](double u, double v) {
       std::vector<Jet_entry> entries;
       if (is_spline) {
@@ -239,7 +240,7 @@ private:
   }
 
   const Scheme& scheme_;
-  const Limit_neighborhood neighborhood_;
+  const Scheme_facts facts_;
   For_chunks for_chunks_;
 };
 

@@ -16,7 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
-#include <utility>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {

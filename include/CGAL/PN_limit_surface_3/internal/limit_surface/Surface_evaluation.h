@@ -80,7 +80,7 @@ public:
 
   Scheme_evaluation(const Scheme& scheme, typename Cells::Level&& level, Level_creases&& creases)
     : cells_(scheme, std::move(level), std::move(creases))
-    , neighborhood_(facts_of(cells_.scheme()).limit_neighborhood)
+    , facts_(facts_of(cells_.scheme()))
   {}
 
   const Level_connectivity& level() const override { return cells_.control().level; }
@@ -186,16 +186,16 @@ private:
     {
       Queries open;
       bool is_regular = false;
-      if (of_.neighborhood_.is_spline &&
-          cell.rounds + 1 >= facts_of(of_.cells_.scheme()).first_round)
-        of_.cells_.with_kinds(cell, [&](const Level_connectivity& level, Index base,
-                                        const auto& kind) {
-          const Spline_piece piece(level, base, degree, of_.neighborhood_.regular_rings > 0, kind);
-          is_regular = piece.is_regular();
-          if (!is_regular) return;
-          for (Surface_query& q : queries)
-            note(q, cell, Jet_average(entries(cell, piece.entries(q.u, q.v)), is_pn), 2, open);
-        });
+      if (of_.facts_.limit_neighborhood.is_spline && cell.rounds + 1 >= of_.facts_.first_round)
+        of_.cells_.with_kinds(
+          cell, [&](const Level_connectivity& level, Index base, const auto& kind) {
+            const Spline_piece piece(level, base, degree,
+                                     of_.facts_.limit_neighborhood.regular_rings > 0, kind);
+            is_regular = piece.is_regular();
+            if (!is_regular) return;
+            for (Surface_query& q : queries)
+              note(q, cell, Jet_average(entries(cell, piece.entries(q.u, q.v)), is_pn), 2, open);
+          });
       if (!is_regular) evaluate_irregular(cell, queries, open);
       return open;
     }
@@ -222,7 +222,7 @@ private:
     void evaluate_irregular(Cell& cell, Queries& queries, Queries& open)
     {
       const bool takes_patch =
-        !of_.neighborhood_.is_spline || cell.rounds + 1 >= demand_.most_rounds;
+        !of_.facts_.limit_neighborhood.is_spline || cell.rounds + 1 >= demand_.most_rounds;
       const auto is_corner = [](const Surface_query& q) {
         return (q.u == 0 || q.u == 1) && (q.v == 0 || q.v == 1);
       };
@@ -337,7 +337,7 @@ private:
   };
 
   const Cells cells_;
-  const Limit_neighborhood neighborhood_;
+  const Scheme_facts facts_;
 };
 
 } // namespace CGAL::PN_subdivision_3::internal
