@@ -10,7 +10,7 @@
 set(_pn_read_double <CGAL/Exact_predicates_inexact_constructions_kernel.h> <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h>
     <CGAL/PN_subdivision_3/subdivide.h> <CGAL/PN_subdivision_3/internal/attributes/compiled_attributes.h>)
 set(_pn_read_limits <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
-    <CGAL/PN_limit_surface_3/internal/tessellation/run_tessellation.h>)
+    <CGAL/PN_limit_surface_3/internal/limit_surface/Surface_evaluation.h> <CGAL/PN_limit_surface_3/internal/tessellation/run_tessellation.h>)
 set(_pn_read_fitting <CGAL/PN_fitting_3/internal/Mesh_limit_functionals.h> <CGAL/PN_fitting_3/internal/find_control_net.h>)
 foreach(_pn_name double recognition limits fitting)
   set(_pn_library PN_subdivision_3_${_pn_name})

@@ -9,8 +9,6 @@
 """Files that have moved: scripts/moves.tsv has the old and the new path of each.
 
     scripts/moves.py --includes FILE...   writes the new paths into the includes of your own sources
-    scripts/moves.py --apply              moves what of this repository is still at its old path, and writes the new paths
-                                          into includes, include guards, examples and documentation of all files
     scripts/moves.py --page               prints the page of the manual that lists the moved headers, and what was retired
                                           (scripts/retired.tsv)
 """
@@ -19,11 +17,10 @@ import argparse
 import re
 from pathlib import Path
 
-from refinery import ROOT, run
+from refinery import ROOT
 
 INCLUDE = "include/CGAL/"
 PATH = re.compile(r"(?<!\w)((?:include/)?CGAL/|test/|examples/|(?<!/))(PN_subdivision_3/[\w./]+)")
-TEXTS = {".h", ".cpp", ".txt", ".md", ".cmake", ".py", ".sh", ".tsv", ".toml", ".in", ".dxy", ".json", ".tex", ".ts", ".html"}
 
 
 def table(name: str) -> list[tuple[str, str]]:
@@ -41,30 +38,6 @@ def with_new_paths(text: str, moves: dict[str, str]) -> str:
         return match[0]
 
     return PATH.sub(new, text)
-
-
-def guard(path: str) -> str:
-    return "CGAL_" + re.sub(r"[/.]", "_", path.removeprefix(INCLUDE)).upper()
-
-
-def apply(moves: dict[str, str]) -> None:
-    moved = [(old, new) for old, new in moves.items() if (ROOT / old).is_file()]
-    for old, new in moved:
-        (ROOT / new).parent.mkdir(parents=True, exist_ok=True)
-        run("git", "mv", old, new)
-        if old.startswith(INCLUDE):
-            path = ROOT / new
-            path.write_text(re.sub(rf"\b{guard(old)}\b", guard(new), path.read_text()))
-    own = {"scripts/moves.py", "scripts/moves.tsv"}
-    for name in run("git", "ls-files").splitlines():
-        path = ROOT / name
-        if name in own or path.suffix not in TEXTS or not path.is_file():
-            continue
-        text = path.read_text(errors="surrogateescape")
-        changed = with_new_paths(text, moves)
-        if changed != text:
-            path.write_text(changed, errors="surrogateescape")
-    print(f"{len(moved)} files moved")
 
 
 def page() -> str:
@@ -85,15 +58,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     action = parser.add_mutually_exclusive_group(required=True)
     action.add_argument("--includes", nargs="+", type=Path, metavar="FILE")
-    action.add_argument("--apply", action="store_true")
     action.add_argument("--page", action="store_true")
     options = parser.parse_args()
-    moves = dict(table("moves.tsv"))
     if options.page:
         print(page(), end="")
-    elif options.apply:
-        apply(moves)
     else:
+        moves = dict(table("moves.tsv"))
         for path in options.includes:
             path.write_text(with_new_paths(path.read_text(), moves))
 

@@ -16,6 +16,7 @@
 namespace CGAL::PN_subdivision_3::internal {
 
 CGAL_PN_SUBDIVISION_3_CONTROL_LEVELS()
+template void check_connectivity(Level_connectivity&, const Element_names&);
 #ifdef CGAL_PN_SUBDIVISION_3_HAS_AVX2_FUNCTIONS
 template struct Vectorized_PN_average<double, 2>;
 template struct Vectorized_PN_average<double, 3>;

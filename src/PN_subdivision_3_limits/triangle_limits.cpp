@@ -6,11 +6,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
+#include "limit_classes.h"
+
 #include <CGAL/PN_limit_surface_3/internal/tessellation/run_tessellation.h>
 
 namespace CGAL::PN_subdivision_3::internal {
 
+CGAL_PN_SUBDIVISION_3_LIMIT_CLASSES(, Any_of_triangles)
+CGAL_PN_SUBDIVISION_3_LIMIT_CLASSES(, Linear_of_triangles)
 CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(, Any_of_triangles)
 CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(, Linear_of_triangles)
 CGAL_PN_SUBDIVISION_3_LIMITS_OF(, Any_of_sqrt3)

@@ -354,8 +354,7 @@ private:
       demand_.normal_tolerance = internal::check_tolerance(
         internal::parameter_or<internal::normal_tolerance_t>(np, demand_.normal_tolerance));
       using Round_scheme = internal::Scheme_of_rounds<Scheme>;
-      using Level_creases = std::decay_t<decltype(creases)>;
-      evaluation_ = std::make_unique<internal::Scheme_evaluation<Round_scheme, Level_creases>>(
+      evaluation_ = internal::make_surface_evaluation(
         internal::kept_scheme<Round_scheme>(internal::scheme_of_rounds(scheme), *roundness_),
         std::move(level), std::move(creases));
     };

@@ -32,6 +32,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -96,15 +97,13 @@ private:
     const auto take = [&](auto& control, auto& creases, const auto&) {
       const Tessellation_demand demand = this->demand(box_size(control));
       using Level_creases = std::decay_t<decltype(creases)>;
-      Face_bounds<typename Average_of_scheme<Scheme, FT>::Value, Level_creases>* none = nullptr;
+      std::unique_ptr<Face_bounds<typename Average_of_scheme<Scheme, FT>::Value, Level_creases>>
+        bounds;
       if constexpr (may_be_proven)
-        if (demand.is_proven) {
-          Proven_bounds<Scheme_of_rounds<Scheme>, Level_creases> bounds(scheme_of_rounds(scheme),
-                                                                        demand.exponent);
-          bounds.require_all(control, creases, chord_error_);
-          return sink(demand, control, creases, none = &bounds);
-        }
-      sink(demand, control, creases, none);
+        if (demand.is_proven)
+          bounds = proven_bounds(scheme_of_rounds(scheme), demand.exponent, control, creases,
+                                 chord_error_);
+      sink(demand, control, creases, bounds.get());
     };
     with_slot_level<FT>(
       access, scheme, points, normal_map<Scheme>(), Parameters::edge_constraint_map(np_),

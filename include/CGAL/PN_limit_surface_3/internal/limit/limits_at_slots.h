@@ -50,21 +50,6 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// The limits of levels of double, which the library CGAL::PN_subdivision_3_limits has, see compiled_levels.h.
-#define CGAL_PN_SUBDIVISION_3_LIMITS_OF(EXTERN, SCHEME)                                            \
-  EXTERN template class Limit_evaluation<compiled_once::SCHEME, double>;
-#define CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(EXTERN, SCHEME)                                    \
-  CGAL_PN_SUBDIVISION_3_LIMITS_OF(EXTERN, SCHEME)                                                  \
-  EXTERN template class Creased_limits<compiled_once::SCHEME, double>;
-#ifdef CGAL_PN_SUBDIVISION_3_LIMITS
-CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Any_of_quads)
-CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Any_of_triangles)
-CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Any_of_sqrt3)
-CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Linear_of_quads)
-CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Linear_of_triangles)
-CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Linear_of_sqrt3)
-#endif
-
 // The level of a mesh with points and, for PN schemes, control normals, which are estimated if their map is missing.
 template <class Scheme, class FT, class Access, class Point_map, class Normal_map>
 auto read_limit_level(const Access& access, const Scheme& scheme, Point_map points,
@@ -136,16 +121,40 @@ void with_slot_level(const Access& access, const Scheme& scheme, Point_map point
 
 // The limits at the slots of a level, which are its vertices if there are no creases. The creases get the tangents of
 // the limit. If only some vertices are asked for, which are sorted, other vertices have no results.
-template <class FT, bool points_alone = false, class Scheme, class Level, class Level_creases>
-auto limits_at_slots(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
-                     Level& level, Level_creases& creases, unsigned next_round,
-                     const std::vector<Level_connectivity::Index>* some = nullptr,
-                     std::shared_ptr<Ring_rules_cache<Scheme, FT>> rules_cache = nullptr)
+template <class FT, bool points_alone = false, class Scheme, class Level_creases>
+std::vector<Limit_result<Average_of_scheme<Scheme, FT>>>
+limits_at_slots(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
+                Valued_level<typename Average_of_scheme<Scheme, FT>::Value>& level,
+                Level_creases& creases, unsigned next_round,
+                const std::vector<Level_connectivity::Index>* some = nullptr,
+                std::shared_ptr<Ring_rules_cache<Scheme, FT>> rules_cache = nullptr)
 {
   Limits_of_level<Scheme, FT, Level_creases, points_alone> limits(scheme, demand, for_chunks,
                                                                   std::move(rules_cache));
   return limits(level, creases, next_round, some);
 }
+
+// The limits of levels of double, which the library CGAL::PN_subdivision_3_limits has, see compiled_levels.h. A function, since
+// to declare it makes no class, as a member of a class template would.
+#define CGAL_PN_SUBDIVISION_3_LIMITS_WITH(EXTERN, SCHEME, CREASES)                                 \
+  EXTERN template std::vector<Limit_result<compiled_once::Average<compiled_once::SCHEME>>>         \
+  limits_at_slots<double>(const compiled_once::SCHEME&, const Limit_demand&, const For_chunks&,    \
+                          Valued_level<compiled_once::Value<compiled_once::SCHEME>>&, CREASES&,    \
+                          unsigned, const std::vector<Level_connectivity::Index>*,                 \
+                          std::shared_ptr<Ring_rules_cache<compiled_once::SCHEME, double>>);
+#define CGAL_PN_SUBDIVISION_3_LIMITS_OF(EXTERN, SCHEME)                                            \
+  CGAL_PN_SUBDIVISION_3_LIMITS_WITH(EXTERN, SCHEME, No_creases)
+#define CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(EXTERN, SCHEME)                                    \
+  CGAL_PN_SUBDIVISION_3_LIMITS_OF(EXTERN, SCHEME)                                                  \
+  CGAL_PN_SUBDIVISION_3_LIMITS_WITH(EXTERN, SCHEME, Creases<double>)
+#ifdef CGAL_PN_SUBDIVISION_3_LIMITS
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Any_of_quads)
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Any_of_triangles)
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Any_of_sqrt3)
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Linear_of_quads)
+CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Linear_of_triangles)
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Linear_of_sqrt3)
+#endif
 
 // Puts, at vertices with several wedges, the mean of the wedges' normals.
 template <class Scheme, class FT, class Result>

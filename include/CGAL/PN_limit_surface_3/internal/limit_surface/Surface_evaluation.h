@@ -14,13 +14,18 @@
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Limit_cells.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Spline_piece.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#ifdef CGAL_PN_SUBDIVISION_3_LIMITS
+#  include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
+#endif
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -339,6 +344,31 @@ private:
   const Cells cells_;
   const Scheme_facts facts_;
 };
+
+template <class Scheme, class Level_creases>
+std::unique_ptr<Surface_evaluation>
+make_surface_evaluation(const Scheme& scheme,
+                        Valued_level<typename Average_of_scheme<Scheme, double>::Value>&& level,
+                        Level_creases&& creases)
+{
+  return std::make_unique<Scheme_evaluation<Scheme, Level_creases>>(scheme, std::move(level),
+                                                                    std::move(creases));
+}
+
+// for the library CGAL::PN_subdivision_3_limits, see limits_at_slots.h
+#define CGAL_PN_SUBDIVISION_3_SURFACE_WITH(EXTERN, SCHEME, CREASES)                                \
+  EXTERN template std::unique_ptr<Surface_evaluation> make_surface_evaluation(                     \
+    const compiled_once::SCHEME&, Valued_level<compiled_once::Value<compiled_once::SCHEME>>&&,     \
+    CREASES&&);
+#define CGAL_PN_SUBDIVISION_3_SURFACE(EXTERN, SCHEME)                                              \
+  CGAL_PN_SUBDIVISION_3_SURFACE_WITH(EXTERN, SCHEME, No_creases)                                   \
+  CGAL_PN_SUBDIVISION_3_SURFACE_WITH(EXTERN, SCHEME, Creases<double>)
+#ifdef CGAL_PN_SUBDIVISION_3_LIMITS
+CGAL_PN_SUBDIVISION_3_SURFACE(extern, Any_of_quads)
+CGAL_PN_SUBDIVISION_3_SURFACE(extern, Any_of_triangles)
+CGAL_PN_SUBDIVISION_3_SURFACE(extern, Linear_of_quads)
+CGAL_PN_SUBDIVISION_3_SURFACE(extern, Linear_of_triangles)
+#endif
 
 } // namespace CGAL::PN_subdivision_3::internal
 

@@ -15,11 +15,15 @@
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Spline_piece.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Adaptive_level.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#ifdef CGAL_PN_SUBDIVISION_3_LIMITS
+#  include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
+#endif
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -209,11 +213,6 @@ public:
     , exponent_(exponent)
   {}
 
-  // refuses a control mesh with a face for which there are none
-  void require_all(const Level& control, const Level_creases& creases, double tolerance) const
-  {
-    require_proof_of_all(Cells(scheme_, Level(control), Level_creases(creases)), tolerance);
-  }
   void begin(const Adaptive_level<typename Cells::Value, Level_creases>& level) override
   {
     cells_.emplace(scheme_, Level(level.level), Level_creases(level.creases));
@@ -229,6 +228,35 @@ private:
   const int exponent_;
   std::optional<Cells> cells_;
 };
+
+// The bounds of the levels that come of a control mesh, which is refused if it has a face for which there are none.
+template <class Scheme, class Value, class Level_creases>
+std::unique_ptr<Face_bounds<Value, Level_creases>>
+proven_bounds(const Scheme& scheme, int exponent, const Valued_level<Value>& control,
+              const Level_creases& creases, double tolerance)
+{
+  require_proof_of_all(Limit_cells<Scheme, Level_creases>(scheme, Valued_level<Value>(control),
+                                                          Level_creases(creases)),
+                       tolerance);
+  return std::make_unique<Proven_bounds<Scheme, Level_creases>>(scheme, exponent);
+}
+
+// for the library CGAL::PN_subdivision_3_limits, see limits_at_slots.h
+#define CGAL_PN_SUBDIVISION_3_BOUNDS_WITH(EXTERN, SCHEME, CREASES)                                 \
+  EXTERN template std::unique_ptr<                                                                 \
+    Face_bounds<compiled_once::Value<compiled_once::SCHEME>, CREASES>>                             \
+  proven_bounds(const compiled_once::SCHEME&, int,                                                 \
+                const Valued_level<compiled_once::Value<compiled_once::SCHEME>>&, const CREASES&,  \
+                double);
+#define CGAL_PN_SUBDIVISION_3_BOUNDS(EXTERN, SCHEME)                                               \
+  CGAL_PN_SUBDIVISION_3_BOUNDS_WITH(EXTERN, SCHEME, No_creases)                                    \
+  CGAL_PN_SUBDIVISION_3_BOUNDS_WITH(EXTERN, SCHEME, Creases<double>)
+#ifdef CGAL_PN_SUBDIVISION_3_LIMITS
+CGAL_PN_SUBDIVISION_3_BOUNDS(extern, Any_of_quads)
+CGAL_PN_SUBDIVISION_3_BOUNDS(extern, Any_of_triangles)
+CGAL_PN_SUBDIVISION_3_BOUNDS(extern, Linear_of_quads)
+CGAL_PN_SUBDIVISION_3_BOUNDS(extern, Linear_of_triangles)
+#endif
 
 } // namespace CGAL::PN_subdivision_3::internal
 

@@ -35,6 +35,11 @@ protected:
   Element_names(const Element_names&) = default;
   Element_names& operator=(const Element_names&) = default;
   ~Element_names() = default;
+
+  static std::string numbered(const char* kind, std::size_t number)
+  {
+    return kind + (' ' + std::to_string(number));
+  }
 };
 
 // Refuses whatever is not an oriented 2-manifold with border, by the name of the element, and
@@ -182,6 +187,16 @@ private:
   const Element_names& names_;
   Level_size size_;
 };
+
+// A template of no need but that a library has it compiled.
+template <class Names>
+void check_connectivity(Level_connectivity& level, const Names& names)
+{
+  Connectivity_check(level, names)();
+}
+#ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
+extern template void check_connectivity(Level_connectivity&, const Element_names&);
+#endif
 
 // What a scheme refuses in a control mesh, by the name of the element.
 

@@ -38,7 +38,7 @@ Level_connectivity checked_level(const Access& access)
                             " half-edges, more than can be numbered");
   Level_connectivity level(size);
   access.read(level);
-  Connectivity_check(level, access)();
+  check_connectivity<Element_names>(level, access);
   return level;
 }
 

@@ -122,12 +122,12 @@ public:
   Edge edge_at(Index e) const { return Edge(edges_.place(e)); }
   Face face_at(Index f) const { return Face(faces_.place(f)); }
 
-  std::string vertex_name(Index v) const override { return name("vertex ", vertices_, v); }
+  std::string vertex_name(Index v) const override { return numbered("vertex", vertex(v)); }
   std::string halfedge_name(Index h) const override
   {
-    return "half-edge " + std::to_string(static_cast<Index>(halfedge_at(h)));
+    return numbered("half-edge", halfedge_at(h));
   }
-  std::string face_name(Index f) const override { return name("face ", faces_, f); }
+  std::string face_name(Index f) const override { return numbered("face", face_at(f)); }
 
   // an element that does not belong to the mesh becomes an invalid index
   void read(Level_connectivity& level) const
@@ -222,10 +222,6 @@ private:
     }
   }
 
-  static std::string name(const char* kind, const Place_numbers& numbers, Index i)
-  {
-    return kind + std::to_string(numbers.place(i));
-  }
   // null stays null, and others are beyond all that are there
   Index invalid(Halfedge h) const
   {

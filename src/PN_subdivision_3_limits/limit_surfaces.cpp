@@ -1,0 +1,29 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "limit_classes.h"
+
+#include <CGAL/PN_limit_surface_3/internal/limit_surface/Surface_evaluation.h>
+#include <CGAL/PN_limit_surface_3/internal/tessellation/Proven_distance.h>
+
+namespace CGAL::PN_subdivision_3::internal {
+
+CGAL_PN_SUBDIVISION_3_LIMIT_CLASSES(extern, Any_of_quads)
+CGAL_PN_SUBDIVISION_3_LIMIT_CLASSES(extern, Any_of_triangles)
+CGAL_PN_SUBDIVISION_3_LIMIT_CLASSES(extern, Linear_of_quads)
+CGAL_PN_SUBDIVISION_3_LIMIT_CLASSES(extern, Linear_of_triangles)
+CGAL_PN_SUBDIVISION_3_SURFACE(, Any_of_quads)
+CGAL_PN_SUBDIVISION_3_BOUNDS(, Any_of_quads)
+CGAL_PN_SUBDIVISION_3_SURFACE(, Any_of_triangles)
+CGAL_PN_SUBDIVISION_3_BOUNDS(, Any_of_triangles)
+CGAL_PN_SUBDIVISION_3_SURFACE(, Linear_of_quads)
+CGAL_PN_SUBDIVISION_3_BOUNDS(, Linear_of_quads)
+CGAL_PN_SUBDIVISION_3_SURFACE(, Linear_of_triangles)
+CGAL_PN_SUBDIVISION_3_BOUNDS(, Linear_of_triangles)
+
+} // namespace CGAL::PN_subdivision_3::internal
