@@ -674,6 +674,9 @@ TEST(Subdivide_to_limit, IsSubdivideAndMoveToLimit)
                                               PN::CatmullClark_scheme());
   compare<CGAL::Polyhedron_3<Kernel>, CGAL::Sequential_tag>(mesh_cases::mixed_with_border(),
                                                             PN::CatmullClark_scheme());
+  // whose rounds differ at the border
+  compare<Surface_mesh, CGAL::Sequential_tag>(mesh_cases::triangles_with_border(),
+                                              PN::Sqrt3_scheme());
 #ifdef CGAL_LINKED_WITH_TBB
   compare<Surface_mesh, CGAL::Parallel_tag>(mesh_cases::mixed_with_border(),
                                             PN::CatmullClark_scheme());

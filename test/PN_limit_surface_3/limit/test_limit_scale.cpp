@@ -13,6 +13,7 @@
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Transfer_schemes.h>
 #include <CGAL/Simple_cartesian.h>
@@ -116,6 +117,27 @@ TEST(Limit_normals, AreOnTheSideOfTheFaces)
 {
   expect_normals_of_the_faces("catmull-clark", false, PN::CatmullClark_scheme());
   expect_normals_of_the_faces("loop", true, PN::Loop_scheme());
+}
+
+// a vertex of one face, of a bent grid whose control normals look inwards
+TEST(Limit_normals, OfCornersAreOnTheSideOfTheFace)
+{
+  using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+  using Vertex = Mesh::Vertex_index;
+  Mesh mesh;
+  const auto normals =
+    mesh.add_property_map<Vertex, CGAL::Simple_cartesian<double>::Vector_3>("v:normal", {0, 0, -1})
+      .first;
+  for (int i = 0; i < 9; ++i) mesh.add_vertex({i % 3 - 1., i / 3 - 1., -0.1 * (i % 3) * (i / 3)});
+  for (const unsigned i : {0u, 1u, 3u, 4u})
+    mesh.add_face(Vertex(i), Vertex(i + 1), Vertex(i + 4), Vertex(i + 3));
+  const auto of_limits = mesh.add_property_map<Vertex, Shape<double>::Limit>("v:limit").first;
+  PN::limit_points(mesh, PN::Kobbelt_scheme(), of_limits,
+                   PN::parameters::join(surface_normals().pack(), np::vertex_normal_map(normals)));
+  for (const unsigned corner : {0u, 2u, 6u, 8u}) {
+    ASSERT_TRUE(of_limits[Vertex(corner)].has_surface_normal);
+    EXPECT_GT(of_limits[Vertex(corner)].surface_normal.z(), 0) << corner;
+  }
 }
 
 TEST(Limit_normals, OfFacesAreOnTheirSide)

@@ -190,8 +190,11 @@ Level level_of(const Mesh& mesh)
 class Slow_division
 {
 public:
-  Slow_division(const std::vector<Center>& centers, std::size_t number)
+  // corners: how many each face has
+  Slow_division(const std::vector<Center>& centers, const std::vector<double>& corners,
+                std::size_t number)
     : centers_(centers)
+    , corners_(corners)
     , piece(centers.size())
   {
     std::vector<Index> faces(centers.size());
@@ -201,6 +204,7 @@ public:
 
 private:
   const std::vector<Center>& centers_;
+  const std::vector<double>& corners_;
 
 public:
   std::vector<std::size_t> piece;
@@ -222,44 +226,63 @@ private:
     std::size_t axis = 0;
     for (const std::size_t i : {1u, 2u})
       if (extent(faces, i) > extent(faces, axis)) axis = i;
-    std::stable_sort(faces.begin(), faces.end(),
-                     [&](Index f, Index g) { return centers_[f][axis] < centers_[g][axis]; });
+    std::sort(faces.begin(), faces.end(), [&](Index f, Index g) {
+      return std::pair(centers_[f][axis], f) < std::pair(centers_[g][axis], g);
+    });
     const std::size_t half = number / 2;
-    // a face belongs to the half in which its middle is
+    double all = 0;
+    for (const Index f : faces) all += corners_[f];
+    // a face belongs to the half in which its middle is, of the corners in a row
     std::size_t middle = 0;
-    while (middle < faces.size() &&
-           double(middle) + 0.5 < double(faces.size()) * (double(half) / double(number)))
-      ++middle;
+    for (double before = 0; middle < faces.size(); before += corners_[faces[middle++]])
+      if (before + corners_[faces[middle]] / 2 >= all * (double(half) / double(number))) break;
     const auto end_of_half = faces.begin() + std::ptrdiff_t(middle);
     divide({faces.begin(), end_of_half}, first, half);
     divide({end_of_half, faces.end()}, first + half, number - half);
   }
 };
 
-TEST(Piece_division, EqualFacesAreHalvedByCount)
+void expect_halves(bool is_mixed)
 {
   for (const auto& [n, m] :
        {std::pair(1, 1), std::pair(7, 3), std::pair(12, 17), std::pair(20, 20)}) {
-    const Mesh mesh = grid(n, m);
+    Mesh mesh = grid(n, m);
+    for (unsigned f = 0; is_mixed && f < unsigned(n * m) / 2; ++f) {
+      const auto h = mesh.halfedge(Mesh::Face_index(f));
+      CGAL::Euler::split_face(h, mesh.next(mesh.next(h)), mesh);
+    }
     const Level level = level_of(mesh);
     const auto point = [&](Index v) {
       const auto& p = mesh.point(Mesh::Vertex_index(v));
       return Center{p[0], p[1], p[2]};
     };
     std::vector<Center> centers;
+    std::vector<double> corners;
     for (const auto f : mesh.faces()) {
+      const double degree = mesh.degree(f);
       Center c{0, 0, 0};
-      for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
-        for (std::size_t i = 0; i < 3; ++i) c[i] += point(Index(v))[i] / 4;
+      for (const auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
+        for (std::size_t i = 0; i < 3; ++i) c[i] += point(Index(mesh.target(h)))[i] / degree;
       centers.push_back(c);
+      corners.push_back(degree);
     }
     for (const std::size_t number : {1u, 2u, 3u, 5u, 16u, 37u, 500u}) {
       const in::Face_division division(level, number, point);
-      const Slow_division expected(centers, number);
+      const Slow_division expected(centers, corners, number);
       for (Index f = 0; f < level.number_of_faces(); ++f)
         EXPECT_EQ(division.piece_of_face(f), expected.piece[f]) << n << ' ' << number << ' ' << f;
     }
   }
+}
+
+TEST(Piece_division, EqualFacesAreHalvedByCount)
+{
+  expect_halves(false);
+}
+
+TEST(Piece_division, OtherFacesAreHalvedByTheirCorners)
+{
+  expect_halves(true);
 }
 
 // One list after the other in the same table.

@@ -126,6 +126,46 @@ TEST(Crease_maps, FiniteIntegersCountRounds)
   EXPECT_EQ(sharp[Edge(1)], many);
 }
 
+// so are the numbers of vertices, in one call as in several
+TEST(Crease_maps, FiniteCornersCountRounds)
+{
+  using Vertex = Mesh::Vertex_index;
+  for (const bool at_once : {false, true}) {
+    Mesh mesh = cube();
+    const auto sharp = mesh.add_property_map<Vertex, double>("v:sharp", 0).first;
+    sharp[Vertex(0)] = 1.5;
+    sharp[Vertex(1)] = 2.5;
+    sharp[Vertex(2)] = std::numeric_limits<double>::infinity();
+    for (unsigned calls = at_once ? 1 : 2; calls > 0; --calls)
+      PN::subdivide(mesh, PN::CatmullClark_scheme(),
+                    np::vertex_is_constrained_map(sharp).number_of_iterations(at_once ? 2 : 1));
+    EXPECT_EQ(sharp[Vertex(0)], 0);
+    EXPECT_EQ(sharp[Vertex(1)], 0.5);
+    EXPECT_EQ(sharp[Vertex(2)], std::numeric_limits<double>::infinity());
+  }
+}
+
+// Beside an edge of 1/2 between corners rows are half those of a sharp edge, though no vertex has a smooth rule.
+TEST(Crease_maps, EdgesBelowOneFadeBetweenCorners)
+{
+  Mesh mesh = cube();
+  const auto sharp = creases_of<double>(mesh);
+  const auto corners = mesh.add_property_map<Mesh::Vertex_index, bool>("v:corner", false).first;
+  const Edge e(0);
+  const auto a = mesh.vertex(e, 0), b = mesh.vertex(e, 1);
+  sharp[e] = 0.5;
+  corners[a] = corners[b] = true;
+  const Vector ends = (mesh.point(a) - CGAL::ORIGIN) + (mesh.point(b) - CGAL::ORIGIN);
+  Vector all = ends; // and the middles of the two faces
+  for (const Halfedge h : {mesh.halfedge(e, 0), mesh.halfedge(e, 1)})
+    for (const auto v : mesh.vertices_around_face(h)) all += (mesh.point(v) - CGAL::ORIGIN) / 4;
+  const auto new_vertex = mesh.number_of_vertices() + e.idx();
+  PN::subdivide(mesh, PN::linear(PN::CatmullClark_scheme()),
+                np::edge_is_constrained_map(sharp).vertex_is_constrained_map(corners));
+  const Vector expected = ends / 4 + all / 8;
+  EXPECT_EQ(mesh.point(Mesh::Vertex_index(unsigned(new_vertex))), CGAL::ORIGIN + expected);
+}
+
 // --- tangents ---
 
 TEST(Crease_maps, TangentsThatNobodyHasSetAreRefused)

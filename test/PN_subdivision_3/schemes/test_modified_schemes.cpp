@@ -277,6 +277,49 @@ TEST(Transfer_of_curvature, IsTheSameBesideCreases)
   }
 }
 
+// the weights of a scheme that transfers curvature, and no transfer
+template <class Scheme>
+struct Without_transfer : Scheme
+{
+  static constexpr bool transfers_curvature = false;
+};
+
+// The new vertices of a ring are computed some at a time. About a vertex of revolution the normals of all are turned by the same
+// angle.
+template <class Scheme>
+void expect_transfer_to_all(int n, Cells cells)
+{
+  Control_mesh control = star(n, 4, cells);
+  control.normals.clear();
+  for (auto& p : control.points) {
+    p[2] = -0.05 * (p[0] * p[0] + p[1] * p[1]);
+    const double length = std::hypot(0.2 * p[0], 0.2 * p[1], 1);
+    control.normals.push_back({0.2 * p[0] / length, 0.2 * p[1] / length, 1 / length});
+  }
+  const auto heights_of_normals = [&](const auto& scheme) {
+    Surface_mesh mesh = to_surface_mesh(control);
+    const auto normals = normal_map(mesh);
+    PN::subdivide(mesh, scheme, CGAL::parameters::vertex_normal_map(normals));
+    std::vector<double> heights;
+    for (const auto v :
+         CGAL::vertices_around_target(mesh.halfedge(Surface_mesh::Vertex_index(0)), mesh))
+      heights.push_back(normals[v].z());
+    return heights;
+  };
+  const auto with = heights_of_normals(Scheme()),
+             without = heights_of_normals(Without_transfer<Scheme>());
+  const double turn = with[0] - without[0];
+  EXPECT_GT(std::abs(turn), 1e-6);
+  for (std::size_t i = 0; i < with.size(); ++i)
+    EXPECT_NEAR(with[i] - without[i], turn, 1e-6 * std::abs(turn)) << i;
+}
+
+TEST(Transfer_of_curvature, TurnsAllNormalsOfALargeRing)
+{
+  expect_transfer_to_all<PN::CatmullClark_scheme::Transfer>(150, Cells::quads);
+  expect_transfer_to_all<PN::Loop_scheme::Transfer>(150, Cells::triangles);
+}
+
 // --- weights ---
 
 TYPED_TEST(Modified_scheme, EqualsTheReferenceForAllCapsAndValences)
