@@ -11,6 +11,8 @@
 
 #include "io/mesh_io.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,6 +27,56 @@
 
 namespace pn_subdivide {
 
+// Macros do not take braces.
+inline Triple triple(double x, double y, double z)
+{
+  return {x, y, z};
+}
+inline Triple sum(const Triple& a, const Triple& b, double factor = 1)
+{
+  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
+}
+inline Triple difference(const Triple& a, const Triple& b)
+{
+  return sum(a, b, -1);
+}
+inline Triple cross(const Triple& a, const Triple& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double dot(const Triple& a, const Triple& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline double length(const Triple& a)
+{
+  return std::hypot(a[0], a[1], a[2]);
+}
+// zero if there is no direction
+inline Triple unit(const Triple& a)
+{
+  const double size = length(a);
+  return size > 0 ? Triple{a[0] / size, a[1] / size, a[2] / size} : Triple{0, 0, 0};
+}
+inline double distance(const Triple& a, const Triple& b)
+{
+  return length(difference(a, b));
+}
+inline double distance_to_nearest(const Triple& p, const std::vector<Triple>& points)
+{
+  double least = HUGE_VAL;
+  for (const Triple& q : points) least = (std::min)(least, distance(p, q));
+  return least;
+}
+inline double largest_distance(const std::vector<Triple>& a, const std::vector<Triple>& b)
+{
+  EXPECT_EQ(a.size(), b.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < (std::min)(a.size(), b.size()); ++i)
+    largest = (std::max)(largest, distance(a[i], b[i]));
+  return largest;
+}
+
 // Faces that are oriented outwards, of any degree.
 struct Part
 {
@@ -35,8 +87,7 @@ struct Part
   std::size_t vertex(const Triple& p)
   {
     for (std::size_t v = 0; v < points.size(); ++v)
-      if (std::hypot(points[v][0] - p[0], points[v][1] - p[1], points[v][2] - p[2]) < 1e-9)
-        return v;
+      if (distance(points[v], p) < 1e-9) return v;
     points.push_back(p);
     return points.size() - 1;
   }
@@ -105,9 +156,7 @@ struct Part
   std::string obj_of_faces(const std::vector<Triple>& normals) const
   {
     std::ostringstream s;
-    s.precision(17);
-    s << Part{points, {}}.obj();
-    for (const Triple& n : normals) s << "vn " << n[0] << ' ' << n[1] << ' ' << n[2] << "\n";
+    s << Part{points, {}}.obj(normals);
     for (std::size_t f = 0; f < faces.size(); ++f) {
       s << "f";
       for (const std::size_t v : faces[f]) s << ' ' << v + 1 << "//" << f + 1;
@@ -115,28 +164,33 @@ struct Part
     }
     return s.str();
   }
+  // text, with coordinates that are a function of those here
+  template <class Rounded>
+  std::string stl(Rounded rounded, int digits = 17) const
+  {
+    std::ostringstream s;
+    s.precision(digits);
+    s << "solid part\n";
+    for (const auto& f : faces) {
+      s << "facet normal 0 0 0\nouter loop\n";
+      for (const std::size_t v : f) {
+        s << "vertex";
+        for (const double x : points[v]) s << ' ' << rounded(x);
+        s << "\n";
+      }
+      s << "endloop\nendfacet\n";
+    }
+    return s.str() + "endsolid part\n";
+  }
   // every triangle has corners of its own, which are off by a unit in the last place here and there
   std::string stl() const
   {
-    std::string s = "solid part\n";
-    unsigned state = 1;
-    for (const auto& f : faces) {
-      s += "facet normal 0 0 0\nouter loop\n";
-      for (const std::size_t v : f) {
-        char line[100];
-        std::array<float, 3> p{};
-        for (std::size_t k = 0; k < 3; ++k) {
-          state = state * 1664525u + 1013904223u;
-          const auto x = static_cast<float>(points[v][k]);
-          p[k] = (state >> 24) % 5 == 0 ? std::nextafter(x, 10.f) : x;
-        }
-        std::snprintf(line, sizeof line, "vertex %.9g %.9g %.9g\n", double(p[0]), double(p[1]),
-                      double(p[2]));
-        s += line;
-      }
-      s += "endloop\nendfacet\n";
-    }
-    return s + "endsolid part\n";
+    const auto rounded = [state = 1u](double coordinate) mutable {
+      state = state * 1664525u + 1013904223u;
+      const auto x = static_cast<float>(coordinate);
+      return double((state >> 24) % 5 == 0 ? std::nextafter(x, 10.f) : x);
+    };
+    return stl(rounded, 9);
   }
 
 private:

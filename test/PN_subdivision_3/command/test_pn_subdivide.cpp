@@ -49,24 +49,6 @@ protected:
   }
 };
 
-// Macros do not take braces.
-Triple triple(double x, double y, double z)
-{
-  return {x, y, z};
-}
-
-double dot(const Triple& a, const Triple& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-void expect_near(const Triple& p, double x, double y, double z, double bound)
-{
-  EXPECT_NEAR(p[0], x, bound);
-  EXPECT_NEAR(p[1], y, bound);
-  EXPECT_NEAR(p[2], z, bound);
-}
-
 } // namespace
 
 // --- results ---
@@ -79,11 +61,12 @@ TEST_F(Pn_subdivide, LinearCatmullClarkOfACubeAsComputedByHand)
     ASSERT_EQ(mesh.points.size(), 26u);
     EXPECT_EQ(mesh.number_of_faces(), 24u);
     EXPECT_FALSE(mesh.has_normals());
-    expect_near(mesh.points[0], -5. / 9, -5. / 9, -5. / 9, 1e-15); // old vertices come first
-    expect_near(mesh.points[6], 5. / 9, 5. / 9, 5. / 9, 1e-15);
+    // old vertices come first
+    EXPECT_LE(distance(mesh.points[0], triple(-5. / 9, -5. / 9, -5. / 9)), 1e-15);
+    EXPECT_LE(distance(mesh.points[6], triple(5. / 9, 5. / 9, 5. / 9)), 1e-15);
     int edges = 0, faces = 0;
     for (std::size_t v = 8; v < 26; ++v) {
-      const double d = std::sqrt(dot(mesh.points[v], mesh.points[v]));
+      const double d = length(mesh.points[v]);
       if (std::abs(d - 0.75 * std::sqrt(2.)) < 1e-15) ++edges;
       if (std::abs(d - 1) < 1e-15) ++faces;
     }

@@ -9,10 +9,7 @@
 // --check, and the edges that the closing line names: what is printed is compared with what is computed here from
 // the files that the command writes, with --linear and without.
 
-#include "Command_test.h"
-#include "Part_files.h"
-
-#include <nlohmann/json.hpp>
+#include "Refined_files.h"
 
 #include <cmath>
 #include <cstdio>
@@ -43,59 +40,38 @@ std::string plane(std::size_t n, Normals normals)
   return squares.obj(of_vertices);
 }
 
-struct Faces_of_file : Part
+// of the pyramids over the means of the faces
+double volume_over_means(const Mesh_data& mesh)
 {
-  explicit Faces_of_file(const std::string& file)
-  {
-    const Mesh_data mesh = read_mesh(file);
-    points = mesh.points;
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      faces.emplace_back(mesh.face(f).begin(), mesh.face(f).end());
+  double result = 0;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    Triple mean{};
+    for (const auto v : mesh.face(f))
+      mean = sum(mean, mesh.points[v], 1. / double(mesh.face(f).size()));
+    result += dot(mean, area_vector(mesh, f)) / 3;
   }
+  return result;
+}
 
-  // the pyramids over the means of the faces, as triangles
-  double volume() const
-  {
-    double sum = 0;
-    for (const auto& face : faces)
-      for (std::size_t i = 0; i < face.size(); ++i) {
-        const Triple &p = points[face[i]], &q = points[face[(i + 1) % face.size()]];
-        for (const std::size_t v : face) {
-          const Triple& m = points[v];
-          sum += (m[0] * (p[1] * q[2] - p[2] * q[1]) + m[1] * (p[2] * q[0] - p[0] * q[2]) +
-                  m[2] * (p[0] * q[1] - p[1] * q[0])) /
-                 (6 * double(face.size()));
-        }
-      }
-    return sum;
-  }
-
-  // edges of two faces whose area vectors are at an angle with a smaller cosine
-  std::size_t edges_beyond(double cosine) const
-  {
-    std::map<std::pair<std::size_t, std::size_t>, Triple> normals;
-    for (const auto& face : faces) {
-      Triple n{0, 0, 0};
-      for (std::size_t i = 0; i < face.size(); ++i) {
-        const Triple &p = points[face[i]], &q = points[face[(i + 1) % face.size()]];
-        for (std::size_t c = 0; c < 3; ++c)
-          n[c] += p[(c + 1) % 3] * q[(c + 2) % 3] - p[(c + 2) % 3] * q[(c + 1) % 3];
-      }
-      const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-      for (double& x : n) x /= length;
-      for (std::size_t i = 0; i < face.size(); ++i)
-        normals[{face[i], face[(i + 1) % face.size()]}] = n;
+// edges of two faces whose area vectors are at an angle with a smaller cosine
+std::size_t edges_beyond(double cosine, const Mesh_data& mesh)
+{
+  std::map<std::pair<Mesh_data::Index, Mesh_data::Index>, Triple> normals;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    Mesh_data::Index last = mesh.face(f).begin()[mesh.face(f).size() - 1];
+    for (const Mesh_data::Index v : mesh.face(f)) {
+      normals[{last, v}] = unit(area_vector(mesh, f));
+      last = v;
     }
-    std::size_t number = 0;
-    for (const auto& [ends, n] : normals) {
-      const auto other = normals.find({ends.second, ends.first});
-      if (ends.first < ends.second && other != normals.end())
-        number += n[0] * other->second[0] + n[1] * other->second[1] + n[2] * other->second[2] <
-                  cosine - 1e-9;
-    }
-    return number;
   }
-};
+  std::size_t number = 0;
+  for (const auto& [ends, n] : normals) {
+    const auto other = normals.find({ends.second, ends.first});
+    if (ends.first < ends.second && other != normals.end())
+      number += dot(n, other->second) < cosine - 1e-9;
+  }
+  return number;
+}
 
 class Pn_subdivide_check : public Command_test
 {
@@ -153,19 +129,19 @@ TEST_F(Pn_subdivide_check, VolumesAndFoldsAreThoseOfTheFiles)
     const std::string text = check(input, options), linear_file = folder.file("l.obj");
     const std::size_t normals = options.find(" --normals");
     done(run(words(input, linear_file) + options.substr(0, normals) + " --linear"));
-    const Faces_of_file result(path("o.obj")), linear(linear_file);
+    const Mesh_data result = read_mesh(path("o.obj")), linear = read_mesh(linear_file);
     ASSERT_EQ(result.points.size(), linear.points.size());
     if (input == beam)
-      expect_part(text, ratio_text(result.volume() / 80, linear.volume() / 80));
+      expect_part(text, ratio_text(volume_over_means(result) / 80, volume_over_means(linear) / 80));
     else
       expect_no_part(text, "volume");
     const double cosine = -std::sqrt(3.) / 2;
     std::ostringstream folds;
-    folds << "check: " << result.edges_beyond(0)
-          << (result.edges_beyond(0) == 1 ? " edge folds" : " edges fold")
-          << " by more than 90 degrees (linear " << linear.edges_beyond(0) << "), "
-          << result.edges_beyond(cosine) << " by more than 150 (linear "
-          << linear.edges_beyond(cosine) << ")\n";
+    folds << "check: " << edges_beyond(0, result)
+          << (edges_beyond(0, result) == 1 ? " edge folds" : " edges fold")
+          << " by more than 90 degrees (linear " << edges_beyond(0, linear) << "), "
+          << edges_beyond(cosine, result) << " by more than 150 (linear "
+          << edges_beyond(cosine, linear) << ")\n";
     expect_part(text, folds.str());
     expect_part(text, "check: farthest from the control mesh ");
   }
@@ -229,7 +205,7 @@ TEST_F(Pn_subdivide_check, DistancesAreFromTheControlMesh)
   for (const std::string options : {"--levels 2 --normals none", "--chord 0.01 --normals none"}) {
     const std::string text = check(cube, options);
     double largest = 0;
-    for (const Triple& p : Faces_of_file(path("o.obj")).points) {
+    for (const Triple& p : read_mesh(path("o.obj")).points) {
       const double outmost = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
       largest = (std::max)(largest, 1 - outmost);
     }
@@ -307,13 +283,13 @@ TEST_F(Pn_subdivide_check, TheReportHasTheNumbers)
     return nlohmann::json::parse(Temporary_folder::content(file)).at("check");
   };
   nlohmann::json json = report(beam, "--levels 3 --normals angle --check");
-  const Faces_of_file result(path("o.obj"));
-  EXPECT_NEAR(json.at("volume"), result.volume() / 80, 1e-9);
+  const Mesh_data result = read_mesh(path("o.obj"));
+  EXPECT_NEAR(json.at("volume"), volume_over_means(result) / 80, 1e-9);
   EXPECT_LT(json.at("linear_volume"), 0.5);
   EXPECT_EQ(json.at("edges_that_turn_by_40_degrees"), 12);
   EXPECT_EQ(json.at("swollen"), true);
   EXPECT_EQ(json.at("folded"), false);
-  EXPECT_EQ(json.at("edges_folded_by_90_degrees"), result.edges_beyond(0));
+  EXPECT_EQ(json.at("edges_folded_by_90_degrees"), edges_beyond(0, result));
   EXPECT_LT(json.at("farthest_vertex"), result.points.size());
   EXPECT_GT(json.at("largest_distance"), 0.1);
   EXPECT_EQ(json.at("lost"), false);

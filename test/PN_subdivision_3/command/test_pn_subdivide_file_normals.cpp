@@ -18,20 +18,12 @@ using namespace pn_subdivide;
 
 namespace {
 
-Triple unit(const Triple& v)
-{
-  const double length = std::hypot(v[0], v[1], v[2]);
-  return {v[0] / length, v[1] / length, v[2] / length};
-}
-
 // that of its first, second and third corner; faces here are planar but for rounding
 Triple normal(const Part& s, std::size_t f)
 {
   const Triple &a = s.points[s.faces[f][0]], &b = s.points[s.faces[f][1]],
                &c = s.points[s.faces[f][2]];
-  const Triple u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
-               v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-  return unit({u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]});
+  return unit(cross(difference(b, a), difference(c, a)));
 }
 
 // A tube of n sides and `rings` rings of quads, closed by two polygons if it has caps; along z.
@@ -94,10 +86,7 @@ std::string flat_obj(const Part& s, int digits, double degrees = 0)
   obj << std::fixed;
   for (std::size_t f = 0; f < s.faces.size(); ++f) {
     const Triple n = normal(s, f), m = unit({n[1] - n[2], n[2] - n[0], n[0] - n[1]});
-    const double t = std::tan(degrees * std::acos(-1.) / 180);
-    const bool has_turned = std::isfinite(m[0]);
-    const Triple turned =
-      has_turned ? unit({n[0] + t * m[0], n[1] + t * m[1], n[2] + t * m[2]}) : n;
+    const Triple turned = unit(sum(n, m, std::tan(degrees * std::acos(-1.) / 180)));
     for (const Triple& v : {n, turned}) obj << "vn " << v[0] << ' ' << v[1] << ' ' << v[2] << "\n";
   }
   for (std::size_t f = 0; f < s.faces.size(); ++f) {
@@ -273,12 +262,9 @@ TEST_F(Pn_subdivide_file_normals, FlatShadingIsThatOfTheFacesInTheFile)
   std::vector<Triple> areas; // the products of the diagonals
   for (const std::vector<std::size_t>& f : wavy.faces) {
     const auto diagonal = [&](std::size_t i) {
-      const Triple &a = wavy.points[f[i]], &b = wavy.points[f[i + 2]];
-      return Triple{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+      return difference(wavy.points[f[i + 2]], wavy.points[f[i]]);
     };
-    const Triple d = diagonal(0), e = diagonal(1);
-    areas.push_back(
-      {d[1] * e[2] - d[2] * e[1], d[2] * e[0] - d[0] * e[2], d[0] * e[1] - d[1] * e[0]});
+    areas.push_back(cross(diagonal(0), diagonal(1)));
   }
   const std::string plain = wavy.obj(), flat = wavy.obj_of_faces(areas);
   const std::string input = folder.write("flat.obj", flat), other = folder.write("p.obj", plain);
@@ -337,30 +323,20 @@ TEST_F(Pn_subdivide_file_normals, EverySourceIsHonoredWithCreases)
   for (Triple& p : s.points) // uneven, so that estimates differ
     p = {p[0] * (1 + 0.2 * p[2]), p[1], p[2] + 0.1 * p[0]};
   const std::string plain = folder.write("plain.obj", s.obj());
-  const auto inner_normals = [&](const std::string& options, const std::string& input) {
-    refine(input, "--quiet --levels 0 --sharp angle:60 " + options);
+  const auto inner_normals = [&](const std::string& options, const std::string& input,
+                                 const std::string& sharp = "angle:60") {
+    refine(input, "--quiet --levels 0 --sharp " + sharp + " " + options);
     const std::vector<Triple> all = read_mesh(folder.file("out.obj")).normals;
     return std::vector<Triple>(all.begin() + 9, all.begin() + 27); // on no crease
-  };
-  const auto difference = [](const std::vector<Triple>& a, const std::vector<Triple>& b) {
-    double greatest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k)
-        greatest = (std::max)(greatest, std::abs(a[i][k] - b[i][k]));
-    return greatest;
-  };
-  const auto smooth = [&](const std::string& options) { // far from creases nothing is different
-    refine(plain, "--quiet --levels 0 --sharp none " + options);
-    const std::vector<Triple> all = read_mesh(folder.file("out.obj")).normals;
-    return std::vector<Triple>(all.begin() + 9, all.begin() + 27);
   };
   const std::vector<Triple> normals(s.points.size(), Triple{0, 0, 1});
   const std::string given = folder.write("given.off", s.off(normals));
   for (const std::string options :
        {"--normals angle", "--normals sphere:0.1,0,1", "--normals cylinder:0,0,0,0,0.1,1"})
     for (const std::string& input : {plain, given}) {
-      EXPECT_LE(difference(inner_normals(options, input), smooth(options)), 1e-12) << options;
-      EXPECT_GE(difference(inner_normals(options, input), inner_normals("", plain)), 1e-3)
-        << options;
+      const std::vector<Triple> found = inner_normals(options, input);
+      // far from creases nothing is different
+      EXPECT_LE(largest_distance(found, inner_normals(options, plain, "none")), 1e-12) << options;
+      EXPECT_GE(largest_distance(found, inner_normals("", plain)), 1e-3) << options;
     }
 }
