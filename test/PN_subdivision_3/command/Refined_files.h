@@ -189,8 +189,7 @@ protected:
   Outcome surface(const std::string& input, const std::string& output,
                   const std::string& options) const
   {
-    return run("surface '" + folder.file(input) + "' '" + folder.file(output) + "' --quiet " +
-               options);
+    return run("surface " + words(input, output) + "--quiet " + options);
   }
 
   std::string written(const std::string& input, const std::string& output,

@@ -83,8 +83,7 @@ protected:
   }
   std::string err(const std::string& input, const std::string& options, int code = 0) const
   {
-    const Outcome outcome =
-      run("'" + folder.file(input) + "' '" + folder.file("e.ply") + "' " + options);
+    const Outcome outcome = run(words(input, "e.ply") + options);
     EXPECT_EQ(outcome.code, code) << options << outcome.err;
     return outcome.err;
   }
@@ -170,7 +169,7 @@ TEST_F(Pn_subdivide_roundness, FileNeedsTheProperty)
             written("points.ply", "b.ply", "--roundness auto"));
   for (const char* const wrong : {"-0.6", "1.6", "nan", "inf"}) {
     std::string text = ply(several, true);
-    text.replace(text.find(" 0.25 "), 6, std::string(" ") + wrong + " ");
+    text.replace(text.find(" 0.25\n"), 6, std::string(" ") + wrong + "\n");
     folder.write("wrong.ply", text);
     expect_one_line(surface("wrong.ply", "o.ply", ""), 1, "vertex 1 has the roundness ");
     expect_one_line(surface("wrong.ply", "o.ply", "--roundness file"), 1, "from 0 to 1");
@@ -317,21 +316,12 @@ TEST_F(Pn_subdivide_roundness, EdgesThatHardlyAreSharpAreNot)
     std::vector<Triple> normals;
     for (const Triple& p : part.points)
       normals.push_back({p[0] / 2 - .4, p[1] / 1.7 - .4, p[2] / 1.5 - .4});
-    std::string ply = has_normals ? part.ply(normals) : part.ply();
-    std::string edges;
+    std::vector<Edge_tag> edges;
     for (const auto& face : part.faces)
-      for (std::size_t i = 0; i < 4; ++i) {
-        const std::size_t v = face[i], w = face[(i + 1) % 4];
-        if (v > w) continue;
-        char s[60];
-        std::snprintf(s, sizeof s, "%zu %zu %g\n", v, w, edges.empty() ? one : some);
-        edges += s;
-      }
-    const std::string end = "end_header\n";
-    ply.insert(ply.find(end), "element edge 12\nproperty int vertex1\nproperty int vertex2\n"
-                              "property double sharpness\n");
-    ply += edges;
-    folder.write(file, ply);
+      for (std::size_t i = 0; i < 4; ++i)
+        if (const int v = int(face[i]), w = int(face[(i + 1) % 4]); v < w)
+          edges.push_back({{v, w}, edges.empty() ? one : some});
+    folder.write(file, with_edges(has_normals ? part.ply(normals) : part.ply(), edges));
   };
   for (const bool has_normals : {false, true})
     for (const char* const options :
@@ -400,7 +390,7 @@ TEST_F(Pn_subdivide_roundness, CurvesTakeANumber)
     EXPECT_LE(largest_distance(curve(options + " --roundness 0.3"), blended(linear, full, 0.3)),
               1e-14);
   }
-  const std::string calls = "curve '" + folder.file("p.txt") + "' '" + folder.file("o.txt") + "' ";
+  const std::string calls = "curve " + words("p.txt", "o.txt");
   for (const std::string x : {"1.5", "auto", "file", "-1"})
     expect_one_line(run(calls + "--roundness=" + x), 2, "from 0 to 1");
   expect_one_line(run(calls + "--roundness 1 --linear"), 2, "--linear");

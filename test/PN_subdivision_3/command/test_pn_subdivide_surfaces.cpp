@@ -37,13 +37,11 @@ Part rounded_bar()
 // A sphere of radius 2, of 12 meridians and 6 parallels, all of whose points are moved about.
 Part stone()
 {
-  const auto point = [](int i, int j) {
-    const double a = 30. * (i % 12), b = 30. * j - 90;
-    const Triple p = on_circle(std::cos(b * pi / 180), a, std::sin(b * pi / 180));
+  return ball_of(12, 6, [](double t, double u) {
+    const Triple p = on_sphere(t, u);
     const double r = 2 + .1 * std::sin(3 * p[0] + 5 * p[1]) + .1 * std::cos(4 * p[2] + 2 * p[0]);
-    return Triple{r * p[0], r * p[1], r * p[2]};
-  };
-  return ball_of(point);
+    return sum({}, p, r);
+  });
 }
 
 class Pn_subdivide_surfaces : public Refined_files
@@ -299,8 +297,8 @@ TEST_F(Pn_subdivide_surfaces, TheLabelsAreThoseOfTheReport)
 // The middle of a chord of a circle of radius R is R (1 - cos) off, with half of its angle; two rounds divide this by 4.
 TEST_F(Pn_subdivide_surfaces, TheReportHasParametersAndDeviations)
 {
-  const Outcome outcome = done(run("'" + folder.file("shaft.ply") + "' '" + folder.file("o.ply") +
-                                   "' --sharp surfaces --levels 2" + reported()));
+  const Outcome outcome =
+    done(run(words("shaft.ply", "o.ply") + "--sharp surfaces --levels 2" + reported()));
   expect_part(outcome.err, "3 planes of 26 faces, 2 cylinders of 48 faces");
   expect_part(outcome.err, "; 96 crease edges");
   const Json json = report();
