@@ -79,13 +79,6 @@ TEST_F(Pn_subdivide_limit, LinearSurfacesHaveNormals)
   }
 }
 
-TEST_F(Pn_subdivide_limit, StaysOnTheSphere)
-{
-  done(
-    surface(data("sphere_mixed.ply"), "sphere.ply",
-            "--levels 2 --limit --scheme catmull-clark --verify sphere:0,0,0,1 --tolerance 1e-14"));
-}
-
 TEST_F(Pn_subdivide_limit, SaysWhereTheToleranceIsMissed)
 {
   const Outcome outcome =
