@@ -76,10 +76,8 @@ std::size_t edges_beyond(double cosine, const Mesh_data& mesh)
 class Pn_subdivide_check : public Command_test
 {
 protected:
-  std::string words(const std::string& input, const std::string& output) const
-  {
-    return "'" + input + "' '" + output + "' ";
-  }
+  const std::string beam = folder.write("beam.off", box(10, 1, 1)),
+                    cube = folder.write("cube.off", box(1, 1, 1));
 
   // What is printed; the result is the same as without.
   std::string check(const std::string& input, const std::string& options,
@@ -94,7 +92,7 @@ protected:
 
   std::string closing_line(const std::string& input, const std::string& options) const
   {
-    const Outcome outcome = done(run(words(input, folder.file("closing.ply")) + options));
+    const Outcome outcome = done(run(words(input, "closing.ply") + options));
     expect_no_part(outcome.err, "warning: ");
     EXPECT_EQ(outcome.out, "");
     return outcome.err;
@@ -116,8 +114,7 @@ std::string ratio_text(double volume, double linear)
 
 TEST_F(Pn_subdivide_check, VolumesAndFoldsAreThoseOfTheFiles)
 {
-  const std::string beam = folder.write("beam.off", box(10, 1, 1)),
-                    wild = folder.write("wild.obj", plane(6, Normals::of_any_direction));
+  const std::string wild = folder.write("wild.obj", plane(6, Normals::of_any_direction));
   for (const auto& [input, options] :
        std::vector<std::pair<std::string, std::string>>{{beam, "--levels 3 --normals angle"},
                                                         {beam, "--levels 2 --limit"},
@@ -151,7 +148,6 @@ TEST_F(Pn_subdivide_check, VolumesAndFoldsAreThoseOfTheFiles)
 
 TEST_F(Pn_subdivide_check, ABeamSwells)
 {
-  const std::string beam = folder.write("beam.off", box(10, 1, 1));
   expect_part(check(beam, "--levels 3 --normals angle"),
               "check: SWOLLEN (linear LOST). It looks like a part: try --part\n");
   // nobody can tag these
@@ -176,9 +172,7 @@ TEST_F(Pn_subdivide_check, NormalsOfAnyDirectionFold)
 
 TEST_F(Pn_subdivide_check, TheShapeOfTheControlMeshCounts)
 {
-  const std::string cube = folder.write("cube.off", box(1, 1, 1)),
-                    beam = folder.write("beam.off", box(10, 1, 1)),
-                    flat = folder.write("flat.obj", plane(4, Normals::none));
+  const std::string flat = folder.write("flat.obj", plane(4, Normals::none));
   // a ball of 2.7 times the volume, and what is less than a half
   expect_part(check(cube, "--levels 3 --normals sphere:0,0,0"), "check: SWOLLEN (linear LOST). ");
   const std::string none = check(beam, "--levels 3 --normals none"); // the linear one itself
@@ -201,7 +195,6 @@ TEST_F(Pn_subdivide_check, SharpEdgesAreNoFolds)
 // Each vertex of a Catmull-Clark cube of width 2 is inside of it.
 TEST_F(Pn_subdivide_check, DistancesAreFromTheControlMesh)
 {
-  const std::string cube = folder.write("cube.off", box(1, 1, 1));
   for (const std::string options : {"--levels 2 --normals none", "--chord 0.01 --normals none"}) {
     const std::string text = check(cube, options);
     double largest = 0;
@@ -221,9 +214,7 @@ TEST_F(Pn_subdivide_check, DistancesAreFromTheControlMesh)
 TEST_F(Pn_subdivide_check, ManyAreCompared)
 {
   if (std::system("python3 -c ''") != 0) GTEST_SKIP() << "left out: no python3";
-  folder.write("beam.off", box(10, 1, 1));
   folder.write("block.off", box(2, 1.5, 1));
-  folder.write("cube.off", box(1, 1, 1));
   folder.write("small.off", box(0.5, 0.5, 0.5));
   folder.write("large.off", box(2, 2, 2));
   folder.write("broken.off", "OFF\n1 2\n");
@@ -257,12 +248,11 @@ TEST_F(Pn_subdivide_check, ManyAreCompared)
 
 TEST_F(Pn_subdivide_check, LinesAreOnStandardOutput)
 {
-  const std::string beam = folder.write("beam.off", box(10, 1, 1));
   const std::string text = check(beam, "--levels 2 --normals angle");
   EXPECT_EQ(text.rfind("check: volume ", 0), 0u) << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
-  const Outcome quiet = done(
-    run(words(beam, folder.file("q.ply")) + "--levels 2 --normals angle --check --quiet --strict"));
+  const Outcome quiet =
+    done(run(words(beam, "q.ply") + "--levels 2 --normals angle --check --quiet --strict"));
   EXPECT_EQ(quiet.out, text);
   EXPECT_EQ(quiet.err, "");
   const Outcome streams =
@@ -275,11 +265,10 @@ TEST_F(Pn_subdivide_check, LinesAreOnStandardOutput)
 
 TEST_F(Pn_subdivide_check, TheReportHasTheNumbers)
 {
-  const std::string beam = folder.write("beam.off", box(10, 1, 1)),
-                    wild = folder.write("wild.obj", plane(12, Normals::of_any_direction)),
+  const std::string wild = folder.write("wild.obj", plane(12, Normals::of_any_direction)),
                     file = work.file("r.json");
   const auto report = [&](const std::string& input, const std::string& options) {
-    done(run(words(input, folder.file("o.obj")) + options + " --report '" + file + "'"));
+    done(run(words(input, "o.obj") + options + " --report '" + file + "'"));
     return nlohmann::json::parse(Temporary_folder::content(file)).at("check");
   };
   nlohmann::json json = report(beam, "--levels 3 --normals angle --check");
@@ -304,9 +293,8 @@ TEST_F(Pn_subdivide_check, TheReportHasTheNumbers)
 
 TEST_F(Pn_subdivide_check, WrongCommandLines)
 {
-  const std::string beam = folder.write("beam.off", box(10, 1, 1)),
-                    polygon = folder.write("p.txt", "0 0\n4 0\n4 3\n0 3\n");
-  const std::string files = words(beam, folder.file("o.ply"));
+  const std::string polygon = folder.write("p.txt", "0 0\n4 0\n4 3\n0 3\n");
+  const std::string files = words(beam, "o.ply");
   for (const auto& [options, part] :
        std::vector<std::pair<std::string, std::string>>{{"--linear", "--check and --linear"},
                                                         {"--levels 0", "--check and --levels 0"},
@@ -314,16 +302,14 @@ TEST_F(Pn_subdivide_check, WrongCommandLines)
                                                         {"--memory 1G", "--check"}})
     expect_one_line(run(files + "--check " + options), 2, part);
   EXPECT_FALSE(std::filesystem::exists(folder.file("o.ply")));
-  expect_one_line(run("curve " + words(polygon, folder.file("o.txt")) + "--check"), 2,
-                  "no option --check");
+  expect_one_line(run("curve " + words(polygon, "o.txt") + "--check"), 2, "no option --check");
 }
 
 // --- the closing line ---
 
 TEST_F(Pn_subdivide_check, TheClosingLineNamesEdgesThatTurn)
 {
-  const std::string cube = folder.write("cube.off", box(1, 1, 1)),
-                    flat = folder.write("flat.obj", plane(4, Normals::none)),
+  const std::string flat = folder.write("flat.obj", plane(4, Normals::none)),
                     roof = folder.write("roof.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
                                                     "3 0 1 2\n3 1 0 3\n");
   const std::string named = ", 12 edges turn by more than 40 degrees: --part, ";
@@ -335,7 +321,7 @@ TEST_F(Pn_subdivide_check, TheClosingLineNamesEdgesThatTurn)
   for (const char* options : {"--linear", "--normals none", "--levels 0", "--sharp none",
                               "--sharp angle:40", "--sharp angle:95 --quiet", "--scheme doo-sabin",
                               "--normals sphere:0,0,0", "--interpolate points", "--quiet"}) {
-    const Outcome outcome = done(run(words(cube, folder.file("closing.ply")) + options));
+    const Outcome outcome = done(run(words(cube, "closing.ply") + options));
     expect_no_part(outcome.err, "40 degrees");
   }
   expect_no_part(closing_line(flat, "--levels 2"), "turn");
@@ -346,7 +332,7 @@ TEST_F(Pn_subdivide_check, TaggedEdgesAreNotCounted)
 {
   const std::string input = folder.write(
     "tagged.obj", uneven_box().obj() + "t crease 2/1/0 0 1 3.0\nt crease 2/1/0 1 2 3.0\n");
-  const std::string line = run(words(input, folder.file("o.obj")) + "--levels 2").err;
+  const std::string line = run(words(input, "o.obj") + "--levels 2").err;
   expect_part(line, ", 2 sharp edges");
   expect_part(line, ", 10 edges turn by more than 40 degrees: --part, ");
 }
@@ -354,6 +340,5 @@ TEST_F(Pn_subdivide_check, TaggedEdgesAreNotCounted)
 // A surface far outside of its control mesh is not warned of any more: --check tells.
 TEST_F(Pn_subdivide_check, NoWarningOfTheBox)
 {
-  const std::string beam = folder.write("beam.off", box(10, 1, 1));
   closing_line(beam, "--levels 5 --normals sphere:0,0,0 --strict");
 }

@@ -308,7 +308,7 @@ TEST_F(Pn_subdivide_output_normals, OffHasThemIfTheyAreAskedFor)
         "--levels 1 --output-normals control", "--levels 1 --surface-normals",
         "--levels 0 --normals angle"})
     EXPECT_EQ(begins(asked), "NOFF") << asked;
-  const Outcome outcome = run("'" + folder.file("quads.obj") + "' '" + folder.file("o.off") + "'");
+  const Outcome outcome = run(words("quads.obj", "o.off"));
   expect_part(outcome.err, "(not written; --output-normals writes some)");
 }
 
