@@ -8,6 +8,7 @@
 // Limit surfaces of parts with creases and borders, whose surfaces are known.
 
 #include "Crease_shapes.h"
+#include "Surface_checks.h"
 #include "Tagged_meshes.h"
 
 #include <CGAL/PN_limit_surface_3/Limit_surface.h>
@@ -33,11 +34,7 @@ TEST(LimitSurface, Parts)
                                       .vertex_normal_map(control.normals)
                                       .edge_is_constrained_map(control.sharp)
                                       .vertex_is_constrained_map(control.corners));
-    std::vector<PN::Limit_surface<Mesh>::Location> places;
-    for (auto f : control.mesh.faces())
-      for (std::size_t piece = 0; piece < surface.number_of_pieces(f); ++piece)
-        for (int i = 0; i <= 3; ++i)
-          for (int j = 0; j <= 3; ++j) places.push_back({f, 2 * double(piece) + i / 3., j / 3.});
+    const auto places = surface_checks::grid_places(surface, [](auto) { return 3; });
     const auto is_end = [](double x) { return std::fmod(x, 1) == 0; };
     auto place = places.begin();
     for (const auto& s : surface.evaluate(places)) {

@@ -10,6 +10,7 @@
 #include "Messages.h"
 #include "Named_shapes.h"
 #include "Scheme_runs.h"
+#include "Surface_checks.h"
 
 #include <CGAL/PN_limit_surface_3/Limit_surface.h>
 #include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
@@ -46,14 +47,9 @@ double excess(const CGAL::Bbox_3& box, const Kernel::Point_3& p)
 template <class Surface>
 std::vector<Kernel::Point_3> samples(const Surface& surface, Face f)
 {
-  constexpr int n = 4;
-  std::vector<typename Surface::Location> places;
-  for (std::size_t piece = 0; piece < surface.number_of_pieces(f); ++piece)
-    for (int i = 0; i <= n; ++i)
-      for (int j = 0; j <= (surface.is_triangular() ? n - i : n); ++j)
-        places.push_back({f, 2 * double(piece) + double(i) / n, double(j) / n});
   std::vector<Kernel::Point_3> all;
-  for (const auto& s : surface.evaluate(places)) all.push_back(s.point);
+  for (const auto& s : surface.evaluate(surface_checks::grid_places(surface, f, 4)))
+    all.push_back(s.point);
   return all;
 }
 
@@ -109,9 +105,8 @@ TEST(Enclosure, OfLinearSchemesItIsTheHull)
 // The limit of a sphere of radius 1 is 1 from its center, that of the linear scheme nearer.
 TEST(Enclosure, TheDistanceToTheLinearLimitIsProvenAndNotMuchMore)
 {
-  Control_mesh shape = test_meshes::with_centers(named_shapes::tetrahedron(), 1);
-  for (auto& p : shape.points) p = test_meshes::unit(p);
-  shape.normals = shape.points;
+  Control_mesh shape =
+    named_shapes::on_unit_sphere(test_meshes::with_centers(named_shapes::tetrahedron(), 1));
   for (int round = 0; round < 3; ++round) {
     Surface_mesh mesh = to_surface_mesh(shape);
     const PN::Limit_surface linear(mesh, PN::linear(PN::Loop_scheme())),
@@ -137,15 +132,15 @@ TEST(Enclosure, TheDistanceToTheLinearLimitIsProvenAndNotMuchMore)
     shape.faces.clear();
     for (Vertex v : finer.vertices()) {
       const auto& p = finer.point(v);
-      shape.points.push_back(test_meshes::unit({p.x(), p.y(), p.z()}));
+      shape.points.push_back({p.x(), p.y(), p.z()});
     }
-    shape.normals = shape.points;
     for (Face f : finer.faces()) {
       reference::Face face;
       for (Vertex v : CGAL::vertices_around_face(finer.halfedge(f), finer))
         face.push_back(int(v.idx()));
       shape.faces.push_back(face);
     }
+    shape = named_shapes::on_unit_sphere(shape);
   }
 }
 

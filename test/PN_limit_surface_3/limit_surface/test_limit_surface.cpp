@@ -38,10 +38,8 @@ using Vector = Kernel::Vector_3;
 using Face = Surface_mesh::Face_index;
 using Location = PN::Limit_surface<Surface_mesh>::Location;
 
-double length(const Vector& v)
-{
-  return std::sqrt(v.squared_length());
-}
+using named_shapes::on_unit_sphere;
+using surface_checks::length;
 
 // \name Splines in closed form
 
@@ -223,33 +221,13 @@ TEST(LimitSurface, BordersAreSplines)
 
 // \name Spheres and cylinders
 
-template <class Function>
-void for_each_place(const Surface_mesh& mesh, bool is_triangular, int n, const Function& f)
-{
-  for (Face face : mesh.faces()) {
-    const int pieces = is_triangular || mesh.degree(face) == 4 ? 1 : int(mesh.degree(face));
-    for (int piece = 0; piece < pieces; ++piece)
-      for (int i = 0; i <= n; ++i)
-        for (int j = 0; j <= (is_triangular ? n - i : n); ++j)
-          f(Location{face, 2 * piece + double(i) / n, double(j) / n});
-  }
-}
-
-Control_mesh on_unit_sphere(Control_mesh mesh)
-{
-  mesh.normals.clear();
-  for (auto& p : mesh.points) mesh.normals.push_back(p = test_meshes::unit(p));
-  return mesh;
-}
-
 template <class Scheme>
 void expect_sphere(const Control_mesh& shape, const Scheme& scheme)
 {
   Surface_mesh mesh = to_surface_mesh(on_unit_sphere(shape));
   const PN::Limit_surface surface(
     mesh, scheme, PN::parameters::tolerance(5e-5).vertex_normal_map(normal_map(mesh)));
-  std::vector<Location> places;
-  for_each_place(mesh, surface.is_triangular(), 5, [&](const Location& l) { places.push_back(l); });
+  const auto places = surface_checks::grid_places(surface, [](Face) { return 5; });
   const auto all = surface.evaluate(places);
   ASSERT_EQ(all.size(), places.size());
   for (const auto& s : all) {
@@ -284,15 +262,8 @@ void expect_limits(const Surface_mesh& control, Surface_mesh& refined, const Sch
   PN::subdivide_to_limit(refined, scheme, PN::parameters::join(options.pack(), np_refined));
   const PN::Limit_surface surface(control, scheme,
                                   PN::parameters::join(PN::parameters::tolerance(tolerance), np));
-  std::vector<Location> places;
-  for (Face f : control.faces()) {
-    const std::size_t pieces = surface.number_of_pieces(f);
-    const int n = 1 << (pieces == 1 ? rounds : rounds - 1);
-    for (std::size_t piece = 0; piece < pieces; ++piece)
-      for (int i = 0; i <= n; ++i)
-        for (int j = 0; j <= (surface.is_triangular() ? n - i : n); ++j)
-          places.push_back({f, 2 * double(piece) + double(i) / n, double(j) / n});
-  }
+  const auto places = surface_checks::grid_places(
+    surface, [&](Face f) { return 1 << (surface.number_of_pieces(f) == 1 ? rounds : rounds - 1); });
   CGAL::Bbox_3 box;
   for (auto v : control.vertices()) box += control.point(v).bbox();
   const double size =

@@ -36,11 +36,9 @@ std::vector<Vector> directions()
 }
 
 template <class Scheme>
-void expect_sphere(Control_mesh shape, const Scheme& scheme)
+void expect_sphere(const Control_mesh& shape, const Scheme& scheme)
 {
-  shape.normals.clear();
-  for (auto& p : shape.points) shape.normals.push_back(p = test_meshes::unit(p));
-  Surface_mesh mesh = to_surface_mesh(shape);
+  Surface_mesh mesh = to_surface_mesh(named_shapes::on_unit_sphere(shape));
   const PN::Limit_surface surface(
     mesh, scheme, PN::parameters::tolerance(5e-6).vertex_normal_map(normal_map(mesh)));
   const Queries queries(surface);
@@ -83,10 +81,9 @@ TEST(LimitSurfaceQueries, SpheresOfTriangles)
 // claimed holds.
 TEST(LimitSurfaceQueries, SpheresOfUnequalFacesFromInside)
 {
-  const auto expect = [](Control_mesh shape, const auto& scheme, const Vector& v, double claimed) {
-    for (auto& p : shape.points) p = test_meshes::unit(p);
-    shape.normals = shape.points;
-    Surface_mesh mesh = to_surface_mesh(shape);
+  const auto expect = [](const Control_mesh& shape, const auto& scheme, const Vector& v,
+                         double claimed) {
+    Surface_mesh mesh = to_surface_mesh(named_shapes::on_unit_sphere(shape));
     const PN::Limit_surface surface(
       mesh, scheme, PN::parameters::tolerance(5e-6).vertex_normal_map(normal_map(mesh)));
     const auto hit = Queries(surface, 2).closest_point(CGAL::ORIGIN + v);
@@ -188,11 +185,7 @@ TEST(LimitSurfaceQueries, PartsOfTrianglesCoverThem)
 
 // \name Creases and borders: the surfaces are known
 
-void expect_point(const Queries::Hit& hit, const Point& expected, double distance)
-{
-  EXPECT_LE(length(hit.point - expected), 2e-6) << hit.point << " not " << expected;
-  EXPECT_NEAR(hit.distance, distance, 2e-6);
-}
+using surface_checks::expect_point;
 
 // all edges of the cube of side 2 are sharp, so that it is its own limit
 TEST(LimitSurfaceQueries, EdgesAndCornersOfABox)

@@ -30,8 +30,7 @@ using surface_checks::length;
 
 void expect_point(const Queries::Hit& hit, const Point& expected, double distance)
 {
-  EXPECT_LE(length(hit.point - expected), 2e-5) << hit.point << " not " << expected;
-  EXPECT_NEAR(hit.distance, distance, 2e-5);
+  surface_checks::expect_point(hit, expected, distance, 2e-5);
 }
 
 // A closed cylinder of radius 1 between z = 0 and z = 2, whose rims are sharp.

@@ -26,19 +26,10 @@ using test_meshes::Control_mesh;
 using namespace tessellation_cases;
 
 // a closed surface whose points are flat, while its normals are those of something round
-Control_mesh pillow(Control_mesh mesh)
+Control_mesh pillow(const Control_mesh& shape)
 {
-  mesh.normals.clear();
-  for (auto& p : mesh.points) {
-    mesh.normals.push_back(p = test_meshes::unit(p));
-    p[2] *= 0.02;
-  }
-  return mesh;
-}
-Control_mesh sphere(Control_mesh mesh)
-{
-  mesh.normals.clear();
-  for (auto& p : mesh.points) mesh.normals.push_back(p = test_meshes::unit(p));
+  Control_mesh mesh = named_shapes::on_unit_sphere(shape);
+  for (auto& p : mesh.points) p[2] *= 0.02;
   return mesh;
 }
 Control_mesh disturbed(Control_mesh mesh)
@@ -73,7 +64,8 @@ void expect_bound(const Control_mesh& shape, const Scheme& scheme, double eps, d
 TEST(ProvenTessellation, BoundsWhatIsThereFourLevelsDeeper)
 {
   const auto cc = PN::CatmullClark_scheme();
-  expect_bound(sphere(named_shapes::cube()), cc, 0.08); // the linear limit is nearer than this one
+  expect_bound(named_shapes::on_unit_sphere(named_shapes::cube()), cc,
+               0.08); // the linear limit is nearer than this one
   expect_bound(pillow(named_shapes::cube()), cc, 0.1);
   expect_bound(pillow(named_shapes::prism(5)), cc, 0.1, 0.7);
   expect_bound(disturbed(named_shapes::cube()), cc, 0.1);

@@ -30,6 +30,7 @@ using test_meshes::Cells;
 using test_meshes::Control_mesh;
 using Vector = Kernel::Vector_3;
 using namespace tessellation_cases;
+using named_shapes::on_unit_sphere;
 
 double distance_from_unit_sphere(const std::vector<Triangle>& all)
 {
@@ -38,13 +39,6 @@ double distance_from_unit_sphere(const std::vector<Triangle>& all)
     largest = (std::max)(largest, std::abs(1 - std::sqrt((p - CGAL::ORIGIN).squared_length())));
   });
   return largest;
-}
-
-Control_mesh on_unit_sphere(Control_mesh mesh)
-{
-  mesh.normals.clear();
-  for (auto& p : mesh.points) mesh.normals.push_back(p = test_meshes::unit(p));
-  return mesh;
 }
 
 struct Tessellated

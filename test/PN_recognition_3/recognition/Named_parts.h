@@ -14,15 +14,22 @@
 
 namespace synthetic_parts {
 
+// closed where it does not end in a point
+inline Part swept(const std::string& name, unsigned seed, const Chain& outline,
+                  const Chain& profile, bool are_triangles = true)
+{
+  Random random(seed);
+  Part_builder b(name, random, are_triangles);
+  const auto side = b.sweep(outline, profile);
+  for (const Rim& rim : {side.start, side.end})
+    if (rim.size() > 2) b.cap({rim});
+  return b.take();
+}
+
 inline Part regular_prism(int n, double top = 1) // top: the inner radius there over that below
 {
-  Random random(1);
-  Part_builder b("prism of " + std::to_string(n) + " sides", random);
-  const double r = std::cos(pi / n);
-  const auto side = b.sweep(regular_polygon(n, 0, 0, 1), Chain(0, 0).line_to((top - 1) * r, 0.8));
-  b.cap({side.start});
-  if (top > 0) b.cap({side.end});
-  return b.take();
+  return swept("prism of " + std::to_string(n) + " sides", 1, regular_polygon(n, 0, 0, 1),
+               Chain(0, 0).line_to((top - 1) * std::cos(pi / n), 0.8));
 }
 
 // of n sides on a shank of m, its end chamfered
@@ -83,18 +90,14 @@ inline Part rounded_box(const Vec& size, double r, const std::vector<double>& ac
 // n sides, two diameters, a rounded shoulder, both ends chamfered
 inline Part shaft(int n, int quarter)
 {
-  Random random(4);
-  Part_builder b("shaft", random);
-  const auto side = b.sweep(circle(0, 0, 0, steps(n)), Chain(0.9, 0)
-                                                         .line_to(1, 0.1)
-                                                         .line_to(1, 1.8)
-                                                         .arc(0.8, 1.8, 90, steps(quarter))
-                                                         .line_to(0.5, 2)
-                                                         .line_to(0.5, 2.9)
-                                                         .line_to(0.4, 3));
-  b.cap({side.start});
-  b.cap({side.end});
-  return b.take();
+  return swept("shaft", 4, circle(0, 0, 0, steps(n)),
+               Chain(0.9, 0)
+                 .line_to(1, 0.1)
+                 .line_to(1, 1.8)
+                 .arc(0.8, 1.8, 90, steps(quarter))
+                 .line_to(0.5, 2)
+                 .line_to(0.5, 2.9)
+                 .line_to(0.4, 3));
 }
 
 inline Part elbow(const std::vector<double>& around, const std::vector<double>& bend, double angle,

@@ -19,77 +19,44 @@ namespace synthetic_parts {
 class Random_part
 {
 public:
-  enum class Family {
-    prism,
-    plate,
-    shaft,
-    bolt,
-    nut,
-    elbow,
-    rounded_box,
-    flats,
-    few_sides,
-    cut_box
-  };
-  static constexpr int number_of_families = 10;
-  static const char* name_of(Family f)
-  {
-    static const char* const names[] = {"prism", "plate",       "shaft", "bolt",      "nut",
-                                        "elbow", "rounded box", "flats", "few sides", "cut box"};
-    return names[static_cast<int>(f)];
-  }
-
   // Seeds give families in turn.
   explicit Random_part(std::uint32_t seed)
     : random_(seed * 7919u + 17u)
-    , family_(static_cast<Family>(seed % number_of_families))
   {
+    struct Family
+    {
+      const char* name;
+      void (Random_part::*make)();
+      bool may_have_eight_facets; // where three of a quarter are not two thirds of its step
+    };
+    static constexpr Family families[] = {{"prism", &Random_part::make_prism, true},
+                                          {"plate", &Random_part::make_plate, false},
+                                          {"shaft", &Random_part::make_shaft, false},
+                                          {"bolt", &Random_part::make_bolt, false},
+                                          {"nut", &Random_part::make_nut, true},
+                                          {"elbow", &Random_part::make_elbow, true},
+                                          {"rounded box", &Random_part::make_rounded_box, false},
+                                          {"flats", &Random_part::make_flats, false},
+                                          {"few sides", &Random_part::make_few_sides, false},
+                                          {"cut box", &Random_part::make_cut_box, false}};
+    const Family& family = families[seed % std::size(families)];
     static const int turns[] = {8, 9, 10, 12, 12, 16, 16, 20, 24, 24, 30, 32, 36, 48, 64, 72};
     n_ = turns[random_.integer(0, 15)];
-    if (n_ == 8 && family_ != Family::prism && family_ != Family::nut && family_ != Family::elbow)
-      n_ = 9; // three facets a quarter would be two thirds of its step
+    if (n_ == 8 && !family.may_have_eight_facets) n_ = 9;
     unevenness_ = n_ >= 16 && random_.chance(0.3) ? 0.15 : 0;
     are_triangles_ = random_.chance(0.8);
-    make();
-    part_.name = std::string(name_of(family_)) + ", seed " + std::to_string(seed);
+    (this->*family.make)();
+    part_.name = std::string(family.name) + ", seed " + std::to_string(seed);
     put_into_a_file();
     check_closed(part_);
     check_truth(part_);
   }
 
   const Part& part() const { return part_; }
-  Family family() const { return family_; }
-  int facets() const { return n_; }                       // a turn
   bool is_small_prism() const { return is_small_prism_; } // prisms and pyramids of 3 to 7 sides
 
 private:
   using Fractions = std::vector<double>;
-
-  void make()
-  {
-    switch (family_) {
-    case Family::prism:
-      return make_prism();
-    case Family::plate:
-      return make_plate();
-    case Family::shaft:
-      return make_shaft();
-    case Family::bolt:
-      return make_bolt();
-    case Family::nut:
-      return make_nut();
-    case Family::elbow:
-      return make_elbow();
-    case Family::rounded_box:
-      return make_rounded_box();
-    case Family::flats:
-      return make_flats();
-    case Family::few_sides:
-      return make_few_sides();
-    case Family::cut_box:
-      return make_cut_box();
-    }
-  }
 
   void put_into_a_file()
   {
@@ -501,7 +468,6 @@ private:
   }
 
   Random random_;
-  Family family_;
   int n_ = 0;
   double unevenness_ = 0;
   bool are_triangles_ = true, is_small_prism_ = false;

@@ -17,24 +17,14 @@ namespace synthetic_parts {
 inline Part turned_part(const std::string& name, const Chain& profile, int n,
                         bool are_triangles = true)
 {
-  Random random(5);
-  Part_builder b(name, random, are_triangles);
-  const auto side = b.sweep(circle(0, 0, 0, steps(n), false, 0.1), profile);
-  if (profile.points.front()[0] > 0) b.cap({side.start});
-  if (profile.points.back()[0] > 1e-9) b.cap({side.end});
-  return b.take();
+  return swept(name, 5, circle(0, 0, 0, steps(n), false, 0.1), profile, are_triangles);
 }
 
 // from the plane z = 0 up, with flat ends
 inline Part straight_part(const std::string& name, unsigned seed, const Chain& outline,
                           double height)
 {
-  Random random(seed);
-  Part_builder b(name, random);
-  const auto side = b.sweep(outline, Chain(0, 0).line_to(0, height));
-  b.cap({side.start});
-  b.cap({side.end});
-  return b.take();
+  return swept(name, seed, outline, Chain(0, 0).line_to(0, height));
 }
 
 // the end of the sphere is a plane, all corners of which are on the sphere
@@ -152,29 +142,31 @@ inline Part grooved_shaft(int n, int half)
                      Chain(1, 0).line_to(1, 1).arc(1, 1.3, -180, steps(half)).line_to(1, 2.6), n);
 }
 
-inline Part plate_with_drilled_hole(int n)
+// with a hole about (0.9, 0.8), to the bottom if it is no point there
+inline Part plate_with(const std::string& name, unsigned seed, double radius, int n,
+                       const Chain& profile)
 {
-  Random random(9);
-  Part_builder b("plate with a drilled hole", random);
+  Random random(seed);
+  Part_builder b(name, random);
   const auto side =
     b.sweep(polygon({{0, 0}, {2, 0}, {2, 1.5}, {0, 1.5}}), Chain(0, 0).line_to(0, 1));
-  const auto hole =
-    b.sweep(circle(0.9, 0.8, 0.3, steps(n), true), Chain(0.3, 0.2).line_to(0, 0.35).line_to(0, 1));
-  b.cap({side.start});
+  const auto hole = b.sweep(circle(0.9, 0.8, radius, steps(n), true), profile);
+  std::vector<Rim> bottom{side.start};
+  if (hole.start.size() > 2) bottom.push_back(hole.start);
+  b.cap(bottom);
   b.cap({side.end, hole.end});
   return b.take();
 }
 
+inline Part plate_with_drilled_hole(int n)
+{
+  return plate_with("plate with a drilled hole", 9, 0.3, n,
+                    Chain(0.3, 0.2).line_to(0, 0.35).line_to(0, 1));
+}
+
 inline Part plate_with_hole(int n)
 {
-  Random random(10);
-  Part_builder b("plate with a hole", random);
-  const auto side =
-    b.sweep(polygon({{0, 0}, {2, 0}, {2, 1.5}, {0, 1.5}}), Chain(0, 0).line_to(0, 1));
-  const auto hole = b.sweep(circle(0.9, 0.8, 0.4, steps(n), true), Chain(0, 0).line_to(0, 1));
-  b.cap({side.start, hole.start});
-  b.cap({side.end, hole.end});
-  return b.take();
+  return plate_with("plate with a hole", 10, 0.4, n, Chain(0, 0).line_to(0, 1));
 }
 
 // A facet of altitude 0 along an edge between faces of these kinds: a vertex in the middle of the edge, on the side of the first kind

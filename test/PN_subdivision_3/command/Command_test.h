@@ -99,6 +99,10 @@ protected:
   {
     return name.substr(0, 1) == "/" ? name : folder.file(name);
   }
+  std::string words(const std::string& input, const std::string& output) const
+  {
+    return "'" + path(input) + "' '" + path(output) + "' ";
+  }
   std::string content(const std::string& name) const
   {
     return Temporary_folder::content(path(name));
@@ -133,12 +137,12 @@ protected:
   Outcome surface(const std::string& input, const std::string& output,
                   const std::string& options = "") const
   {
-    return run("surface '" + path(input) + "' '" + path(output) + "' " + options);
+    return run("surface " + words(input, output) + options);
   }
   Outcome curve(const std::string& input, const std::string& output,
                 const std::string& options = "") const
   {
-    return run("curve '" + path(input) + "' '" + path(output) + "' " + options);
+    return run("curve " + words(input, output) + options);
   }
   // of a call that succeeds
   static Outcome done(const Outcome& outcome)
@@ -172,6 +176,19 @@ protected:
     EXPECT_EQ(outcome.err.rfind("pn_subdivide: ", 0), 0u) << outcome.err;
     expect_part(outcome.err, part);
     EXPECT_EQ(outcome.out, "");
+  }
+
+  // An existing output must stay as it is, a missing one missing, and no other file may appear.
+  void expect_failure(const std::string& command_and_input, const std::string& extension,
+                      const std::string& options, int code, const std::string& part) const
+  {
+    SCOPED_TRACE(options);
+    const std::string old_file = folder.write("old." + extension, "untouched");
+    const std::size_t files = folder.number_of_files();
+    for (const std::string& output : {old_file, folder.file("new." + extension)})
+      expect_one_line(run(command_and_input + " '" + output + "' " + options), code, part);
+    EXPECT_EQ(Temporary_folder::content(old_file), "untouched");
+    EXPECT_EQ(folder.number_of_files(), files);
   }
 
   // refused in one line that has all parts; the output stays as it was

@@ -11,6 +11,8 @@
 
 #include "io/mesh_io.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,6 +27,70 @@
 
 namespace pn_subdivide {
 
+// Macros do not take braces.
+inline Triple triple(double x, double y, double z)
+{
+  return {x, y, z};
+}
+inline Triple sum(const Triple& a, const Triple& b, double factor = 1)
+{
+  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
+}
+inline Triple difference(const Triple& a, const Triple& b)
+{
+  return sum(a, b, -1);
+}
+inline Triple cross(const Triple& a, const Triple& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double dot(const Triple& a, const Triple& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline double length(const Triple& a)
+{
+  return std::hypot(a[0], a[1], a[2]);
+}
+// zero if there is no direction
+inline Triple unit(const Triple& a)
+{
+  const double size = length(a);
+  return size > 0 ? Triple{a[0] / size, a[1] / size, a[2] / size} : Triple{0, 0, 0};
+}
+inline double distance(const Triple& a, const Triple& b)
+{
+  return length(difference(a, b));
+}
+inline double distance_to_nearest(const Triple& p, const std::vector<Triple>& points)
+{
+  double least = HUGE_VAL;
+  for (const Triple& q : points) least = (std::min)(least, distance(p, q));
+  return least;
+}
+// so many digits, or decimals
+struct Digits
+{
+  int number = 17;
+  bool is_fixed = false;
+};
+inline std::string text(const Triple& a, const Digits& digits = {})
+{
+  std::ostringstream s;
+  s.precision(digits.number);
+  if (digits.is_fixed) s << std::fixed;
+  for (const double x : a) s << ' ' << x;
+  return s.str();
+}
+inline double largest_distance(const std::vector<Triple>& a, const std::vector<Triple>& b)
+{
+  EXPECT_EQ(a.size(), b.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < (std::min)(a.size(), b.size()); ++i)
+    largest = (std::max)(largest, distance(a[i], b[i]));
+  return largest;
+}
+
 // Faces that are oriented outwards, of any degree.
 struct Part
 {
@@ -35,8 +101,7 @@ struct Part
   std::size_t vertex(const Triple& p)
   {
     for (std::size_t v = 0; v < points.size(); ++v)
-      if (std::hypot(points[v][0] - p[0], points[v][1] - p[1], points[v][2] - p[2]) < 1e-9)
-        return v;
+      if (distance(points[v], p) < 1e-9) return v;
     points.push_back(p);
     return points.size() - 1;
   }
@@ -68,29 +133,41 @@ struct Part
       for (std::size_t i = 2; i < f.size(); ++i) triangles.push_back({f[0], f[i - 1], f[i]});
     faces = triangles;
   }
+  // by Newell's formula, about the first corner
+  Triple area(std::size_t f) const
+  {
+    Triple result{};
+    for (std::size_t i = 0; i < faces[f].size(); ++i) {
+      const auto at = [&](std::size_t k) {
+        return difference(points[faces[f][k % faces[f].size()]], points[faces[f][0]]);
+      };
+      result = sum(result, cross(at(i), at(i + 1)), 0.5);
+    }
+    return result;
+  }
   // numbers of vertices by name, which only these files have
   using Columns_by_name = std::vector<std::pair<std::string, std::vector<double>>>;
-  std::string ply(const std::vector<Triple>& normals = {},
-                  const Columns_by_name& columns = {}) const
+  std::string ply(const std::vector<Triple>& normals = {}, const Columns_by_name& columns = {},
+                  const Digits& of_normals = {}) const
   {
     std::string s = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(points.size()) + "\n";
     for (const char* const name : {"x", "y", "z", "nx", "ny", "nz"})
       if (name[0] != 'n' || !normals.empty()) s += "property double " + std::string(name) + "\n";
     for (const auto& [name, values] : columns) s += "property double " + name + "\n";
     return s + "element face " + std::to_string(faces.size()) +
-           "\nproperty list uchar int vertex_indices\nend_header\n" + rows(normals, columns);
+           "\nproperty list uchar int vertex_indices\nend_header\n" +
+           rows(normals, columns, of_normals);
   }
-  std::string off(const std::vector<Triple>& normals = {}) const
+  std::string off(const std::vector<Triple>& normals = {}, const Digits& of_normals = {}) const
   {
     return (normals.empty() ? "OFF\n" : "NOFF\n") + std::to_string(points.size()) + " " +
-           std::to_string(faces.size()) + " 0\n" + rows(normals, {});
+           std::to_string(faces.size()) + " 0\n" + rows(normals, {}, of_normals);
   }
-  std::string obj(const std::vector<Triple>& normals = {}) const
+  std::string obj(const std::vector<Triple>& normals = {}, const Digits& of_normals = {}) const
   {
     std::ostringstream s;
-    s.precision(17);
-    for (const Triple& p : points) s << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
-    for (const Triple& n : normals) s << "vn " << n[0] << ' ' << n[1] << ' ' << n[2] << "\n";
+    for (const Triple& p : points) s << "v" << text(p) << "\n";
+    for (const Triple& n : normals) s << "vn" << text(n, of_normals) << "\n";
     for (const auto& f : faces) {
       s << "f";
       for (const std::size_t v : f) {
@@ -101,54 +178,60 @@ struct Part
     }
     return s.str();
   }
-  // with one normal for each face
-  std::string obj_of_faces(const std::vector<Triple>& normals) const
+  // with a normal for each corner, a function of the face and the number of the corner there
+  template <class Normal>
+  std::string obj_of_corners(const Normal& normal, const Digits& of_normals = {}) const
+  {
+    std::string s = Part{points, {}}.obj(), lines;
+    std::size_t corner = 0;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      lines += "f";
+      for (std::size_t i = 0; i < faces[f].size(); ++i) {
+        s += "vn" + text(normal(f, i), of_normals) + "\n";
+        lines += " " + std::to_string(faces[f][i] + 1) + "//" + std::to_string(++corner);
+      }
+      lines += "\n";
+    }
+    return s + lines;
+  }
+  // text, with coordinates that are a function of those here
+  template <class Rounded>
+  std::string stl(Rounded rounded, int digits = 17) const
   {
     std::ostringstream s;
-    s.precision(17);
-    s << Part{points, {}}.obj();
-    for (const Triple& n : normals) s << "vn " << n[0] << ' ' << n[1] << ' ' << n[2] << "\n";
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      s << "f";
-      for (const std::size_t v : faces[f]) s << ' ' << v + 1 << "//" << f + 1;
-      s << "\n";
+    s.precision(digits);
+    s << "solid part\n";
+    for (const auto& f : faces) {
+      s << "facet normal 0 0 0\nouter loop\n";
+      for (const std::size_t v : f) {
+        s << "vertex";
+        for (const double x : points[v]) s << ' ' << rounded(x);
+        s << "\n";
+      }
+      s << "endloop\nendfacet\n";
     }
-    return s.str();
+    return s.str() + "endsolid part\n";
   }
   // every triangle has corners of its own, which are off by a unit in the last place here and there
   std::string stl() const
   {
-    std::string s = "solid part\n";
-    unsigned state = 1;
-    for (const auto& f : faces) {
-      s += "facet normal 0 0 0\nouter loop\n";
-      for (const std::size_t v : f) {
-        char line[100];
-        std::array<float, 3> p{};
-        for (std::size_t k = 0; k < 3; ++k) {
-          state = state * 1664525u + 1013904223u;
-          const auto x = static_cast<float>(points[v][k]);
-          p[k] = (state >> 24) % 5 == 0 ? std::nextafter(x, 10.f) : x;
-        }
-        std::snprintf(line, sizeof line, "vertex %.9g %.9g %.9g\n", double(p[0]), double(p[1]),
-                      double(p[2]));
-        s += line;
-      }
-      s += "endloop\nendfacet\n";
-    }
-    return s + "endsolid part\n";
+    const auto rounded = [state = 1u](double coordinate) mutable {
+      state = state * 1664525u + 1013904223u;
+      const auto x = static_cast<float>(coordinate);
+      return double((state >> 24) % 5 == 0 ? std::nextafter(x, 10.f) : x);
+    };
+    return stl(rounded, 9);
   }
 
 private:
-  std::string rows(const std::vector<Triple>& normals, const Columns_by_name& columns) const
+  std::string rows(const std::vector<Triple>& normals, const Columns_by_name& columns,
+                   const Digits& of_normals) const
   {
     std::ostringstream s;
     s.precision(17);
     for (std::size_t v = 0; v < points.size(); ++v) {
-      for (const double x : points[v]) s << x << ' ';
-      if (!normals.empty())
-        for (const double x : normals[v]) s << x << ' ';
-      for (const auto& [name, values] : columns) s << values[v] << ' ';
+      s << text(points[v]).substr(1) << (normals.empty() ? "" : text(normals[v], of_normals));
+      for (const auto& [name, values] : columns) s << ' ' << values[v];
       s << "\n";
     }
     for (const auto& f : faces) {
@@ -194,21 +277,51 @@ inline Part box_of_squares(int m, const Triple& low, const Triple& size)
   return part;
 }
 
-// A ball of 12 meridians and 6 parallels, with poles: the point of two of them is a function.
+// Rings of n vertices about the z axis, closed by fans about two poles; the point of the angles from the axis and about it is
+// a function.
 template <class Point>
-Part ball_of(const Point& point)
+Part ball_of(std::size_t n, std::size_t rings, const Point& at)
 {
+  const double pi = std::acos(-1.);
   Part ball;
-  for (int i = 0; i < 12; ++i)
-    for (int j = 0; j < 6; ++j)
-      if (j == 0)
-        ball.add({point(0, 0), point(i + 1, 1), point(i, 1)});
-      else if (j == 5)
-        ball.add({point(i, 5), point(i + 1, 5), point(0, 6)});
-      else
-        ball.add({point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
+  ball.points.push_back(at(0., 0.));
+  for (std::size_t j = 1; j < rings; ++j)
+    for (std::size_t i = 0; i < n; ++i)
+      ball.points.push_back(at(pi * double(j) / double(rings), 2 * pi * double(i) / double(n)));
+  ball.points.push_back(at(pi, 0.));
+  const auto number = [n](std::size_t j, std::size_t i) { return 1 + n * (j - 1) + i % n; };
+  for (std::size_t i = 0; i < n; ++i) {
+    ball.faces.push_back({0, number(1, i), number(1, i + 1)});
+    for (std::size_t j = 1; j + 1 < rings; ++j)
+      ball.faces.push_back(
+        {number(j, i), number(j + 1, i), number(j + 1, i + 1), number(j, i + 1)});
+    ball.faces.push_back({number(rings - 1, i), ball.points.size() - 1, number(rings - 1, i + 1)});
+  }
   return ball;
 }
+inline Triple on_sphere(double t, double u)
+{
+  return {std::sin(t) * std::cos(u), std::sin(t) * std::sin(u), std::cos(t)};
+}
+
+// n x m quads about the z axis
+struct Torus : Part
+{
+  std::vector<Triple> normals;
+
+  Torus(std::size_t n, std::size_t m, double radius, double tube_radius)
+  {
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < m; ++j) {
+        const double u = 360. * double(i) / double(n), v = 360. * double(j) / double(m);
+        const Triple rho_z = on_circle(1, v, 0);
+        normals.push_back(on_circle(rho_z[0], u, rho_z[1]));
+        points.push_back(sum(on_circle(radius, u, 0), normals.back(), tube_radius));
+        const std::size_t k = (i + 1) % n, l = (j + 1) % m;
+        faces.push_back({m * i + j, m * k + j, m * k + l, m * i + l});
+      }
+  }
+};
 
 // Of three lengths, about the origin; without its lid it has a border.
 inline Part uneven_box(bool is_triangles = false, bool is_open = false)
@@ -326,6 +439,19 @@ inline std::string with_own_surfaces(std::string ply, const std::string& degree)
   for (std::size_t line = ply.find(row); line != std::string::npos; line = ply.find(row, line + 1))
     ply.insert(ply.find('\n', line + 1), " 77");
   return ply;
+}
+
+// edges of a PLY file, with a sharpness each
+using Edge_tag = std::pair<std::array<int, 2>, double>;
+inline std::string with_edges(std::string ply, const std::vector<Edge_tag>& edges)
+{
+  std::ostringstream rows;
+  for (const auto& [ends, sharpness] : edges)
+    rows << ends[0] << ' ' << ends[1] << ' ' << sharpness << "\n";
+  ply.insert(ply.find("end_header"), "element edge " + std::to_string(edges.size()) +
+                                       "\nproperty int vertex1\nproperty int vertex2\n"
+                                       "property double sharpness\n");
+  return ply + rows.str();
 }
 
 // Cylinders of radius 2 up to z = 1 and of radius 1 above.

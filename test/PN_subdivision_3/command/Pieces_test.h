@@ -35,10 +35,17 @@ protected:
     folder.write("triangles.off", triangles.off());
   }
 
+  static std::string input_of(const std::string& scheme)
+  {
+    return takes_triangles(scheme) ? "triangles.off" : "quads.off";
+  }
+  std::string job(const std::string& scheme, const std::string& in, const std::string& out) const
+  {
+    return "surface " + words(in, out) + "--scheme " + scheme + " ";
+  }
   std::string in_out(const std::string& scheme, const std::string& out) const
   {
-    return "surface '" + folder.file(takes_triangles(scheme) ? "triangles.off" : "quads.off") +
-           "' '" + folder.file(out) + "' --quiet --scheme " + scheme + " ";
+    return job(scheme, input_of(scheme), out) + "--quiet ";
   }
 
   std::string whole(const std::string& scheme, const std::string& options)
@@ -57,12 +64,42 @@ protected:
     EXPECT_TRUE(content("out.ply") == expected) << scheme << " " << options << " " << more;
     EXPECT_EQ(folder.number_of_files(), 4u); // the two controls and the two results
   }
-  // where both may warn of several normals
-  void expect_whole_with_warning(const std::string& scheme, const std::string& options)
+  std::string piece(int i) const
   {
-    const std::string expected = whole(scheme, options);
-    done(run(in_out(scheme, "out.ply") + options + " --pieces 7"));
-    EXPECT_TRUE(content("out.ply") == expected) << scheme << " " << options;
+    return content("out_pieces/piece_" + std::to_string(i) + ".vtp");
+  }
+  // the rows of an array of out.pvtp's i-th piece are those of whole.vtp under their numbers
+  template <class T>
+  void expect_rows(int i, const std::string& name, std::size_t components,
+                   const std::string& numbers = "GlobalPointIds", bool may_be_missing = false) const
+  {
+    using pn_subdivide::raw_array;
+    const auto rows = raw_array<std::int64_t>(piece(i), numbers);
+    const auto values = raw_array<T>(piece(i), name),
+               whole = raw_array<T>(content("whole.vtp"), name);
+    ASSERT_FALSE(rows.empty());
+    ASSERT_EQ(values.size(), may_be_missing && whole.empty() ? 0 : components * rows.size())
+      << name;
+    for (std::size_t k = 0; k < values.size(); ++k)
+      ASSERT_EQ(values[k], whole[components * std::size_t(rows[k / components]) + k % components])
+        << name;
+  }
+  // The same file, with as many notes and warnings; is one of them of several normals?
+  bool expect_same(const std::string& scheme, const std::string& in, const std::string& options,
+                   const std::vector<std::string>& numbers_of_pieces)
+  {
+    const Outcome whole = done(run(job(scheme, in, "whole.ply") + options));
+    const bool warns = contains(whole.err, "several normals");
+    for (const std::string& pieces : numbers_of_pieces) {
+      const Outcome outcome =
+        done(run(job(scheme, in, "out.ply") + options + " --pieces " + pieces));
+      EXPECT_TRUE(content("out.ply") == content("whole.ply"))
+        << scheme << " " << in << " " << options << " " << pieces;
+      EXPECT_EQ(number_of(outcome.err, "\n"), number_of(whole.err, "\n"))
+        << whole.err << outcome.err;
+      EXPECT_EQ(contains(outcome.err, "several normals"), warns) << scheme << options;
+    }
+    return warns;
   }
 };
 

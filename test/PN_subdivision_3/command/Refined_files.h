@@ -10,6 +10,7 @@
 #define PN_TEST_REFINED_FILES_H
 
 #include "Command_test.h"
+#include "Part_files.h"
 
 #include "io/mesh_io.h"
 
@@ -64,10 +65,7 @@ private:
   using Index = Mesh_data::Index;
 
   static double distance(double x, double y) { return x == y ? 0 : std::abs(x - y); }
-  static double distance(const Triple& p, const Triple& q)
-  {
-    return std::max({distance(p[0], q[0]), distance(p[1], q[1]), distance(p[2], q[2])});
-  }
+  static double distance(const Triple& p, const Triple& q) { return pn_subdivide::distance(p, q); }
   template <class Values>
   static void compare(const char* what, const Values& expected, const std::vector<std::size_t>& i,
                       const Values& values, const std::vector<std::size_t>& j)
@@ -149,23 +147,35 @@ inline bool is_watertight(const Mesh_data& mesh)
   });
 }
 
+// the ends of the sides of a face
+inline std::vector<std::array<Triple, 2>> sides(const Mesh_data& mesh, std::size_t f)
+{
+  std::vector<std::array<Triple, 2>> result;
+  const auto face = mesh.face(f);
+  for (auto v = face.begin(); v != face.end(); ++v)
+    result.push_back(
+      {mesh.points[*v], mesh.points[v + 1 == face.end() ? *face.begin() : *(v + 1)]});
+  return result;
+}
+
+// by Newell's formula, about the first corner
+inline Triple area_vector(const Mesh_data& mesh, std::size_t f)
+{
+  const Triple& o = mesh.points[mesh.face(f).front()];
+  Triple area{};
+  for (const auto& [p, q] : sides(mesh, f))
+    area = sum(area, cross(difference(p, o), difference(q, o)), 0.5);
+  return area;
+}
+
 // of the faces from `begin` to `end`
 inline double volume(const Mesh_data& mesh, std::size_t begin, std::size_t end)
 {
   double sum = 0;
   const Triple& o = mesh.points[mesh.face(begin).front()];
-  for (std::size_t f = begin; f < end; ++f) {
-    const auto seen = [&](std::ptrdiff_t i) {
-      const Triple& p = mesh.points[mesh.face(f)[i]];
-      return Triple{p[0] - o[0], p[1] - o[1], p[2] - o[2]};
-    };
-    for (std::ptrdiff_t i = 2; i < std::ptrdiff_t(mesh.face(f).size()); ++i) {
-      const Triple a = seen(0), b = seen(i - 1), c = seen(i);
-      sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-             a[2] * (b[0] * c[1] - b[1] * c[0]);
-    }
-  }
-  return sum / 6;
+  for (std::size_t f = begin; f < end; ++f)
+    sum += dot(difference(mesh.points[mesh.face(f).front()], o), area_vector(mesh, f)) / 3;
+  return sum;
 }
 inline double volume(const Mesh_data& mesh)
 {
@@ -179,8 +189,7 @@ protected:
   Outcome surface(const std::string& input, const std::string& output,
                   const std::string& options) const
   {
-    return run("surface '" + folder.file(input) + "' '" + folder.file(output) + "' --quiet " +
-               options);
+    return run("surface " + words(input, output) + "--quiet " + options);
   }
 
   std::string written(const std::string& input, const std::string& output,

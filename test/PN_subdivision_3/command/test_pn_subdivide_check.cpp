@@ -9,10 +9,7 @@
 // --check, and the edges that the closing line names: what is printed is compared with what is computed here from
 // the files that the command writes, with --linear and without.
 
-#include "Command_test.h"
-#include "Part_files.h"
-
-#include <nlohmann/json.hpp>
+#include "Refined_files.h"
 
 #include <cmath>
 #include <cstdio>
@@ -43,67 +40,44 @@ std::string plane(std::size_t n, Normals normals)
   return squares.obj(of_vertices);
 }
 
-struct Faces_of_file : Part
+// of the pyramids over the means of the faces
+double volume_over_means(const Mesh_data& mesh)
 {
-  explicit Faces_of_file(const std::string& file)
-  {
-    const Mesh_data mesh = read_mesh(file);
-    points = mesh.points;
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      faces.emplace_back(mesh.face(f).begin(), mesh.face(f).end());
+  double result = 0;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    Triple mean{};
+    for (const auto v : mesh.face(f))
+      mean = sum(mean, mesh.points[v], 1. / double(mesh.face(f).size()));
+    result += dot(mean, area_vector(mesh, f)) / 3;
   }
+  return result;
+}
 
-  // the pyramids over the means of the faces, as triangles
-  double volume() const
-  {
-    double sum = 0;
-    for (const auto& face : faces)
-      for (std::size_t i = 0; i < face.size(); ++i) {
-        const Triple &p = points[face[i]], &q = points[face[(i + 1) % face.size()]];
-        for (const std::size_t v : face) {
-          const Triple& m = points[v];
-          sum += (m[0] * (p[1] * q[2] - p[2] * q[1]) + m[1] * (p[2] * q[0] - p[0] * q[2]) +
-                  m[2] * (p[0] * q[1] - p[1] * q[0])) /
-                 (6 * double(face.size()));
-        }
-      }
-    return sum;
-  }
-
-  // edges of two faces whose area vectors are at an angle with a smaller cosine
-  std::size_t edges_beyond(double cosine) const
-  {
-    std::map<std::pair<std::size_t, std::size_t>, Triple> normals;
-    for (const auto& face : faces) {
-      Triple n{0, 0, 0};
-      for (std::size_t i = 0; i < face.size(); ++i) {
-        const Triple &p = points[face[i]], &q = points[face[(i + 1) % face.size()]];
-        for (std::size_t c = 0; c < 3; ++c)
-          n[c] += p[(c + 1) % 3] * q[(c + 2) % 3] - p[(c + 2) % 3] * q[(c + 1) % 3];
-      }
-      const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-      for (double& x : n) x /= length;
-      for (std::size_t i = 0; i < face.size(); ++i)
-        normals[{face[i], face[(i + 1) % face.size()]}] = n;
+// edges of two faces whose area vectors are at an angle with a smaller cosine
+std::size_t edges_beyond(double cosine, const Mesh_data& mesh)
+{
+  std::map<std::pair<Mesh_data::Index, Mesh_data::Index>, Triple> normals;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    Mesh_data::Index last = mesh.face(f).begin()[mesh.face(f).size() - 1];
+    for (const Mesh_data::Index v : mesh.face(f)) {
+      normals[{last, v}] = unit(area_vector(mesh, f));
+      last = v;
     }
-    std::size_t number = 0;
-    for (const auto& [ends, n] : normals) {
-      const auto other = normals.find({ends.second, ends.first});
-      if (ends.first < ends.second && other != normals.end())
-        number += n[0] * other->second[0] + n[1] * other->second[1] + n[2] * other->second[2] <
-                  cosine - 1e-9;
-    }
-    return number;
   }
-};
+  std::size_t number = 0;
+  for (const auto& [ends, n] : normals) {
+    const auto other = normals.find({ends.second, ends.first});
+    if (ends.first < ends.second && other != normals.end())
+      number += dot(n, other->second) < cosine - 1e-9;
+  }
+  return number;
+}
 
 class Pn_subdivide_check : public Command_test
 {
 protected:
-  std::string words(const std::string& input, const std::string& output) const
-  {
-    return "'" + input + "' '" + output + "' ";
-  }
+  const std::string beam = folder.write("beam.off", box(10, 1, 1)),
+                    cube = folder.write("cube.off", box(1, 1, 1));
 
   // What is printed; the result is the same as without.
   std::string check(const std::string& input, const std::string& options,
@@ -118,7 +92,7 @@ protected:
 
   std::string closing_line(const std::string& input, const std::string& options) const
   {
-    const Outcome outcome = done(run(words(input, folder.file("closing.ply")) + options));
+    const Outcome outcome = done(run(words(input, "closing.ply") + options));
     expect_no_part(outcome.err, "warning: ");
     EXPECT_EQ(outcome.out, "");
     return outcome.err;
@@ -140,8 +114,7 @@ std::string ratio_text(double volume, double linear)
 
 TEST_F(Pn_subdivide_check, VolumesAndFoldsAreThoseOfTheFiles)
 {
-  const std::string beam = folder.write("beam.off", box(10, 1, 1)),
-                    wild = folder.write("wild.obj", plane(6, Normals::of_any_direction));
+  const std::string wild = folder.write("wild.obj", plane(6, Normals::of_any_direction));
   for (const auto& [input, options] :
        std::vector<std::pair<std::string, std::string>>{{beam, "--levels 3 --normals angle"},
                                                         {beam, "--levels 2 --limit"},
@@ -153,19 +126,19 @@ TEST_F(Pn_subdivide_check, VolumesAndFoldsAreThoseOfTheFiles)
     const std::string text = check(input, options), linear_file = folder.file("l.obj");
     const std::size_t normals = options.find(" --normals");
     done(run(words(input, linear_file) + options.substr(0, normals) + " --linear"));
-    const Faces_of_file result(path("o.obj")), linear(linear_file);
+    const Mesh_data result = read_mesh(path("o.obj")), linear = read_mesh(linear_file);
     ASSERT_EQ(result.points.size(), linear.points.size());
     if (input == beam)
-      expect_part(text, ratio_text(result.volume() / 80, linear.volume() / 80));
+      expect_part(text, ratio_text(volume_over_means(result) / 80, volume_over_means(linear) / 80));
     else
       expect_no_part(text, "volume");
     const double cosine = -std::sqrt(3.) / 2;
     std::ostringstream folds;
-    folds << "check: " << result.edges_beyond(0)
-          << (result.edges_beyond(0) == 1 ? " edge folds" : " edges fold")
-          << " by more than 90 degrees (linear " << linear.edges_beyond(0) << "), "
-          << result.edges_beyond(cosine) << " by more than 150 (linear "
-          << linear.edges_beyond(cosine) << ")\n";
+    folds << "check: " << edges_beyond(0, result)
+          << (edges_beyond(0, result) == 1 ? " edge folds" : " edges fold")
+          << " by more than 90 degrees (linear " << edges_beyond(0, linear) << "), "
+          << edges_beyond(cosine, result) << " by more than 150 (linear "
+          << edges_beyond(cosine, linear) << ")\n";
     expect_part(text, folds.str());
     expect_part(text, "check: farthest from the control mesh ");
   }
@@ -175,7 +148,6 @@ TEST_F(Pn_subdivide_check, VolumesAndFoldsAreThoseOfTheFiles)
 
 TEST_F(Pn_subdivide_check, ABeamSwells)
 {
-  const std::string beam = folder.write("beam.off", box(10, 1, 1));
   expect_part(check(beam, "--levels 3 --normals angle"),
               "check: SWOLLEN (linear LOST). It looks like a part: try --part\n");
   // nobody can tag these
@@ -200,9 +172,7 @@ TEST_F(Pn_subdivide_check, NormalsOfAnyDirectionFold)
 
 TEST_F(Pn_subdivide_check, TheShapeOfTheControlMeshCounts)
 {
-  const std::string cube = folder.write("cube.off", box(1, 1, 1)),
-                    beam = folder.write("beam.off", box(10, 1, 1)),
-                    flat = folder.write("flat.obj", plane(4, Normals::none));
+  const std::string flat = folder.write("flat.obj", plane(4, Normals::none));
   // a ball of 2.7 times the volume, and what is less than a half
   expect_part(check(cube, "--levels 3 --normals sphere:0,0,0"), "check: SWOLLEN (linear LOST). ");
   const std::string none = check(beam, "--levels 3 --normals none"); // the linear one itself
@@ -225,11 +195,10 @@ TEST_F(Pn_subdivide_check, SharpEdgesAreNoFolds)
 // Each vertex of a Catmull-Clark cube of width 2 is inside of it.
 TEST_F(Pn_subdivide_check, DistancesAreFromTheControlMesh)
 {
-  const std::string cube = folder.write("cube.off", box(1, 1, 1));
   for (const std::string options : {"--levels 2 --normals none", "--chord 0.01 --normals none"}) {
     const std::string text = check(cube, options);
     double largest = 0;
-    for (const Triple& p : Faces_of_file(path("o.obj")).points) {
+    for (const Triple& p : read_mesh(path("o.obj")).points) {
       const double outmost = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
       largest = (std::max)(largest, 1 - outmost);
     }
@@ -245,9 +214,7 @@ TEST_F(Pn_subdivide_check, DistancesAreFromTheControlMesh)
 TEST_F(Pn_subdivide_check, ManyAreCompared)
 {
   if (std::system("python3 -c ''") != 0) GTEST_SKIP() << "left out: no python3";
-  folder.write("beam.off", box(10, 1, 1));
   folder.write("block.off", box(2, 1.5, 1));
-  folder.write("cube.off", box(1, 1, 1));
   folder.write("small.off", box(0.5, 0.5, 0.5));
   folder.write("large.off", box(2, 2, 2));
   folder.write("broken.off", "OFF\n1 2\n");
@@ -281,12 +248,11 @@ TEST_F(Pn_subdivide_check, ManyAreCompared)
 
 TEST_F(Pn_subdivide_check, LinesAreOnStandardOutput)
 {
-  const std::string beam = folder.write("beam.off", box(10, 1, 1));
   const std::string text = check(beam, "--levels 2 --normals angle");
   EXPECT_EQ(text.rfind("check: volume ", 0), 0u) << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
-  const Outcome quiet = done(
-    run(words(beam, folder.file("q.ply")) + "--levels 2 --normals angle --check --quiet --strict"));
+  const Outcome quiet =
+    done(run(words(beam, "q.ply") + "--levels 2 --normals angle --check --quiet --strict"));
   EXPECT_EQ(quiet.out, text);
   EXPECT_EQ(quiet.err, "");
   const Outcome streams =
@@ -299,21 +265,20 @@ TEST_F(Pn_subdivide_check, LinesAreOnStandardOutput)
 
 TEST_F(Pn_subdivide_check, TheReportHasTheNumbers)
 {
-  const std::string beam = folder.write("beam.off", box(10, 1, 1)),
-                    wild = folder.write("wild.obj", plane(12, Normals::of_any_direction)),
+  const std::string wild = folder.write("wild.obj", plane(12, Normals::of_any_direction)),
                     file = work.file("r.json");
   const auto report = [&](const std::string& input, const std::string& options) {
-    done(run(words(input, folder.file("o.obj")) + options + " --report '" + file + "'"));
+    done(run(words(input, "o.obj") + options + " --report '" + file + "'"));
     return nlohmann::json::parse(Temporary_folder::content(file)).at("check");
   };
   nlohmann::json json = report(beam, "--levels 3 --normals angle --check");
-  const Faces_of_file result(path("o.obj"));
-  EXPECT_NEAR(json.at("volume"), result.volume() / 80, 1e-9);
+  const Mesh_data result = read_mesh(path("o.obj"));
+  EXPECT_NEAR(json.at("volume"), volume_over_means(result) / 80, 1e-9);
   EXPECT_LT(json.at("linear_volume"), 0.5);
   EXPECT_EQ(json.at("edges_that_turn_by_40_degrees"), 12);
   EXPECT_EQ(json.at("swollen"), true);
   EXPECT_EQ(json.at("folded"), false);
-  EXPECT_EQ(json.at("edges_folded_by_90_degrees"), result.edges_beyond(0));
+  EXPECT_EQ(json.at("edges_folded_by_90_degrees"), edges_beyond(0, result));
   EXPECT_LT(json.at("farthest_vertex"), result.points.size());
   EXPECT_GT(json.at("largest_distance"), 0.1);
   EXPECT_EQ(json.at("lost"), false);
@@ -328,9 +293,8 @@ TEST_F(Pn_subdivide_check, TheReportHasTheNumbers)
 
 TEST_F(Pn_subdivide_check, WrongCommandLines)
 {
-  const std::string beam = folder.write("beam.off", box(10, 1, 1)),
-                    polygon = folder.write("p.txt", "0 0\n4 0\n4 3\n0 3\n");
-  const std::string files = words(beam, folder.file("o.ply"));
+  const std::string polygon = folder.write("p.txt", "0 0\n4 0\n4 3\n0 3\n");
+  const std::string files = words(beam, "o.ply");
   for (const auto& [options, part] :
        std::vector<std::pair<std::string, std::string>>{{"--linear", "--check and --linear"},
                                                         {"--levels 0", "--check and --levels 0"},
@@ -338,16 +302,14 @@ TEST_F(Pn_subdivide_check, WrongCommandLines)
                                                         {"--memory 1G", "--check"}})
     expect_one_line(run(files + "--check " + options), 2, part);
   EXPECT_FALSE(std::filesystem::exists(folder.file("o.ply")));
-  expect_one_line(run("curve " + words(polygon, folder.file("o.txt")) + "--check"), 2,
-                  "no option --check");
+  expect_one_line(run("curve " + words(polygon, "o.txt") + "--check"), 2, "no option --check");
 }
 
 // --- the closing line ---
 
 TEST_F(Pn_subdivide_check, TheClosingLineNamesEdgesThatTurn)
 {
-  const std::string cube = folder.write("cube.off", box(1, 1, 1)),
-                    flat = folder.write("flat.obj", plane(4, Normals::none)),
+  const std::string flat = folder.write("flat.obj", plane(4, Normals::none)),
                     roof = folder.write("roof.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
                                                     "3 0 1 2\n3 1 0 3\n");
   const std::string named = ", 12 edges turn by more than 40 degrees: --part, ";
@@ -359,7 +321,7 @@ TEST_F(Pn_subdivide_check, TheClosingLineNamesEdgesThatTurn)
   for (const char* options : {"--linear", "--normals none", "--levels 0", "--sharp none",
                               "--sharp angle:40", "--sharp angle:95 --quiet", "--scheme doo-sabin",
                               "--normals sphere:0,0,0", "--interpolate points", "--quiet"}) {
-    const Outcome outcome = done(run(words(cube, folder.file("closing.ply")) + options));
+    const Outcome outcome = done(run(words(cube, "closing.ply") + options));
     expect_no_part(outcome.err, "40 degrees");
   }
   expect_no_part(closing_line(flat, "--levels 2"), "turn");
@@ -370,7 +332,7 @@ TEST_F(Pn_subdivide_check, TaggedEdgesAreNotCounted)
 {
   const std::string input = folder.write(
     "tagged.obj", uneven_box().obj() + "t crease 2/1/0 0 1 3.0\nt crease 2/1/0 1 2 3.0\n");
-  const std::string line = run(words(input, folder.file("o.obj")) + "--levels 2").err;
+  const std::string line = run(words(input, "o.obj") + "--levels 2").err;
   expect_part(line, ", 2 sharp edges");
   expect_part(line, ", 10 edges turn by more than 40 degrees: --part, ");
 }
@@ -378,6 +340,5 @@ TEST_F(Pn_subdivide_check, TaggedEdgesAreNotCounted)
 // A surface far outside of its control mesh is not warned of any more: --check tells.
 TEST_F(Pn_subdivide_check, NoWarningOfTheBox)
 {
-  const std::string beam = folder.write("beam.off", box(10, 1, 1));
   closing_line(beam, "--levels 5 --normals sphere:0,0,0 --strict");
 }

@@ -50,11 +50,6 @@ protected:
   std::string ball() const { return " --normals sphere:0,0,0 "; }
 };
 
-double length(const Triple& p)
-{
-  return std::hypot(p[0], p[1], p[2]);
-}
-
 // the largest distance of points of the faces from the sphere of radius r about the origin
 double distance_from_sphere(const Mesh_data& mesh, double r)
 {

@@ -204,18 +204,6 @@ TEST_F(Pn_subdivide_curvature, PlaneIsWhiteAndHasNoCurvature)
   }
 }
 
-// 0 is white where even the smallest curvature that is told from rounding is out of range.
-TEST_F(Pn_subdivide_curvature, HugeMeshesAreRefused)
-{
-  const std::string input =
-    folder.write("huge.off", "OFF\n4 4 0\n0 0 0\n1e200 0 0\n0 1e200 0\n0 0 1e200\n"
-                             "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
-  const std::string output = folder.file("o.ply");
-  expect_one_line(catmull_clark(input, output, "--levels 1 --curvature gaussian"), 1,
-                  "scale its coordinates");
-  EXPECT_EQ(Temporary_folder::content(output), "");
-}
-
 TEST_F(Pn_subdivide_curvature, SaysTheRange)
 {
   const std::string output = folder.file("o.ply");

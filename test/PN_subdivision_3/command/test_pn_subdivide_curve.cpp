@@ -43,19 +43,12 @@ protected:
     return content("curve.txt");
   }
 
-  // An existing output must stay as it is, a missing one missing, and no other file may appear.
   void expect_failure(const std::string& polygon, const std::string& options, int code,
                       const std::string& part) const
   {
-    SCOPED_TRACE(options + "\n" + polygon);
-    const std::string input = folder.write("polygon.txt", polygon);
-    const std::string old_file = folder.write("old.txt", "untouched");
-    const std::string new_file = folder.file("new.txt");
-    const std::size_t files = folder.number_of_files();
-    for (const std::string& output : {old_file, new_file})
-      expect_one_line(curve(input, output, options), code, part);
-    EXPECT_EQ(Temporary_folder::content(old_file), "untouched");
-    EXPECT_EQ(folder.number_of_files(), files);
+    SCOPED_TRACE(polygon);
+    Command_test::expect_failure("curve '" + folder.write("polygon.txt", polygon) + "'", "txt",
+                                 options, code, part);
   }
 
   void expect_bad_file(const std::string& polygon, const std::string& part) const
@@ -69,58 +62,64 @@ protected:
 
 // --- results ---
 
-TEST_F(Pn_subdivide_curve, LinearChaikinOfASquareAsComputedByHand)
+TEST_F(Pn_subdivide_curve, ResultsAsComputedByHand)
 {
-  for (const char* scheme : {"chaikin", "bspline:2"})
-    EXPECT_EQ(refined(square, std::string("--linear --closed --scheme ") + scheme),
-              "1 0.25\n1 0.75\n0.75 1\n0.25 1\n0 0.75\n0 0.25\n0.25 0\n0.75 0\n");
-}
-
-TEST_F(Pn_subdivide_curve, LinearCubicBSplineOfAnOpenPolygonAsComputedByHand)
-{
-  EXPECT_EQ(refined("0 0\n8 16\n16 0\n", "--linear --scheme bspline:3"),
-            "0 0\n4 8\n8 12\n12 8\n16 0\n");
-  EXPECT_EQ(refined("0 0 1\n8 16 1\n16 0 1\n", "--linear --scheme bspline:3 --end none"),
-            "4 8 1\n8 12 1\n12 8 1\n");
-}
-
-TEST_F(Pn_subdivide_curve, LinearFourPointSchemeAsComputedByHand)
-{
-  // the point of an edge is (-1, 9, 9, -1)/16; at an end (7, 10, -1)/16
-  EXPECT_EQ(refined("0 0\n4 16\n8 0\n12 16\n", "--linear --scheme 4-point"),
-            "0 0\n2 10\n4 16\n6 8\n8 0\n10 6\n12 16\n");
+  const char* const chaikin = "1 0.25\n1 0.75\n0.75 1\n0.25 1\n0 0.75\n0 0.25\n0.25 0\n0.75 0\n";
+  const struct
+  {
+    const char *polygon, *options, *expected;
+  } cases[] = {
+    {square, "--linear --closed --scheme chaikin", chaikin},
+    {square, "--linear --closed --scheme bspline:2", chaikin},
+    {"0 0\n8 16\n16 0\n", "--linear --scheme bspline:3", "0 0\n4 8\n8 12\n12 8\n16 0\n"},
+    {"0 0 1\n8 16 1\n16 0 1\n", "--linear --scheme bspline:3 --end none",
+     "4 8 1\n8 12 1\n12 8 1\n"},
+    // the point of an edge is (-1, 9, 9, -1)/16; at an end (7, 10, -1)/16
+    {"0 0\n4 16\n8 0\n12 16\n", "--linear --scheme 4-point",
+     "0 0\n2 10\n4 16\n6 8\n8 0\n10 6\n12 16\n"},
+    // zero normals mean none
+    {"1 0 0 0\n1 1 0 0\n0 1 0 0\n0 0 0 0\n", "--closed --scheme chaikin",
+     "1 0.25 0 0\n1 0.75 0 0\n0.75 1 0 0\n0.25 1 0 0\n0 0.75 0 0\n0 0.25 0 0\n0.25 0 0 0\n"
+     "0.75 0 0 0\n"},
+    // no round copies and normalizes
+    {"0.10000000000000001 2 0 5\n3 4 -8 0\n", "--levels 0 --scheme 4-point",
+     "0.10000000000000001 2 0 1\n3 4 -1 0\n"},
+    {square, "--levels 0 --linear --scheme 4-point", square},
+    // comments, blank lines, tabs and line ends of other systems
+    {"# a square\r\n\r\n 1\t0 # first\r\n+1 1.0\r\n\n  \n0 1e0\r\n-0.0 0\n# end",
+     "--closed --linear --scheme chaikin", chaikin},
+    // few points
+    {"1 2 0 1\n", "--scheme bspline:3 --levels 3", "1 2 0 1\n"},
+    {"1 2\n3 4\n", "--scheme 4-point --linear --levels 2", "1 2\n1.5 2.5\n2 3\n2.5 3.5\n3 4\n"},
+    // estimated normals of lines and of repeated points
+    {"0 0\n0 2\n0 4\n", "--levels 0 --scheme chaikin", "0 0 1 0\n0 2 1 0\n0 4 1 0\n"},
+    {"0 0\n2 0\n", "--scheme 4-point", "0 0 0 -1\n1 0 0 -1\n2 0 0 -1\n"},
+    {"1 2\n1 2\n", "--levels 0 --scheme chaikin", "1 2 0 0\n1 2 0 0\n"}};
+  for (const auto& c : cases) EXPECT_EQ(refined(c.polygon, c.options), c.expected) << c.options;
 }
 
 TEST_F(Pn_subdivide_curve, EqualNormalsGiveTheLinearCurve)
 {
   const std::string upright = "0 0 0 1\n4 16 0 1\n8 0 0 1\n12 16 0 1\n";
-  expect_rows(rows_of(refined(upright, "--scheme 4-point")),
-              {{0, 0, 0, 1},
-               {2, 10, 0, 1},
-               {4, 16, 0, 1},
-               {6, 8, 0, 1},
-               {8, 0, 0, 1},
-               {10, 6, 0, 1},
-               {12, 16, 0, 1}},
-              4e-15);
+  Rows expected = rows_of(refined("0 0\n4 16\n8 0\n12 16\n", "--linear --scheme 4-point"));
+  for (auto& row : expected) row.insert(row.end(), {0, 1});
+  expect_rows(rows_of(refined(upright, "--scheme 4-point")), expected, 4e-15);
 }
 
 TEST_F(Pn_subdivide_curve, NumbersOfPointsByEndRules)
 {
-  const auto points = [this](const std::string& options) {
-    return lines(refined(zigzag, "--linear " + options)).size();
-  };
-  EXPECT_EQ(points("--closed --scheme bspline:3"), 12u);
-  EXPECT_EQ(points("--closed --scheme chaikin"), 12u);
-  EXPECT_EQ(points("--scheme bspline:3"), 11u);
-  EXPECT_EQ(points("--scheme 6-point"), 11u);
-  EXPECT_EQ(points("--scheme chaikin"), 10u);
-  EXPECT_EQ(points("--scheme bspline:4"), 8u);
-  EXPECT_EQ(points("--scheme chaikin --end none"), 10u);
-  EXPECT_EQ(points("--scheme bspline:4 --end reflect"), 10u);
-  EXPECT_EQ(points("--scheme bspline:3 --end none"), 9u);
-  EXPECT_EQ(points("--scheme 4-point --end none"), 7u);
-  EXPECT_EQ(points("--scheme bspline:3 --levels 3"), 41u);
+  for (const auto& [options, number] : {std::pair("--closed --scheme bspline:3", 12u),
+                                        {"--closed --scheme chaikin", 12u},
+                                        {"--scheme bspline:3", 11u},
+                                        {"--scheme 6-point", 11u},
+                                        {"--scheme chaikin", 10u},
+                                        {"--scheme bspline:4", 8u},
+                                        {"--scheme chaikin --end none", 10u},
+                                        {"--scheme bspline:4 --end reflect", 10u},
+                                        {"--scheme bspline:3 --end none", 9u},
+                                        {"--scheme 4-point --end none", 7u},
+                                        {"--scheme bspline:3 --levels 3", 41u}})
+    EXPECT_EQ(lines(refined(zigzag, std::string("--linear ") + options)).size(), number) << options;
 }
 
 // Stencils that leave no polygon reflect nothing.
@@ -170,27 +169,6 @@ TEST_F(Pn_subdivide_curve, NormalsByAnotherScheme)
   EXPECT_GT(points_moved, 0.01); // approximated
 }
 
-TEST_F(Pn_subdivide_curve, ZeroNormalsMeanNone)
-{
-  EXPECT_EQ(refined("1 0 0 0\n1 1 0 0\n0 1 0 0\n0 0 0 0\n", "--closed --scheme chaikin"),
-            "1 0.25 0 0\n1 0.75 0 0\n0.75 1 0 0\n0.25 1 0 0\n0 0.75 0 0\n0 0.25 0 0\n0.25 0 0 0\n"
-            "0.75 0 0 0\n");
-}
-
-TEST_F(Pn_subdivide_curve, NoRoundCopiesAndNormalizes)
-{
-  EXPECT_EQ(refined("0.10000000000000001 2 0 5\n3 4 -8 0\n", "--levels 0 --scheme 4-point"),
-            "0.10000000000000001 2 0 1\n3 4 -1 0\n");
-  EXPECT_EQ(refined(square, "--levels 0 --linear --scheme 4-point"), square);
-}
-
-TEST_F(Pn_subdivide_curve, CommentsBlankLinesTabsAndLineEndsOfOtherSystems)
-{
-  EXPECT_EQ(refined("# a square\r\n\r\n 1\t0 # first\r\n+1 1.0\r\n\n  \n0 1e0\r\n-0.0 0\n# end",
-                    "--closed --linear --scheme chaikin"),
-            refined(square, "--closed --linear --scheme chaikin"));
-}
-
 TEST_F(Pn_subdivide_curve, LinearTakesNoNoticeOfNormals)
 {
   const std::string bare = refined("1 0 2\n1 1 3\n0 1 4\n0 0 5\n", "--linear --scheme bspline:3");
@@ -199,24 +177,13 @@ TEST_F(Pn_subdivide_curve, LinearTakesNoNoticeOfNormals)
     bare);
 }
 
-TEST_F(Pn_subdivide_curve, FewAndRepeatedPoints)
+TEST_F(Pn_subdivide_curve, RepeatedPoints)
 {
-  EXPECT_EQ(refined("1 2 0 1\n", "--scheme bspline:3 --levels 3"), "1 2 0 1\n");
-  EXPECT_EQ(refined("1 2\n3 4\n", "--scheme 4-point --linear --levels 2"),
-            "1 2\n1.5 2.5\n2 3\n2.5 3.5\n3 4\n");
   for (const auto& row : rows_of(refined("1 2\n1 2\n1 2\n1 2\n", "--scheme 4-point --levels 4"))) {
     EXPECT_EQ(row[0], 1);
     EXPECT_EQ(row[1], 2);
     EXPECT_TRUE(std::isfinite(row[2]) && std::isfinite(row[3]));
   }
-}
-
-TEST_F(Pn_subdivide_curve, EstimatedNormalsOfLinesAndOfRepeatedPoints)
-{
-  EXPECT_EQ(refined("0 0\n0 2\n0 4\n", "--levels 0 --scheme chaikin"),
-            "0 0 1 0\n0 2 1 0\n0 4 1 0\n");
-  EXPECT_EQ(refined("0 0\n2 0\n", "--scheme 4-point"), "0 0 0 -1\n1 0 0 -1\n2 0 0 -1\n");
-  EXPECT_EQ(refined("1 2\n1 2\n", "--levels 0 --scheme chaikin"), "1 2 0 0\n1 2 0 0\n");
 }
 
 TEST_F(Pn_subdivide_curve, InputAndOutputMayBeTheSameFile)
@@ -381,12 +348,10 @@ TEST_F(Pn_subdivide_curve, LinearLimitsAsComputedByHand)
 TEST_F(Pn_subdivide_curve, LimitsAreTheSameAtEveryLevel)
 {
   const std::string polygon = "0 0\n2 0\n3 1\n3 3\n1 4\n0 2\n";
+  const std::string sharp = " --sharp '" + folder.write("corners.txt", "2 3\n") + "'";
   for (const char* scheme : {"bspline:3", "bspline:5", "4-point"})
-    for (const char* how : {" --closed", "", " --sharp corners.txt"}) {
-      const std::string corners = folder.write("corners.txt", "2 3\n");
-      std::string options = std::string("--limit --curve-normals --scheme ") + scheme + how;
-      if (const auto at = options.find("corners.txt"); at != std::string::npos)
-        options.replace(at, 11, "'" + corners + "'");
+    for (const std::string& how : {std::string(" --closed"), std::string(), sharp}) {
+      const std::string options = std::string("--limit --curve-normals --scheme ") + scheme + how;
       const Rows coarse = rows_of(refined(polygon, options + " --levels 0"));
       const Rows fine = rows_of(refined(polygon, options + " --levels 3"));
       ASSERT_EQ(coarse.size(), 6u);

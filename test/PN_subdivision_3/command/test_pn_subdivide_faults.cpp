@@ -133,8 +133,7 @@ TEST_F(Faults, EveryAllocation)
 TEST_F(Faults, AFullDiskAtEveryBlock)
 {
   const std::string out = folder.write("out.ply", "untouched");
-  const std::string arguments =
-    "surface '" + folder.file("cube.off") + "' '" + out + "' --levels 4 --quiet";
+  const std::string arguments = "surface " + words("cube.off", out) + "--levels 4 --quiet";
   const std::size_t files = folder.number_of_files();
   std::size_t failures = 0;
   for (int blocks = 0;; blocks += 8) {
@@ -155,8 +154,7 @@ TEST_F(Faults, AFullDiskAtEveryBlock)
 TEST_F(Faults, ASignalInTheMiddleOfAWrite)
 {
   const std::string out = folder.file("out.obj"), old = "untouched";
-  const std::string arguments =
-    "surface '" + folder.file("cube.off") + "' '" + out + "' --levels 6 --quiet";
+  const std::string arguments = "surface " + words("cube.off", out) + "--levels 6 --quiet";
   done(run(arguments));
   const std::string expected = Temporary_folder::content(out);
   const std::size_t files = folder.number_of_files();

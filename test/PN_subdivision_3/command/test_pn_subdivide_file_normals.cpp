@@ -18,22 +18,6 @@ using namespace pn_subdivide;
 
 namespace {
 
-Triple unit(const Triple& v)
-{
-  const double length = std::hypot(v[0], v[1], v[2]);
-  return {v[0] / length, v[1] / length, v[2] / length};
-}
-
-// that of its first, second and third corner; faces here are planar but for rounding
-Triple normal(const Part& s, std::size_t f)
-{
-  const Triple &a = s.points[s.faces[f][0]], &b = s.points[s.faces[f][1]],
-               &c = s.points[s.faces[f][2]];
-  const Triple u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
-               v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-  return unit({u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]});
-}
-
 // A tube of n sides and `rings` rings of quads, closed by two polygons if it has caps; along z.
 Part tube(std::size_t n, std::size_t rings, bool caps)
 {
@@ -62,51 +46,14 @@ Part box(int m)
   return box_of_squares(m, {0, 0, 0}, {2, 1, 1.5});
 }
 
-// A sphere of quads and triangles round its poles.
-Part ball(std::size_t n)
-{
-  Part s;
-  const double step = std::acos(-1.) / double(n);
-  s.points.push_back({0, 0, -1});
-  for (std::size_t j = 1; j < n; ++j)
-    for (std::size_t i = 0; i < 2 * n; ++i) {
-      const double a = step * double(i), b = step * double(j);
-      s.points.push_back({std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), -std::cos(b)});
-    }
-  s.points.push_back({0, 0, 1});
-  const auto at = [n](std::size_t j, std::size_t i) { return 1 + 2 * n * (j - 1) + i % (2 * n); };
-  for (std::size_t i = 0; i < 2 * n; ++i) {
-    s.faces.push_back({0, at(1, i + 1), at(1, i)});
-    for (std::size_t j = 1; j + 1 < n; ++j)
-      s.faces.push_back({at(j, i), at(j, i + 1), at(j + 1, i + 1), at(j + 1, i)});
-    s.faces.push_back({at(n - 1, i), at(n - 1, i + 1), s.points.size() - 1});
-  }
-  return s;
-}
-
 // With a normal for each face, rounded as files are; turned by `degrees` at one corner of each.
 std::string flat_obj(const Part& s, int digits, double degrees = 0)
 {
-  std::ostringstream obj;
-  obj.precision(17);
-  for (const Triple& p : s.points) obj << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
-  obj.precision(digits);
-  obj << std::fixed;
-  for (std::size_t f = 0; f < s.faces.size(); ++f) {
-    const Triple n = normal(s, f), m = unit({n[1] - n[2], n[2] - n[0], n[0] - n[1]});
-    const double t = std::tan(degrees * std::acos(-1.) / 180);
-    const bool has_turned = std::isfinite(m[0]);
-    const Triple turned =
-      has_turned ? unit({n[0] + t * m[0], n[1] + t * m[1], n[2] + t * m[2]}) : n;
-    for (const Triple& v : {n, turned}) obj << "vn " << v[0] << ' ' << v[1] << ' ' << v[2] << "\n";
-  }
-  for (std::size_t f = 0; f < s.faces.size(); ++f) {
-    obj << "f";
-    for (std::size_t i = 0; i < s.faces[f].size(); ++i)
-      obj << ' ' << s.faces[f][i] + 1 << "//" << 2 * f + (i == 0 ? 2 : 1);
-    obj << "\n";
-  }
-  return obj.str();
+  const auto normal = [&](std::size_t f, std::size_t i) {
+    const Triple n = unit(s.area(f)), across = unit({n[1] - n[2], n[2] - n[0], n[0] - n[1]});
+    return i > 0 ? n : unit(sum(n, across, std::tan(degrees * std::acos(-1.) / 180)));
+  };
+  return s.obj_of_corners(normal, {digits, true});
 }
 
 class Pn_subdivide_file_normals : public Command_test
@@ -147,7 +94,7 @@ std::vector<Case> flat_shapes()
           {"large sides", tube(12, 23, true), 14, 12 * 23 + 24}, // 278 faces, 14 normals: 19.9
           {"larger sides", tube(12, 24, true), 14, 12 * 24 + 24},
           {"a triangulated pipe", triangulated(tube(20, 2, false)), 20, -1},
-          {"a ball", ball(4), 32, -1}};
+          {"a ball", ball_of(8, 4, on_sphere), 32, -1}};
 }
 
 } // namespace
@@ -206,19 +153,11 @@ TEST_F(Pn_subdivide_file_normals, CreasesOfOtherFilesMayBeMany)
 {
   const std::size_t n = 12;
   const Part s = tube(n, 1, true);
-  std::ostringstream obj;
-  obj.precision(17);
-  for (const Triple& p : s.points) obj << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
-  for (std::size_t i = 0; i < n; ++i)
-    obj << "vn " << s.points[i][0] << ' ' << s.points[i][1] << " 0\n";
-  obj << "vn 0 0 -1\nvn 0 0 1\n";
-  for (std::size_t f = 0; f < s.faces.size(); ++f) {
-    obj << "f";
-    for (const std::size_t v : s.faces[f])
-      obj << ' ' << v + 1 << "//" << (f < n ? v % n + 1 : f + 1);
-    obj << "\n";
-  }
-  const std::string input = folder.write("cylinder.obj", obj.str());
+  const auto normal = [&](std::size_t f, std::size_t i) {
+    const Triple& p = s.points[s.faces[f][i]];
+    return f < n ? Triple{p[0], p[1], 0} : Triple{0, 0, f == n ? -1. : 1.};
+  };
+  const std::string input = folder.write("cylinder.obj", s.obj_of_corners(normal));
   const Outcome outcome = refine(input, "--levels 3", "out.obj"); // 24 of 36 inner edges
   expect_part(outcome.err,
               "the normals in the file differ at 24 edges, taken for creases (--sharp none");
@@ -245,7 +184,7 @@ TEST_F(Pn_subdivide_file_normals, FileInsists)
 // Normals of vertices are flat shading as well where every face has vertices of its own.
 TEST_F(Pn_subdivide_file_normals, FlatShadingOfVertices)
 {
-  const Part joined = ball(6);
+  const Part joined = ball_of(12, 6, on_sphere);
   Part split;
   std::vector<Triple> normals;
   for (std::size_t f = 0; f < joined.faces.size(); ++f) {
@@ -253,7 +192,7 @@ TEST_F(Pn_subdivide_file_normals, FlatShadingOfVertices)
     for (const std::size_t v : joined.faces[f]) {
       split.faces.back().push_back(split.points.size());
       split.points.push_back(joined.points[v]);
-      normals.push_back(normal(joined, f));
+      normals.push_back(unit(joined.area(f)));
     }
   }
   const std::string input = folder.write("flat.off", split.off(normals));
@@ -270,17 +209,8 @@ TEST_F(Pn_subdivide_file_normals, FlatShadingIsThatOfTheFacesInTheFile)
 {
   // none of its faces is planar
   const Part wavy = grid(5, 5, [](int i, int j) { return std::sin(1.3 * i) * std::cos(1.7 * j); });
-  std::vector<Triple> areas; // the products of the diagonals
-  for (const std::vector<std::size_t>& f : wavy.faces) {
-    const auto diagonal = [&](std::size_t i) {
-      const Triple &a = wavy.points[f[i]], &b = wavy.points[f[i + 2]];
-      return Triple{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    };
-    const Triple d = diagonal(0), e = diagonal(1);
-    areas.push_back(
-      {d[1] * e[2] - d[2] * e[1], d[2] * e[0] - d[0] * e[2], d[0] * e[1] - d[1] * e[0]});
-  }
-  const std::string plain = wavy.obj(), flat = wavy.obj_of_faces(areas);
+  const auto area = [&](std::size_t f, std::size_t) { return wavy.area(f); };
+  const std::string plain = wavy.obj(), flat = wavy.obj_of_corners(area);
   const std::string input = folder.write("flat.obj", flat), other = folder.write("p.obj", plain);
   expect_part(refine(input, "--triangulate").err, "for flat shading (25 different on 25 faces)");
   EXPECT_EQ(refined(input, "--levels 2 --triangulate"), refined(other, "--levels 2 --triangulate"));
@@ -337,30 +267,20 @@ TEST_F(Pn_subdivide_file_normals, EverySourceIsHonoredWithCreases)
   for (Triple& p : s.points) // uneven, so that estimates differ
     p = {p[0] * (1 + 0.2 * p[2]), p[1], p[2] + 0.1 * p[0]};
   const std::string plain = folder.write("plain.obj", s.obj());
-  const auto inner_normals = [&](const std::string& options, const std::string& input) {
-    refine(input, "--quiet --levels 0 --sharp angle:60 " + options);
+  const auto inner_normals = [&](const std::string& options, const std::string& input,
+                                 const std::string& sharp = "angle:60") {
+    refine(input, "--quiet --levels 0 --sharp " + sharp + " " + options);
     const std::vector<Triple> all = read_mesh(folder.file("out.obj")).normals;
     return std::vector<Triple>(all.begin() + 9, all.begin() + 27); // on no crease
-  };
-  const auto difference = [](const std::vector<Triple>& a, const std::vector<Triple>& b) {
-    double greatest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k)
-        greatest = (std::max)(greatest, std::abs(a[i][k] - b[i][k]));
-    return greatest;
-  };
-  const auto smooth = [&](const std::string& options) { // far from creases nothing is different
-    refine(plain, "--quiet --levels 0 --sharp none " + options);
-    const std::vector<Triple> all = read_mesh(folder.file("out.obj")).normals;
-    return std::vector<Triple>(all.begin() + 9, all.begin() + 27);
   };
   const std::vector<Triple> normals(s.points.size(), Triple{0, 0, 1});
   const std::string given = folder.write("given.off", s.off(normals));
   for (const std::string options :
        {"--normals angle", "--normals sphere:0.1,0,1", "--normals cylinder:0,0,0,0,0.1,1"})
     for (const std::string& input : {plain, given}) {
-      EXPECT_LE(difference(inner_normals(options, input), smooth(options)), 1e-12) << options;
-      EXPECT_GE(difference(inner_normals(options, input), inner_normals("", plain)), 1e-3)
-        << options;
+      const std::vector<Triple> found = inner_normals(options, input);
+      // far from creases nothing is different
+      EXPECT_LE(largest_distance(found, inner_normals(options, plain, "none")), 1e-12) << options;
+      EXPECT_GE(largest_distance(found, inner_normals("", plain)), 1e-3) << options;
     }
 }

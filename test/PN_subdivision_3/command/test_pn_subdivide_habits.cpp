@@ -67,7 +67,7 @@ std::string between(const std::string& text, const std::string& begin, const std
 TEST_F(Pn_subdivide_habits, SurfaceMayBeLeftOut)
 {
   const std::string input = folder.write("cube.off", cube_off), output = folder.file("o.obj");
-  const std::string files = "'" + input + "' '" + output + "'";
+  const std::string files = words(input, output);
   const std::string expected = content_after("surface " + files + " --levels 2", output);
   EXPECT_EQ(content_after(files + " --levels 2", output), expected);
   EXPECT_EQ(content_after("--levels 2 " + files, output), expected);
@@ -109,8 +109,8 @@ TEST_F(Pn_subdivide_habits, NearMissesAreNamed)
     expect_one_line(run(arguments), 2, hint);
     EXPECT_FALSE(std::filesystem::exists(folder.file("o.ply")));
   };
-  const std::string files = "'" + input + "' '" + folder.file("o.ply") + "' ";
-  const std::string curve = "curve '" + polygon_file + "' '" + folder.file("o.txt") + "' ";
+  const std::string files = words(input, "o.ply");
+  const std::string curve = "curve " + words(polygon_file, "o.txt");
   for (const auto& [miss, meant] :
        std::vector<std::pair<std::string, std::string>>{{"--level 3", "--levels"},
                                                         {"--level=3", "--levels"},
@@ -135,7 +135,7 @@ TEST_F(Pn_subdivide_habits, NearMissesAreNamed)
 TEST_F(Pn_subdivide_habits, CurvesHaveADefaultScheme)
 {
   const std::string input = folder.write("p.txt", polygon), output = folder.file("o.txt");
-  const std::string arguments = "curve '" + input + "' '" + output + "' --closed --levels 3";
+  const std::string arguments = "curve " + words(input, output) + "--closed --levels 3";
   EXPECT_EQ(content_after(arguments, output),
             content_after(arguments + " --scheme bspline:3", output));
 }
@@ -143,7 +143,7 @@ TEST_F(Pn_subdivide_habits, CurvesHaveADefaultScheme)
 TEST_F(Pn_subdivide_habits, DrawingsAreSvg)
 {
   const std::string input = folder.write("p.txt", polygon);
-  const std::string arguments = "curve '" + input + "' '" + folder.file("o.txt") + "' --comb ";
+  const std::string arguments = "curve " + words(input, "o.txt") + "--comb ";
   expect_one_line(run(arguments + "'" + folder.file("x.png") + "'"), 2, ".svg");
   EXPECT_FALSE(std::filesystem::exists(folder.file("o.txt")));
   done(run(arguments + "'" + folder.file("x.SVG") + "'"));
@@ -240,9 +240,7 @@ TEST_F(Pn_subdivide_habits, StrictTurnsWarningsIntoAnExitCode)
   const std::string bad = folder.write("twisted.off", twisted),
                     good = folder.write("cube.off", cube_off);
   const std::string output = folder.file("o.off");
-  const auto arguments = [&](const std::string& input) {
-    return "'" + input + "' '" + output + "' ";
-  };
+  const auto arguments = [&](const std::string& input) { return words(input, output); };
   const std::string expected = content_after(arguments(bad) + "--repair", output);
   std::filesystem::remove(output);
   for (const char* quiet : {"", " --quiet"}) {
@@ -265,12 +263,12 @@ TEST_F(Pn_subdivide_habits, SinglePrecisionOfStlIsWarnedOf)
       map.replace(i, std::string(x).size(), moved);
   const std::string input = folder.write("map.off", map), output = folder.file("o.stl");
   const std::string arguments =
-    "'" + input + "' '" + output + "' --levels 5 --strict --normals none --triangulate ";
+    words(input, output) + "--levels 5 --strict --normals none --triangulate ";
   EXPECT_EQ(run(arguments).code, 4);
   expect_part(run(arguments + "--quiet").err,
               output + ": its single precision moves points by up to 0.");
   done(run(arguments + "--ascii"));
-  done(run("'" + output + "' '" + folder.file("p.ply") + "' --strict"));
+  done(run(words(output, "p.ply") + "--strict"));
   EXPECT_EQ(
     run("'" + folder.write("c.off", cube_off) + "' '" + output + "' --levels 5 --strict").code, 0);
 }
@@ -278,8 +276,7 @@ TEST_F(Pn_subdivide_habits, SinglePrecisionOfStlIsWarnedOf)
 TEST_F(Pn_subdivide_habits, TheToleranceWinsOverStrict)
 {
   const std::string input = folder.write("twisted.off", twisted), output = folder.file("o.off");
-  const std::string arguments =
-    "'" + input + "' '" + output + "' --repair --strict --verify sphere:0,0,0,1 ";
+  const std::string arguments = words(input, output) + "--repair --strict --verify sphere:0,0,0,1 ";
   EXPECT_EQ(run(arguments + "--tolerance 1e-9").code, 3);
   EXPECT_EQ(run(arguments + "--tolerance 9").code, 4);
 }
@@ -289,8 +286,7 @@ TEST_F(Pn_subdivide_habits, TheToleranceWinsOverStrict)
 TEST_F(Pn_subdivide_habits, TheReportSaysWhatWasDone)
 {
   const std::string input = folder.write("twisted.off", twisted), output = folder.file("o.stl");
-  const nlohmann::json json =
-    report("'" + input + "' '" + output + "' --repair --levels 2 --limit");
+  const nlohmann::json json = report(words(input, output) + "--repair --levels 2 --limit");
   EXPECT_EQ(json.at("input"), input);
   EXPECT_EQ(json.at("output"), output);
   EXPECT_EQ(json.at("vertices"), 25); // a square of two triangles, cut twice
@@ -307,15 +303,14 @@ TEST_F(Pn_subdivide_habits, TheReportOfALinearSchemeAndOfACurve)
 {
   const std::string input = folder.write("cube.off", cube_off),
                     curve = folder.write("p.txt", polygon);
-  nlohmann::json json =
-    report("'" + input + "' '" + folder.file("o.ply") + "' --linear --levels 0");
+  nlohmann::json json = report(words(input, "o.ply") + "--linear --levels 0");
   EXPECT_EQ(json.at("vertices"), 8);
   EXPECT_EQ(json.at("faces"), 6);
   for (const char* list : {"warnings", "dropped"})
     EXPECT_EQ(json.at(list), nlohmann::json::array());
   for (const char* object : {"repaired", "limit"})
     EXPECT_EQ(json.at(object), nlohmann::json::object());
-  json = report("curve '" + curve + "' '" + folder.file("o.txt") + "' --closed --levels 3 --limit");
+  json = report("curve " + words(curve, "o.txt") + "--closed --levels 3 --limit");
   EXPECT_EQ(json.at("vertices"), 32);
   EXPECT_EQ(json.at("faces"), 0);
   EXPECT_GT(json.at("limit").at("tolerance"), 0);
@@ -324,8 +319,7 @@ TEST_F(Pn_subdivide_habits, TheReportOfALinearSchemeAndOfACurve)
 TEST_F(Pn_subdivide_habits, TheReportOfPieces)
 {
   const std::string input = folder.write("cube.off", cube_off);
-  const nlohmann::json json =
-    report("'" + input + "' '" + folder.file("o.ply") + "' --pieces 3 --levels 3");
+  const nlohmann::json json = report(words(input, "o.ply") + "--pieces 3 --levels 3");
   EXPECT_EQ(json.at("vertices"), 386);
   EXPECT_EQ(json.at("faces"), 384);
 }
@@ -334,7 +328,7 @@ TEST_F(Pn_subdivide_habits, TheReportIsThereWhereTheResultIs)
 {
   const std::string input = folder.write("twisted.off", twisted), file = folder.file("r.json");
   const std::string output = folder.file("o.off");
-  const std::string arguments = "'" + input + "' '" + output + "' --report '" + file + "' ";
+  const std::string arguments = words(input, output) + "--report '" + file + "' ";
   EXPECT_EQ(run(arguments).code, 1); // not oriented
   EXPECT_FALSE(std::filesystem::exists(file));
   EXPECT_EQ(run(arguments + "--repair --strict").code, 4);
@@ -347,7 +341,7 @@ TEST_F(Pn_subdivide_habits, TheReportIsThereWhereTheResultIs)
 TEST_F(Pn_subdivide_habits, TheReportNeedsAFileOfItsOwn)
 {
   const std::string input = folder.write("cube.off", cube_off), output = folder.file("o.off");
-  const std::string arguments = "'" + input + "' '" + output + "' --report ";
+  const std::string arguments = words(input, output) + "--report ";
   expect_one_line(run(arguments + "-"), 2, "--report");
   expect_one_line(run(arguments + "''"), 2, "--report");
   expect_one_line(run(arguments + "'" + input + "'"), 2, "file of its own");
@@ -360,7 +354,7 @@ TEST_F(Pn_subdivide_habits, TheReportNeedsAFileOfItsOwn)
 TEST_F(Pn_subdivide_habits, TheReportIsJsonWhateverTheNames)
 {
   const std::string input = folder.write("a\"b\\c\t\xff.off", cube_off); // quotes, a tab, no UTF-8
-  const nlohmann::json json = report("'" + input + "' '" + folder.file("o.off") + "'");
+  const nlohmann::json json = report(words(input, "o.off"));
   EXPECT_EQ(json.at("vertices"), 26);
   expect_part(json.at("input").get<std::string>(), "a\"b\\c\t");
 }

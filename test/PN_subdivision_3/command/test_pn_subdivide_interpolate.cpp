@@ -10,6 +10,7 @@
 
 #include "Command_test.h"
 #include "Extent.h"
+#include "Part_files.h"
 
 #include "io/mesh_io.h"
 
@@ -22,34 +23,31 @@ namespace {
 class Pn_subdivide_interpolate : public Command_test
 {
 protected:
-  std::vector<Triple> points(const std::string& file) const { return read_mesh(file).points; }
-  static double distance(const Triple& a, const Triple& b)
+  // the limits of the vertices, which stay in front, are the points of the input
+  void expect_points(const std::string& in, const std::string& options, double tolerance,
+                     const std::vector<std::string>& said) const
   {
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    const std::vector<Triple> before = read_mesh(in).points;
+    const Outcome outcome =
+      done(surface(in, "out.ply", "--ascii --limit --interpolate points " + options));
+    for (const std::string& part : said) expect_part(outcome.err, part);
+    std::vector<Triple> after = read_mesh(folder.file("out.ply")).points;
+    ASSERT_GE(after.size(), before.size());
+    after.resize(before.size());
+    EXPECT_LE(largest_distance(before, after), tolerance) << options;
   }
 };
 
-// The limits of the vertices, which stay in front, are the points of the input.
 TEST_F(Pn_subdivide_interpolate, LimitsArePoints)
 {
-  const std::string out = folder.file("out.ply"), in = folder.file("in.ply");
+  const std::string in = folder.file("in.ply");
   done(surface(data("paper/torus_8.ply"), in, "--levels 0 --ascii"));
-  const auto before = points(in);
-  ASSERT_FALSE(before.empty());
   const std::string levels = tests_are_full ? "3" : "1"; // 3 are work for two threads
   for (const char* options :
        {"--scheme modified-catmull-clark", "--scheme catmull-clark --linear",
-        "--scheme modified-catmull-clark --first-round 2", "--scheme catmull-clark --threads 2"}) {
-    const Outcome outcome =
-      surface(in, out, "--ascii --limit --interpolate points --levels " + levels + " " + options);
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
-    expect_part(outcome.err, "through the points: largest distance ");
-    expect_part(outcome.err, "estimated error ");
-    expect_part(outcome.err, "step");
-    const auto after = points(out);
-    for (std::size_t v = 0; v < before.size(); ++v)
-      EXPECT_LE(distance(before[v], after[v]), 1e-7) << options << " " << v;
-  }
+        "--scheme modified-catmull-clark --first-round 2", "--scheme catmull-clark --threads 2"})
+    expect_points(in, "--levels " + levels + " " + options, 1e-7,
+                  {"through the points: largest distance ", "estimated error ", "step"});
 }
 
 TEST_F(Pn_subdivide_interpolate, SpheresFromPointsAloneNeedNoStep)
@@ -74,24 +72,15 @@ TEST_F(Pn_subdivide_interpolate, Curves)
 {
   folder.write("ellipse.txt", "2 0\n1.2 0.8\n0 1\n-1.6 0.6\n-2 0\n-1.2 -0.8\n0 -1\n1.6 -0.6\n");
   const std::string in = folder.file("ellipse.txt"), out = folder.file("out.txt");
-  const auto points_of = [](const std::string& file) {
-    std::istringstream numbers(Temporary_folder::content(file));
-    std::vector<std::pair<double, double>> result;
-    std::string line;
-    for (double x = 0, y = 0; numbers >> x >> y; std::getline(numbers, line))
-      result.emplace_back(x, y);
-    return result;
-  };
-  const auto before = points_of(in);
+  const Rows before = rows_of(content(in));
   ASSERT_EQ(before.size(), 8u);
   for (const char* options : {"--closed", "--end reflect", "--closed --linear"}) {
     const Outcome outcome = done(curve(
       in, out, std::string("--scheme bspline:3 --levels 12 --interpolate points ") + options));
     expect_part(outcome.err, "through the points: largest distance ");
-    const auto after = points_of(out);
+    const Rows after = rows_of(content(out));
     for (std::size_t i = 0; i < before.size(); ++i)
-      EXPECT_LE(std::hypot(before[i].first - after.at(i << 12).first,
-                           before[i].second - after[i << 12].second),
+      EXPECT_LE(std::hypot(before[i][0] - after.at(i << 12)[0], before[i][1] - after[i << 12][1]),
                 1e-6)
         << options << " " << i;
   }
@@ -100,28 +89,16 @@ TEST_F(Pn_subdivide_interpolate, Curves)
 // A box with a dent, all of whose edges are sharp but those of the dent.
 TEST_F(Pn_subdivide_interpolate, PointsWithSharpEdges)
 {
-  folder.write("box.ply",
-               "ply\nformat ascii 1.0\nelement vertex 9\nproperty double x\nproperty double "
-               "y\nproperty double z\n"
-               "element face 9\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n2 0 "
-               "0\n2 2 0\n0 2 0\n0 0 1\n2 0 1\n2 2 1\n0 2 1\n"
-               "1 0.9 0.9\n4 3 2 1 0\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"
-               "3 4 5 8\n3 5 6 8\n3 6 7 8\n3 7 4 8\n");
-  const std::string in = folder.file("box.ply"), out = folder.file("out.ply");
-  const auto before = points(in);
-  ASSERT_EQ(before.size(), 9u);
+  Part box = prism({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, 1);
+  box.points.push_back({1, 0.9, 0.9});
+  box.faces.erase(box.faces.begin() + 1);
+  for (std::size_t i = 0; i < 4; ++i) box.faces.push_back({4 + i, 4 + (i + 1) % 4, 8});
+  folder.write("box.off", box.off());
   for (const char* const scheme : {"catmull-clark", "modified-catmull-clark"})
-    for (const char* const options : {"--levels 0", "--levels 2", "--levels 2 --linear"}) {
-      const Outcome outcome =
-        surface(in, out,
-                std::string("--interpolate points --limit --ascii --sharp angle:60 ") +
-                  "--scheme " + scheme + " " + options);
-      ASSERT_EQ(outcome.code, 0) << outcome.err;
-      expect_part(outcome.err, "sharp edges");
-      const auto after = points(out);
-      for (std::size_t i = 0; i < before.size(); ++i)
-        EXPECT_LE(distance(before[i], after[i]), 1e-8) << scheme << options << " " << i;
-    }
+    for (const char* const options : {"--levels 0", "--levels 2", "--levels 2 --linear"})
+      expect_points(folder.file("box.off"),
+                    std::string("--sharp angle:60 --scheme ") + scheme + " " + options, 1e-8,
+                    {"sharp edges"});
 }
 
 TEST_F(Pn_subdivide_interpolate, WhatCannotBeIsRefusedInOneLine)
@@ -144,8 +121,7 @@ TEST_F(Pn_subdivide_interpolate, WhatCannotBeIsRefusedInOneLine)
                           "--interpolate slide --scheme catmull-clark --border curve"),
                   2, "--border");
   folder.write("line.txt", "0 0\n1 0\n2 1\n3 1\n");
-  const std::string curve =
-    "curve '" + folder.file("line.txt") + "' '" + folder.file("out.txt") + "' ";
+  const std::string curve = "curve " + words("line.txt", "out.txt");
   expect_one_line(run(curve + "--scheme bspline:2 --interpolate slide"), 2, "bspline:2");
   expect_one_line(run(curve + "--scheme bspline:3 --end none --interpolate slide"), 2,
                   "--end none");

@@ -10,6 +10,7 @@
 // every kind of damage.
 
 #include "File_test.h"
+#include "Part_files.h"
 
 #include "io/soup_repair.h"
 #include "surface/Surface.h"
@@ -21,12 +22,6 @@
 using namespace pn_subdivide;
 
 namespace {
-
-// Macros do not take braces.
-Triple triple(double x, double y, double z)
-{
-  return {x, y, z};
-}
 
 using Faces = std::vector<std::vector<unsigned>>;
 

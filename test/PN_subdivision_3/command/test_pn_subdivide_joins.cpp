@@ -48,26 +48,8 @@ Triple none(std::size_t, std::size_t)
   return {0, 0, 0};
 }
 
-// Text, with as many digits as binary files have or with all.
-std::string stl(const std::vector<Triangle>& triangles, bool is_float)
-{
-  std::ostringstream s;
-  s.precision(17);
-  s << "solid box\n";
-  for (const Triangle& t : triangles) {
-    s << "facet normal 0 0 0\nouter loop\n";
-    for (const Triple& p : t) {
-      s << "vertex";
-      for (const double x : p) s << ' ' << (is_float ? double(float(x)) : x);
-      s << "\n";
-    }
-    s << "endloop\nendfacet\n";
-  }
-  return s.str() + "endsolid box\n";
-}
-
 // Every triangle has vertices of its own.
-std::string split_off(const std::vector<Triangle>& triangles)
+Part split(const std::vector<Triangle>& triangles)
 {
   Part part;
   for (const Triangle& t : triangles) {
@@ -75,7 +57,16 @@ std::string split_off(const std::vector<Triangle>& triangles)
     part.points.insert(part.points.end(), t.begin(), t.end());
     part.faces.push_back({v, v + 1, v + 2});
   }
-  return part.off();
+  return part;
+}
+std::string split_off(const std::vector<Triangle>& triangles)
+{
+  return split(triangles).off();
+}
+// with as many digits as binary files have or with all
+std::string stl(const std::vector<Triangle>& triangles, bool is_float)
+{
+  return split(triangles).stl([is_float](double x) { return is_float ? double(float(x)) : x; });
 }
 
 class Pn_subdivide_joins : public Command_test
@@ -102,8 +93,7 @@ std::vector<Index> by_all_pairs(const std::vector<Triple>& points, double distan
   for (Index i = 0; i < first.size(); ++i) first[i] = i;
   for (Index i = 0; i < first.size(); ++i)
     for (Index j = 0; j < i; ++j) {
-      const Triple &p = points[i], &q = points[j];
-      if (!(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) <= distance)) continue;
+      if (!(pn_subdivide::distance(points[i], points[j]) <= distance)) continue;
       const Index low = (std::min)(first[i], first[j]), high = (std::max)(first[i], first[j]);
       std::replace(first.begin(), first.end(), high, low);
     }
@@ -233,7 +223,6 @@ TEST(Near_points, AreJoinedUnlessAFaceHasBoth)
     }
     const double distance = 0.08;
     const std::vector<Mesh_data::Index> first = first_near(mesh, distance);
-    std::size_t number_joined = 0;
     const auto share_a_face = [&](Mesh_data::Index a, Mesh_data::Index b) {
       for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
         bool has_a = false, has_b = false;
@@ -253,15 +242,14 @@ TEST(Near_points, AreJoinedUnlessAFaceHasBoth)
     for (Mesh_data::Index a = 0; a < 60; ++a) {
       EXPECT_LE(first[a], a);
       EXPECT_EQ(first[first[a]], first[a]);
-      number_joined += first[a] != a;
       for (Mesh_data::Index b = 0; b < a; ++b) {
-        const Triple &p = mesh.points[a], &q = mesh.points[b];
-        if (std::hypot(p[0] - q[0], p[1] - q[1]) <= distance && first[a] != first[b]) {
+        if (pn_subdivide::distance(mesh.points[a], mesh.points[b]) <= distance &&
+            first[a] != first[b]) {
           EXPECT_TRUE(share_a_face(first[a], first[b])) << a << ' ' << b;
         }
       }
     }
-    EXPECT_GT(number_joined, 0u);
+    EXPECT_GT(number_joined(first), 0u);
   }
 }
 
@@ -449,9 +437,6 @@ TEST_F(Pn_subdivide_joins, CopiesOfRepairKeepOneCurve)
     "a.off", "OFF\n12 6 0\n0 0 0\n.25 1 .15\n0 2 0\n1 0 0\n1 1 0\n1 2 0\n-.5 0 .9\n-.5 1 .9\n"
              "-.5 2 .9\n-.5 0 -.9\n-.5 1 -.9\n-.5 2 -.9\n4 0 3 4 1\n4 1 4 5 2\n4 0 1 7 6\n"
              "4 1 2 8 7\n4 0 9 10 1\n4 1 10 11 2\n");
-  const auto distance = [](const Triple& p, const Triple& q) {
-    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-  };
   // of the circle; it is in the plane of (.25, 0, .15) and the y-axis
   const double sagitta = std::hypot(.25, .15), radius = (1 + sagitta * sagitta) / (2 * sagitta);
   const double x = (sagitta - radius) / sagitta;
@@ -499,21 +484,13 @@ TEST_F(Pn_subdivide_joins, DifferentNormalsBecomeThoseOfCorners)
     const std::string split = folder.write("split.ply", corners.ply(part.corner_normals));
     const auto refined = [&](const std::string& input, const std::string& options) {
       done(surface(input, "out.obj", "--levels 2 --quiet " + options));
-      std::multiset<Triple> points;
-      for (const Triple& p : read_mesh(folder.file("out.obj")).points) points.insert(p);
-      return points;
+      return read_mesh(folder.file("out.obj")).points;
     };
     const auto expected = refined(bolt + name + ".obj", "");
     const auto merged = refined(split, "--merge-points");
     ASSERT_EQ(expected.size(), merged.size());
     // vertices have another order, so that sums differ in the last bits
-    std::vector<Triple> a(expected.begin(), expected.end());
-    for (const Triple& p : merged) {
-      double nearest = 1;
-      for (const Triple& q : a)
-        nearest = (std::min)(nearest, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
-      ASSERT_LE(nearest, 1e-13);
-    }
+    for (const Triple& p : merged) ASSERT_LE(distance_to_nearest(p, expected), 1e-13);
     expect_part(copied(split, "--merge-points").err, " sharp edges");
     // summed only if that is asked for
     expect_part(copied(split, "--merge-points --sharp none").err,

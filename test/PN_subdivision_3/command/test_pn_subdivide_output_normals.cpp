@@ -18,58 +18,16 @@ using namespace pn_subdivide;
 
 namespace {
 
-using Vector = std::array<long double, 3>;
-
-Vector cross(const Vector& a, const Vector& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Triple unit(const Vector& v)
-{
-  const long double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  if (!(length > 0)) return {0, 0, 0};
-  return {double(v[0] / length), double(v[1] / length), double(v[2] / length)};
-}
-
-double distance(const Triple& a, const Triple& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
-double largest_distance(const std::vector<Triple>& a, const std::vector<Triple>& b)
-{
-  EXPECT_EQ(a.size(), b.size());
-  double largest = 0;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    largest = std::max(largest, distance(a[i], b[i]));
-  return largest;
-}
-
-// Newell's formula, about the center of all points.
-Vector area_of(const Mesh_data& mesh, std::size_t f)
-{
-  const Mesh_data::Face face = mesh.face(f);
-  Vector area{};
-  for (const Mesh_data::Index& v : face) {
-    const Triple& p = mesh.points[v];
-    const Triple& q = mesh.points[&v + 1 == face.end() ? *face.begin() : *(&v + 1)];
-    const Vector part = cross({p[0], p[1], p[2]}, {q[0], q[1], q[2]});
-    for (std::size_t k = 0; k < 3; ++k) area[k] += part[k];
-  }
-  return area;
-}
-
 // The unit sums of the areas, of all faces at a vertex that have the same mark; by corner.
 std::vector<Triple> area_normals(const Mesh_data& mesh, const std::vector<double>& marks)
 {
-  std::map<std::pair<Mesh_data::Index, double>, Vector> sums;
+  std::map<std::pair<Mesh_data::Index, double>, Triple> sums;
   const auto mark = [&](std::size_t f) { return marks.empty() ? 0 : marks[f]; };
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const Vector area = area_of(mesh, f);
-    for (const Mesh_data::Index v : mesh.face(f))
-      for (std::size_t k = 0; k < 3; ++k) sums[{v, mark(f)}][k] += area[k];
-  }
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (const Mesh_data::Index v : mesh.face(f)) {
+      Triple& of_mark = sums[{v, mark(f)}];
+      of_mark = sum(of_mark, area_vector(mesh, f));
+    }
   std::vector<Triple> result;
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     for (const Mesh_data::Index v : mesh.face(f)) result.push_back(unit(sums[{v, mark(f)}]));
@@ -217,10 +175,9 @@ TEST_F(Pn_subdivide_output_normals, AVertexOfSeveralWedgesHasTheirSumInPly)
       if (std::find(known.begin(), known.end(), n) == known.end()) known.push_back(n);
     }
   for (std::size_t v = 0; v < different.size(); ++v) {
-    Vector sum{};
-    for (const Triple& n : different[v])
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += n[k];
-    EXPECT_LE(distance(unit(sum), by_vertices.normals[v]), rounding) << v;
+    Triple all{};
+    for (const Triple& n : different[v]) all = sum(all, n);
+    EXPECT_LE(distance(unit(all), by_vertices.normals[v]), rounding) << v;
   }
 }
 
@@ -279,13 +236,9 @@ TEST_F(Pn_subdivide_output_normals, ControlIsTheControlNormals)
     const std::string options = "--normals sphere:0,0,0 --levels 2 --drop-attributes --scheme " +
                                 scheme + " --output-normals ";
     const Mesh_data control = refined(input_of(scheme), "c.ply", options + "control");
-    double largest = 0;
-    for (std::size_t v = 0; v < control.points.size(); ++v) {
-      const Triple& p = control.points[v];
-      largest = std::max(
-        largest, distance(control.normals[v], {p[0] / radius, p[1] / radius, p[2] / radius}));
-    }
-    EXPECT_LE(largest, rounding) << scheme;
+    for (std::size_t v = 0; v < control.points.size(); ++v)
+      EXPECT_LE(distance(control.normals[v], sum({}, control.points[v], 1 / radius)), rounding)
+        << scheme;
     const Mesh_data of_faces = refined(input_of(scheme), "a.ply", options + "auto");
     EXPECT_GT(largest_distance(of_faces.normals, control.normals), 0.01) << scheme;
   }
@@ -355,7 +308,7 @@ TEST_F(Pn_subdivide_output_normals, OffHasThemIfTheyAreAskedFor)
         "--levels 1 --output-normals control", "--levels 1 --surface-normals",
         "--levels 0 --normals angle"})
     EXPECT_EQ(begins(asked), "NOFF") << asked;
-  const Outcome outcome = run("'" + folder.file("quads.obj") + "' '" + folder.file("o.off") + "'");
+  const Outcome outcome = run(words("quads.obj", "o.off"));
   expect_part(outcome.err, "(not written; --output-normals writes some)");
 }
 

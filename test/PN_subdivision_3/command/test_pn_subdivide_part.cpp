@@ -160,13 +160,10 @@ Distances from_turned(const Mesh_data& mesh, const Profile& profile)
     ++number;
   };
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const auto face = mesh.face(f);
     Triple middle{};
-    for (auto v = face.begin(); v != face.end(); ++v) {
-      const Triple &p = mesh.points[*v],
-                   &q = mesh.points[v + 1 == face.end() ? *face.begin() : *(v + 1)];
-      add({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2});
-      for (std::size_t k = 0; k < 3; ++k) middle[k] += p[k] / double(face.size());
+    for (const auto& [p, q] : sides(mesh, f)) {
+      add(sum(p, difference(q, p), 0.5));
+      middle = sum(middle, p, 1. / double(mesh.face(f).size()));
     }
     add(middle);
   }
@@ -186,8 +183,7 @@ protected:
   }
   std::string said(const std::string& input, const std::string& options) const
   {
-    const Outcome outcome =
-      done(run("'" + folder.file(input) + "' '" + folder.file("said.ply") + "' " + options));
+    const Outcome outcome = done(run(words(input, "said.ply") + options));
     return outcome.err;
   }
   std::string checked(const std::string& input, const std::string& options) const
@@ -345,9 +341,7 @@ TEST_F(Pn_subdivide_part, WhatElseIsAskedForIsDone)
   for (const std::string option :
        {"--sharp auto", "--normals auto", "--limit", "--chord 1%", "--border curve --levels 2",
         "--roundness 1", "--levels 0 --output-normals both", "--threads 2", "--scheme ct-loop"})
-    expect_part(
-      run("'" + folder.file("plate.ply") + "' '" + folder.file("o.ply") + "' " + option).err,
-      taken);
+    expect_part(run(words("plate.ply", "o.ply") + option).err, taken);
 }
 
 // What the file says of edges and normals counts, if it says anything.
@@ -358,10 +352,7 @@ TEST_F(Pn_subdivide_part, FilesThatSayMoreAreNotTaken)
   expect_no_part(said("tagged.ply", "--levels 1"), taken);
   const Part part = triangles(drilled_plate());
   std::vector<Triple> up(part.points.size(), Triple{0, 0, 1}), outwards, none(part.points.size());
-  for (const Triple& p : part.points) {
-    const double length = std::hypot(p[0], p[1], p[2] - .5);
-    outwards.push_back({p[0] / length, p[1] / length, (p[2] - .5) / length});
-  }
+  for (const Triple& p : part.points) outwards.push_back(unit({p[0], p[1], p[2] - .5}));
   folder.write("outwards.ply", part.ply(outwards));
   folder.write("none.ply", part.ply(none));
   expect_no_part(said("outwards.ply", "--levels 1 --normals file"), taken);
@@ -415,9 +406,9 @@ TEST_F(Pn_subdivide_part, TheClosingLineProposesWhatHelps)
   expect_part(planes, ", 12 edges turn by more than 40 degrees: --part, ");
   expect_no_part(planes, taken);
   // every face of it is a plane of its own, which says nothing, and half of its edges turn
-  folder.write("gem.off",
-               "OFF\n6 8 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1.1 0\n0 0 -1.2\n3 0 1 2\n3 1 3 2\n"
-               "3 3 4 2\n3 4 0 2\n3 1 0 5\n3 3 1 5\n3 4 3 5\n3 0 4 5\n");
+  std::string gem_off = octahedron_off;
+  gem_off.replace(gem_off.find("0 -1 0\n0 0 -1"), 13, "0 -1.1 0\n0 0 -1.2");
+  folder.write("gem.off", gem_off);
   const std::string gem = said("gem.off", "--levels 1");
   expect_no_part(gem, "40 degrees");
   expect_no_part(said("shaft.stl", "--levels 1"), "40 degrees");
@@ -474,27 +465,9 @@ TEST_F(Pn_subdivide_part, BordersOfPlanesAreLinesAndArcs)
     sheet.add(corners);
   }
   std::vector<Triple> rim;
-  for (int i = 0; i <= 12; ++i) {
-    const Triple p = on_circle(1, 15. * i - 90, 0);
-    rim.push_back({p[0] + 2, p[1], 0});
-  }
-  for (int i = 0; i <= 12; ++i) {
-    const Triple p = on_circle(1, 15. * i + 90, 0);
-    rim.push_back({p[0] - 2, p[1], 0});
-  }
+  for (const double x : {2., -2.})
+    for (int i = 0; i <= 12; ++i) rim.push_back(sum(on_circle(1, 15. * i - 45 * x, 0), {x, 0, 0}));
   stadium.add(rim);
-  const auto area = [](const Mesh_data& mesh) {
-    double twice = 0;
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-      const auto face = mesh.face(f);
-      for (auto v = face.begin(); v != face.end(); ++v) {
-        const Triple &p = mesh.points[*v],
-                     &q = mesh.points[v + 1 == face.end() ? *face.begin() : *(v + 1)];
-        twice += p[0] * q[1] - p[1] * q[0];
-      }
-    }
-    return std::abs(twice) / 2;
-  };
   const double pi = 4 * std::atan(1.);
   for (const auto& [part, exact] : {std::pair(sheet, 16 - pi), std::pair(stadium, 8 + pi)})
     for (const std::string options : {"--part", "--part --levels 3"}) {
@@ -502,15 +475,17 @@ TEST_F(Pn_subdivide_part, BordersOfPlanesAreLinesAndArcs)
       for (const bool split : {false, true}) {
         folder.write("open.ply", (split ? triangles(part) : part).ply());
         const Mesh_data mesh = refined("open.ply", "o.ply", options);
-        EXPECT_NEAR(area(mesh), exact, 4e-3);
+        double area = 0;
+        for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) area += area_vector(mesh, f)[2];
+        EXPECT_NEAR(std::abs(area), exact, 4e-3);
         for (const Triple& p : mesh.points) EXPECT_NEAR(p[2], 0, 1e-12);
         for (const double x : {-2., 2.})
           for (const double y : {-2., 2.})
             if (exact > 12) {
-              EXPECT_EQ(std::count_if(
-                          mesh.points.begin(), mesh.points.end(),
-                          [&](const Triple& p) { return std::hypot(p[0] - x, p[1] - y) < 1e-9; }),
-                        1);
+              const auto is_at_corner = [&](const Triple& p) {
+                return distance(p, {x, y, 0}) < 1e-9;
+              };
+              EXPECT_EQ(std::count_if(mesh.points.begin(), mesh.points.end(), is_at_corner), 1);
             }
       }
     }
@@ -549,11 +524,7 @@ TEST_F(Pn_subdivide_part, CheckProposesPartBesideTags)
 // A ball of 12 meridians and 5 parallels has 0.82 of the volume of its sphere, and is that again.
 TEST_F(Pn_subdivide_part, CheckKnowsASphere)
 {
-  const auto point = [](int i, int j) {
-    const Triple z = on_circle(1, 30. * j - 90, 0);
-    return j == 0 || j == 6 ? Triple{0, 0, z[1]} : on_circle(z[0], 30. * (i % 12), z[1]);
-  };
-  folder.write("ball.ply", ball_of(point).ply());
+  folder.write("ball.ply", ball_of(12, 6, on_sphere).ply());
   const std::string text = checked("ball.ply", "--levels 3 --normals sphere:0,0,0" + reported());
   expect_part(text, "check: kept (linear LOST)\n");
   const Json json = report()["check"];

@@ -72,8 +72,10 @@ TEST_F(Pieces, AtTheLimit)
   for (const char* const border : {"surface", "curve"})
     for (const char* const options : {"--limit", "--output-normals surface", "--limit --linear"})
       for (const char* const levels : {"0", "2"})
-        expect_whole_with_warning("loop", std::string("--sharp angle:25 --border ") + border +
-                                            " --levels " + levels + " " + options);
+        expect_same("loop", "triangles.off",
+                    std::string("--quiet --sharp angle:25 --border ") + border + " --levels " +
+                      levels + " " + options,
+                    {"7"});
 }
 
 // Also the warning is there that vertices have several normals; where all creases have run out it is not.
@@ -82,18 +84,9 @@ TEST_F(Pieces, OfCreases)
   int with_warning = 0, without = 0;
   const auto expect = [&](const std::string& scheme, const std::string& options,
                           const std::vector<std::string>& numbers_of_pieces) {
-    const Outcome whole = run(in_out(scheme, "whole.ply") + options);
-    ASSERT_EQ(whole.code, 0) << whole.err;
-    for (const std::string& pieces : numbers_of_pieces) {
-      const Outcome outcome = run(in_out(scheme, "out.ply") + options + " --pieces " + pieces);
-      ASSERT_EQ(outcome.code, 0) << outcome.err;
-      EXPECT_TRUE(content("out.ply") == content("whole.ply")) << scheme << options << pieces;
-      const auto warns = [](const Outcome& o) {
-        return o.err.find("several normals") != std::string::npos;
-      };
-      EXPECT_EQ(warns(outcome), warns(whole)) << scheme << options;
-      ++(warns(outcome) ? with_warning : without);
-    }
+    const bool warns =
+      expect_same(scheme, input_of(scheme), "--quiet " + options, numbers_of_pieces);
+    ++(warns ? with_warning : without);
   };
   for (const std::string scheme : {"catmull-clark", "loop", "modified-loop", "ct-catmull-clark"})
     for (const char* const sharp : {"", "--sharp angle:25 ", "--sharp angle:25 --sharpness 1.5 ",
@@ -115,15 +108,9 @@ TEST_F(Pieces, OfCreases)
 TEST_F(Pieces, OfCreasesOfTheFile)
 {
   const std::string first = "--levels 1 --sharp angle:25 --sharpness 2.5 --output-normals both";
-  const std::string input = "surface '" + folder.file("first.ply") + "' '";
   done(run(in_out("catmull-clark", "first.ply") + first));
-  for (const char* const levels : {"1", "2", "3"}) {
-    const std::string options =
-      "' --quiet --scheme catmull-clark --levels " + std::string(levels) + " ";
-    done(run(input + folder.file("whole.ply") + options));
-    done(run(input + folder.file("out.ply") + options + "--pieces 7"));
-    EXPECT_TRUE(content("out.ply") == content("whole.ply")) << levels;
-  }
+  for (const std::string levels : {"1", "2", "3"})
+    expect_same("catmull-clark", "first.ply", "--quiet --levels " + levels, {"7"});
 }
 
 // Areas whose squares are no numbers.
@@ -199,18 +186,10 @@ TEST_F(Pieces, PvtpHasTheNormalsOfTheWhole)
       const std::string whole = content("whole.vtp");
       std::size_t faces = 0;
       for (int i = 0; i < 5; ++i) {
-        const std::string piece = content("out_pieces/piece_" + std::to_string(i) + ".vtp");
-        const auto number = raw_array<std::int64_t>(piece, "GlobalPointIds");
-        ASSERT_FALSE(number.empty());
-        faces += raw_array<std::int64_t>(piece, "offsets").size();
-        for (const char* const name : {"Points", "Normals", "control_normals"}) {
-          const auto of_whole = raw_array<double>(whole, name),
-                     values = raw_array<double>(piece, name);
-          ASSERT_EQ(values.size(), of_whole.empty() ? 0 : 3 * number.size()) << name << normals;
-          for (std::size_t k = 0; k < values.size(); ++k)
-            ASSERT_EQ(values[k], of_whole[3 * std::size_t(number[k / 3]) + k % 3])
-              << name << normals;
-        }
+        SCOPED_TRACE(normals);
+        faces += raw_array<std::int64_t>(piece(i), "offsets").size();
+        for (const char* const name : {"Points", "Normals", "control_normals"})
+          expect_rows<double>(i, name, 3, "GlobalPointIds", name[0] != 'P');
       }
       EXPECT_EQ(faces, raw_array<std::int64_t>(whole, "offsets").size());
       const std::string index = content("out.pvtp");
@@ -317,13 +296,6 @@ TEST_F(Ranks, WithoutFurtherOptions)
 // one line of ours, and none under the final name
 TEST_F(Ranks, FailTogether)
 {
-  const auto lines_of_ours = [](const Outcome& outcome) {
-    std::size_t lines = 0;
-    for (std::size_t i = outcome.err.find("pn_subdivide: "); i != std::string::npos;
-         i = outcome.err.find("pn_subdivide: ", i + 1))
-      ++lines;
-    return lines;
-  };
   const std::size_t files = folder.number_of_files();
   // The limit is that of the ranks: mpirun needs files of its own.
   const std::string full =
@@ -336,7 +308,7 @@ TEST_F(Ranks, FailTogether)
         run(in_out("catmull-clark", out) + "--levels 5 --pieces 7" + (is_full ? "" : " --check"),
             before);
       EXPECT_NE(outcome.code, 0);
-      EXPECT_EQ(lines_of_ours(outcome), 1u) << outcome.err;
+      EXPECT_EQ(number_of(outcome.err, "pn_subdivide: "), 1u) << outcome.err;
       EXPECT_EQ(folder.number_of_files(), files) << out << outcome.err;
     }
 }

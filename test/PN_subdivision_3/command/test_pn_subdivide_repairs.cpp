@@ -24,13 +24,12 @@ struct Bodies
   std::vector<int> signs;
   std::vector<std::size_t> end; // of the faces of each
 
-  void add(std::vector<Triple> points, const std::vector<std::vector<int>>& faces, int sign,
-           bool is_turned)
+  void add(const Part& body, int sign, bool is_turned)
   {
-    const auto first = int(mesh.points.size());
-    mesh.points.insert(mesh.points.end(), points.begin(), points.end());
-    for (std::vector<int> face : faces) {
-      for (int& v : face) v += first;
+    const std::size_t first = mesh.points.size();
+    mesh.points.insert(mesh.points.end(), body.points.begin(), body.points.end());
+    for (std::vector<std::size_t> face : body.faces) {
+      for (std::size_t& v : face) v += first;
       if (is_turned) std::reverse(face.begin(), face.end());
       mesh.add_face(face);
     }
@@ -41,22 +40,18 @@ struct Bodies
   // outwards, if it is not turned; pentagonal prisms, their sides quads
   void add_prism(const Triple& center, double size, int sign, bool is_turned)
   {
-    std::vector<Triple> points;
-    for (const int z : {-1, 1})
-      for (int i = 0; i < 5; ++i)
-        points.push_back({center[0] + size * std::cos(1.2566 * i),
-                          center[1] + size * std::sin(1.2566 * i), center[2] + size * z});
-    std::vector<std::vector<int>> faces = {{4, 3, 2, 1, 0}, {5, 6, 7, 8, 9}};
-    for (int i = 0; i < 5; ++i) faces.push_back({i, (i + 1) % 5, 5 + (i + 1) % 5, 5 + i});
-    add(points, faces, sign, is_turned);
+    std::vector<Triple> corners;
+    for (int i = 0; i < 5; ++i)
+      corners.push_back(sum(center, {std::cos(1.2566 * i), std::sin(1.2566 * i), -1}, size));
+    add(prism(corners, center[2] + size), sign, is_turned);
   }
 
   void add_tetrahedron(const Triple& center, double size, int sign, bool is_turned)
   {
-    std::vector<Triple> points;
-    for (const Triple& p : {Triple{-1, -1, -1}, {1, -1, -1}, {0, 1, -1}, {0, 0, 1}})
-      points.push_back({center[0] + size * p[0], center[1] + size * p[1], center[2] + size * p[2]});
-    add(points, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, sign, is_turned);
+    Part body{{{-1, -1, -1}, {1, -1, -1}, {0, 1, -1}, {0, 0, 1}},
+              {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+    for (Triple& p : body.points) p = sum(center, p, size);
+    add(body, sign, is_turned);
   }
 };
 
@@ -222,9 +217,9 @@ TEST(Soup_repair_outwards, OpenAndFlatOnesStay)
 {
   for (const bool is_turned : {false, true}) {
     Bodies b;
-    b.add({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}}, 0,
+    b.add({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}}}, 0,
           is_turned); // a side is missing
-    b.add({{5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}, 0, is_turned);
+    b.add({{{5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}, 0, is_turned);
     EXPECT_FALSE(repair_soup(b.mesh).changed_anything());
     EXPECT_EQ(find_inside_out(b.mesh).number, 0u);
   }

@@ -33,12 +33,6 @@ std::string box(int m, bool is_triangles)
   return (is_triangles ? triangulated(part) : part).obj();
 }
 
-Triple unit(const Triple& v)
-{
-  const double length = std::hypot(v[0], v[1], v[2]);
-  return {v[0] / length, v[1] / length, v[2] / length};
-}
-
 // A ball with a ridge, of which some vertices are round and some are not.
 std::string ply(const std::vector<double>& roundness, bool with_normals)
 {
@@ -69,13 +63,10 @@ std::string pin(bool with_normals, bool has_cap = false)
   return with_normals ? part.off(normals) : part.off();
 }
 
-double largest_difference(const std::vector<Triple>& a, const std::vector<Triple>& b)
+std::vector<Triple> blended(std::vector<Triple> a, const std::vector<Triple>& b, double part_of_b)
 {
-  EXPECT_EQ(a.size(), b.size());
-  double largest = 0;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    for (std::size_t k = 0; k < 3; ++k) largest = std::max(largest, std::abs(a[i][k] - b[i][k]));
-  return largest;
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] = sum(a[i], difference(b[i], a[i]), part_of_b);
+  return a;
 }
 
 class Pn_subdivide_roundness : public Refined_files
@@ -92,8 +83,7 @@ protected:
   }
   std::string err(const std::string& input, const std::string& options, int code = 0) const
   {
-    const Outcome outcome =
-      run("'" + folder.file(input) + "' '" + folder.file("e.ply") + "' " + options);
+    const Outcome outcome = run(words(input, "e.ply") + options);
     EXPECT_EQ(outcome.code, code) << options << outcome.err;
     return outcome.err;
   }
@@ -102,13 +92,7 @@ protected:
   {
     done(Command_test::curve("p.txt", "o.txt", "--quiet " + options));
     std::vector<Triple> points;
-    std::istringstream lines(content("o.txt"));
-    for (std::string line; std::getline(lines, line);) {
-      std::istringstream numbers(line);
-      Triple p{};
-      numbers >> p[0] >> p[1];
-      points.push_back(p);
-    }
+    for (const auto& row : rows_of(content("o.txt"))) points.push_back({row.at(0), row.at(1), 0});
     return points;
   }
 };
@@ -131,12 +115,11 @@ TEST_F(Pn_subdivide_roundness, OneRoundOfANumberIsABlend)
       const std::vector<Triple> full = points("");
       EXPECT_EQ(points(" --roundness 1"), full);
       EXPECT_EQ(points(" --roundness 0"), linear);
-      EXPECT_GT(largest_difference(full, linear), 0.05);
+      EXPECT_GT(largest_distance(full, linear), 0.05);
       for (const double x : {0.25, 0.5, 0.9}) {
-        std::vector<Triple> blend = linear;
-        for (std::size_t i = 0; i < blend.size(); ++i)
-          for (std::size_t k = 0; k < 3; ++k) blend[i][k] += x * (full[i][k] - linear[i][k]);
-        EXPECT_LE(largest_difference(points(" --roundness " + std::to_string(x)), blend), 1e-14);
+        EXPECT_LE(
+          largest_distance(points(" --roundness " + std::to_string(x)), blended(linear, full, x)),
+          1e-14);
       }
     }
 }
@@ -186,7 +169,7 @@ TEST_F(Pn_subdivide_roundness, FileNeedsTheProperty)
             written("points.ply", "b.ply", "--roundness auto"));
   for (const char* const wrong : {"-0.6", "1.6", "nan", "inf"}) {
     std::string text = ply(several, true);
-    text.replace(text.find(" 0.25 "), 6, std::string(" ") + wrong + " ");
+    text.replace(text.find(" 0.25\n"), 6, std::string(" ") + wrong + "\n");
     folder.write("wrong.ply", text);
     expect_one_line(surface("wrong.ply", "o.ply", ""), 1, "vertex 1 has the roundness ");
     expect_one_line(surface("wrong.ply", "o.ply", "--roundness file"), 1, "from 0 to 1");
@@ -254,7 +237,7 @@ TEST_F(Pn_subdivide_roundness, WedgesHaveThatOfTheLibrary)
       points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
     const Mesh_data once =
       refined("pin.off", "o.ply", "--levels 2 --sharp angle:40 --output-normals both");
-    EXPECT_LE(largest_difference(once.points, points), 1e-12) << has_cap;
+    EXPECT_LE(largest_distance(once.points, points), 1e-12) << has_cap;
     EXPECT_EQ(once.corner_roundness.empty(), false) << has_cap;
     written("pin.off", "a.ply", "--sharp angle:40 --output-normals both");
     expect_same_but_for_numbers(once, refined("a.ply", "b.ply", "--output-normals both"));
@@ -333,21 +316,12 @@ TEST_F(Pn_subdivide_roundness, EdgesThatHardlyAreSharpAreNot)
     std::vector<Triple> normals;
     for (const Triple& p : part.points)
       normals.push_back({p[0] / 2 - .4, p[1] / 1.7 - .4, p[2] / 1.5 - .4});
-    std::string ply = has_normals ? part.ply(normals) : part.ply();
-    std::string edges;
+    std::vector<Edge_tag> edges;
     for (const auto& face : part.faces)
-      for (std::size_t i = 0; i < 4; ++i) {
-        const std::size_t v = face[i], w = face[(i + 1) % 4];
-        if (v > w) continue;
-        char s[60];
-        std::snprintf(s, sizeof s, "%zu %zu %g\n", v, w, edges.empty() ? one : some);
-        edges += s;
-      }
-    const std::string end = "end_header\n";
-    ply.insert(ply.find(end), "element edge 12\nproperty int vertex1\nproperty int vertex2\n"
-                              "property double sharpness\n");
-    ply += edges;
-    folder.write(file, ply);
+      for (std::size_t i = 0; i < 4; ++i)
+        if (const int v = int(face[i]), w = int(face[(i + 1) % 4]); v < w)
+          edges.push_back({{v, w}, edges.empty() ? one : some});
+    folder.write(file, with_edges(has_normals ? part.ply(normals) : part.ply(), edges));
   };
   for (const bool has_normals : {false, true})
     for (const char* const options :
@@ -359,11 +333,8 @@ TEST_F(Pn_subdivide_roundness, EdgesThatHardlyAreSharpAreNot)
         for (const double s : {1e-12, 1e-4}) {
           box("some.ply", has_normals, s, one == 0 ? s : one);
           const std::vector<Triple> some = refined("some.ply", "o.ply", all).points;
-          ASSERT_EQ(some.size(), none.size());
-          for (std::size_t v = 0; v < none.size(); ++v)
-            for (std::size_t k = 0; k < 3; ++k)
-              EXPECT_NEAR(some[v][k], none[v][k], 10 * s + 1e-10)
-                << options << s << one << has_normals;
+          EXPECT_LE(largest_distance(some, none), 10 * s + 1e-10)
+            << options << s << one << has_normals;
         }
       }
 }
@@ -379,11 +350,8 @@ TEST_F(Pn_subdivide_roundness, NetsOfInterpolationKeepIt)
             "--levels 0 --interpolate points --scheme loop --output-normals control --roundness " +
               roundness);
     const auto farthest = [&](const std::string& options) {
-      std::vector<Triple> limits =
-        refined("net.ply", "limit.ply",
-                "--scheme loop --levels 0 --limit --limit-tolerance 1e-13 " + options)
-          .points;
-      return largest_difference(limits, data);
+      const std::string all = "--scheme loop --levels 0 --limit --limit-tolerance 1e-13 " + options;
+      return largest_distance(refined("net.ply", "limit.ply", all).points, data);
     };
     EXPECT_LE(farthest("--roundness auto"), 1e-10) << roundness;
     EXPECT_GE(farthest("--roundness 1"), 1e-3) << roundness;
@@ -419,12 +387,10 @@ TEST_F(Pn_subdivide_roundness, CurvesTakeANumber)
     EXPECT_EQ(curve(options + " --roundness 0"), linear);
     EXPECT_EQ(curve(options + " --levels 4 --roundness 0"),
               curve("--linear --levels 4 --scheme " + scheme.substr(0, scheme.find(" --normal"))));
-    std::vector<Triple> blend = linear;
-    for (std::size_t i = 0; i < blend.size(); ++i)
-      for (std::size_t k = 0; k < 2; ++k) blend[i][k] += 0.3 * (full[i][k] - linear[i][k]);
-    EXPECT_LE(largest_difference(curve(options + " --roundness 0.3"), blend), 1e-14);
+    EXPECT_LE(largest_distance(curve(options + " --roundness 0.3"), blended(linear, full, 0.3)),
+              1e-14);
   }
-  const std::string calls = "curve '" + folder.file("p.txt") + "' '" + folder.file("o.txt") + "' ";
+  const std::string calls = "curve " + words("p.txt", "o.txt");
   for (const std::string x : {"1.5", "auto", "file", "-1"})
     expect_one_line(run(calls + "--roundness=" + x), 2, "from 0 to 1");
   expect_one_line(run(calls + "--roundness 1 --linear"), 2, "--linear");
@@ -439,9 +405,6 @@ TEST_F(Pn_subdivide_roundness, CurvesHaveLimitsOfIt)
   ASSERT_EQ(limits.size(), 6u);
   const std::vector<Triple> given{{0, 0, 0}, {4, 0, 0}, {5, 2, 0},
                                   {3, 4, 0}, {0, 3, 0}, {-1, 1, 0}};
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t k = 0; k < 2; ++k) {
-      EXPECT_NEAR(limits[i][k], many[i << 12][k], 1e-6);
-      EXPECT_NEAR(through[i][k], given[i][k], 1e-7);
-    }
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_LE(distance(limits[i], many[i << 12]), 1e-6);
+  EXPECT_LE(largest_distance(through, given), 1e-7);
 }

@@ -10,6 +10,7 @@
 
 #include "Extent.h"
 #include "File_test.h"
+#include "Part_files.h"
 
 #include "io/Mesh_data.h"
 #include "io/mesh_io.h"
@@ -18,124 +19,47 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 using namespace pn_subdivide;
 
 namespace {
 
-using Vector = std::array<long double, 3>;
-constexpr long double pi = 3.14159265358979323846264338327950288L;
-
-Vector cross(const Vector& a, const Vector& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-long double dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Vector scaled(long double x, const Vector& v)
-{
-  return {x * v[0], x * v[1], x * v[2]};
-}
-Vector unit(const Vector& v)
-{
-  return scaled(1 / std::sqrt(dot(v, v)), v);
-}
-struct Shape
-{
-  std::vector<Vector> points;
-  std::vector<std::vector<int>> faces;
-
-  Vector edge(int a, int b) const
-  {
-    const Vector &p = points[std::size_t(a)], &q = points[std::size_t(b)];
-    return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-  }
-  // of a face by the triangles round its center
-  Vector area(const std::vector<int>& f) const
-  {
-    Vector center = {0, 0, 0}, sum = {0, 0, 0};
-    for (const int v : f)
-      for (std::size_t k = 0; k < 3; ++k)
-        center[k] += points[std::size_t(v)][k] / (long double)(f.size());
-    for (std::size_t i = 0; i < f.size(); ++i) {
-      Vector a = points[std::size_t(f[i])], b = points[std::size_t(f[(i + 1) % f.size()])];
-      for (std::size_t k = 0; k < 3; ++k) {
-        a[k] -= center[k];
-        b[k] -= center[k];
-      }
-      const Vector c = cross(a, b);
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += c[k] / 2;
-    }
-    return sum;
-  }
-};
+const double pi = std::acos(-1.);
 
 const char* const weights[] = {"with equal weights", "weighted by area", "weighted by angle",
                                "weighted by area times angle",
                                "weighted by the areas that their corners span"};
 
-std::vector<Vector> shading(const Shape& s, std::size_t kind)
+std::vector<Triple> shading(const Part& s, std::size_t kind)
 {
-  std::vector<Vector> sums(s.points.size(), Vector{0, 0, 0});
-  for (const std::vector<int>& f : s.faces) {
-    const Vector area = s.area(f);
-    const long double size = std::sqrt(dot(area, area));
-    for (std::size_t i = 0; i < f.size(); ++i) {
-      const Vector a = s.edge(f[i], f[(i + 1) % f.size()]),
-                   b = s.edge(f[i], f[(i + f.size() - 1) % f.size()]), c = cross(a, b);
-      const long double angle = std::acos(dot(a, b) / std::sqrt(dot(a, a) * dot(b, b)));
-      const long double w[] = {1, size, angle, size * angle, std::sqrt(dot(c, c))};
-      for (std::size_t k = 0; k < 3; ++k) sums[std::size_t(f[i])][k] += w[kind] * area[k] / size;
+  std::vector<Triple> sums(s.points.size(), Triple{0, 0, 0});
+  for (std::size_t f = 0; f < s.faces.size(); ++f) {
+    const std::vector<std::size_t>& face = s.faces[f];
+    const double size = length(s.area(f));
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const auto edge_to = [&](std::size_t k) {
+        return difference(s.points[face[(i + k) % face.size()]], s.points[face[i]]);
+      };
+      const Triple a = edge_to(1), b = edge_to(face.size() - 1);
+      const double angle = std::acos(dot(unit(a), unit(b)));
+      const double w[] = {1, size, angle, size * angle, length(cross(a, b))};
+      sums[face[i]] = sum(sums[face[i]], unit(s.area(f)), w[kind]);
     }
   }
-  for (Vector& n : sums) n = unit(n);
+  for (Triple& n : sums) n = unit(n);
   return sums;
 }
 
-// Rings of n vertices round the z axis, of quads, closed by fans round two poles; points and true normals from the angles.
-Shape ball(int n, int rings, const std::function<Vector(long double, long double)>& at)
-{
-  Shape s;
-  s.points.push_back(at(0, 0));
-  for (int j = 1; j < rings; ++j)
-    for (int i = 0; i < n; ++i) s.points.push_back(at(pi * j / rings, 2 * pi * i / n));
-  s.points.push_back(at(pi, 0));
-  const auto number = [n](int j, int i) { return 1 + n * (j - 1) + i % n; };
-  for (int i = 0; i < n; ++i) {
-    s.faces.push_back({0, number(1, i), number(1, i + 1)});
-    for (int j = 1; j + 1 < rings; ++j)
-      s.faces.push_back({number(j, i), number(j + 1, i), number(j + 1, i + 1), number(j, i + 1)});
-    s.faces.push_back({number(rings - 1, i), int(s.points.size()) - 1, number(rings - 1, i + 1)});
-  }
-  return s;
-}
-
-Vector on_sphere(long double t, long double u)
-{
-  return {std::sin(t) * std::cos(u), std::sin(t) * std::sin(u), std::cos(t)};
-}
-
 // neither round nor even
-Shape potato()
+Part potato()
 {
-  return ball(9, 8, [](long double t, long double u) {
-    const long double a = t + 0.25L * std::sin(2 * t), b = u + 0.3L * std::sin(u);
-    const long double r = 1 + 0.2L * std::sin(3 * b) * std::sin(a);
-    return Vector{2 * r * std::sin(a) * std::cos(b), r * std::sin(a) * std::sin(b) + 0.1L * r * r,
-                  1.5L * r * std::cos(a)};
+  return ball_of(9, 8, [](double t, double u) {
+    const double a = t + 0.25 * std::sin(2 * t), b = u + 0.3 * std::sin(u);
+    const double r = 1 + 0.2 * std::sin(3 * b) * std::sin(a);
+    return Triple{2 * r * std::sin(a) * std::cos(b), r * std::sin(a) * std::sin(b) + 0.1 * r * r,
+                  1.5 * r * std::cos(a)};
   });
-}
-
-Shape triangulated(const Shape& s)
-{
-  Shape t{s.points, {}};
-  for (const std::vector<int>& f : s.faces)
-    for (std::size_t i = 2; i < f.size(); ++i) t.faces.push_back({f[0], f[i - 1], f[i]});
-  return t;
 }
 
 // --- files ---
@@ -147,69 +71,37 @@ const std::pair<Format, const char*> formats[] = {{Format::obj, ".obj"},
                                                   {Format::binary_float, ".ply"},
                                                   {Format::binary_double, ".ply"}};
 
-// With so many decimals, or with at most so many digits and no zeros at the end.
-std::string numbers(const Vector& v, int digits, bool is_fixed)
+std::string binary_file(const Part& s, const std::vector<Triple>& normals, bool is_float)
 {
-  std::ostringstream text;
-  text.precision(digits);
-  if (is_fixed) text << std::fixed;
-  for (const long double x : v) text << ' ' << double(x);
-  return text.str();
-}
-
-std::string binary_file(const Shape& s, const std::vector<Vector>& normals, bool is_float)
-{
-  const std::string type = is_float ? "float" : "double";
-  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
-                      std::to_string(s.points.size()) + "\n";
-  for (const char* name : {"x", "y", "z"}) bytes += std::string("property double ") + name + "\n";
-  for (const char* name : {"nx", "ny", "nz"}) bytes += "property " + type + " " + name + "\n";
-  bytes += "element face " + std::to_string(s.faces.size()) +
-           "\nproperty list uchar int vertex_indices\nend_header\n";
+  std::string bytes = s.ply(normals);
+  bytes.erase(bytes.find("end_header\n") + 11);
+  bytes.replace(bytes.find("ascii"), 5, "binary_little_endian");
+  for (const char* const name : {"nx", "ny", "nz"})
+    if (is_float) bytes.replace(bytes.find("double " + std::string(name)), 6, "float");
   for (std::size_t v = 0; v < s.points.size(); ++v) {
-    for (const long double x : s.points[v]) bytes += raw(double(x), false);
-    for (const long double x : normals[v])
-      bytes += is_float ? raw(float(x), false) : raw(double(x), false);
+    for (const double x : s.points[v]) bytes += raw(x, false);
+    for (const double x : normals[v]) bytes += is_float ? raw(float(x), false) : raw(x, false);
   }
-  for (const std::vector<int>& f : s.faces) {
+  for (const auto& f : s.faces) {
     bytes += char(f.size());
-    for (const int v : f) bytes += raw(v, false);
+    for (const std::size_t v : f) bytes += raw(int(v), false);
   }
   return bytes;
 }
 
-// Without normals if there are none.
-std::string file(const Shape& s, const std::vector<Vector>& normals, Format format, int digits,
-                 bool is_fixed = true)
+std::string file(const Part& s, const std::vector<Triple>& normals, Format format,
+                 const Digits& digits)
 {
-  if (format == Format::binary_float || format == Format::binary_double)
+  switch (format) {
+  case Format::obj:
+    return s.obj(normals, digits);
+  case Format::off:
+    return s.off(normals, digits);
+  case Format::ply:
+    return s.ply(normals, {}, digits);
+  default:
     return binary_file(s, normals, format == Format::binary_float);
-  const bool is_obj = format == Format::obj, has = !normals.empty();
-  std::string text;
-  if (format == Format::off)
-    text = (has ? "NOFF\n" : "OFF\n") + std::to_string(s.points.size()) + " " +
-           std::to_string(s.faces.size()) + " 0\n";
-  if (format == Format::ply) {
-    text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(s.points.size()) + "\n";
-    for (const char* name : {"x", "y", "z", "nx", "ny", "nz"})
-      if (has || name[0] != 'n') text += std::string("property float ") + name + "\n";
-    text += "element face " + std::to_string(s.faces.size()) +
-            "\nproperty list uchar int vertex_indices\nend_header\n";
   }
-  for (std::size_t v = 0; v < s.points.size(); ++v) {
-    text += (is_obj ? "v" : "") + numbers(s.points[v], 17, false);
-    if (has) text += (is_obj ? "\nvn" : "") + numbers(normals[v], digits, is_fixed);
-    text += "\n";
-  }
-  for (const std::vector<int>& f : s.faces) {
-    text += is_obj ? "f" : std::to_string(f.size());
-    for (const int v : f) {
-      const std::string number = std::to_string(v + int(is_obj));
-      text += " " + number + (is_obj && has ? "//" + number : "");
-    }
-    text += "\n";
-  }
-  return text;
 }
 
 class Pn_subdivide_shading : public Command_test
@@ -224,13 +116,13 @@ protected:
     refine(input, "--quiet --output-normals control " + options);
     return content("out.ply");
   }
-  std::string written(const Shape& s, const std::vector<Vector>& normals, std::size_t format,
+  std::string written(const Part& s, const std::vector<Triple>& normals, std::size_t format,
                       int digits, bool is_fixed = true)
   {
     return folder.write(std::string("mesh") + formats[format].second,
-                        file(s, normals, formats[format].first, digits, is_fixed));
+                        file(s, normals, formats[format].first, {digits, is_fixed}));
   }
-  void expect_data(const Shape& s, const std::vector<Vector>& normals, const std::string& name)
+  void expect_data(const Part& s, const std::vector<Triple>& normals, const std::string& name)
   {
     SCOPED_TRACE(name);
     for (const std::size_t format : {0u, 1u, 2u, 3u, 4u})
@@ -246,9 +138,9 @@ protected:
 
 TEST_F(Pn_subdivide_shading, EachKindIsFoundWithItsDigits)
 {
-  const Shape quads = potato(), triangles = triangulated(quads);
-  for (const Shape* s : {&quads, &triangles}) {
-    const std::string plain = folder.write("plain.off", file(*s, {}, Format::off, 17));
+  const Part quads = potato(), triangles = triangulated(quads);
+  for (const Part* s : {&quads, &triangles}) {
+    const std::string plain = folder.write("plain.off", s->off());
     const std::string expected = refined(plain, "--levels 1");
     for (std::size_t kind = 0; kind < 5; ++kind)
       for (std::size_t format = 0; format < 5; ++format)
@@ -274,7 +166,7 @@ TEST_F(Pn_subdivide_shading, EachKindIsFoundWithItsDigits)
 
 TEST_F(Pn_subdivide_shading, OthersAreTakenAndFileInsists)
 {
-  const Shape s = potato();
+  const Part s = potato();
   const std::string input = written(s, shading(s, 2), 1, 4);
   const Outcome outcome = refine(input, "--normals file");
   expect_part(outcome.err, "normals of the file");
@@ -292,114 +184,94 @@ TEST_F(Pn_subdivide_shading, OthersAreTakenAndFileInsists)
 // Four of five have to agree, within two units of the last digit and 2e-6.
 TEST_F(Pn_subdivide_shading, HowManyAndHowClose)
 {
-  const Shape s = potato();
+  const Part s = potato();
   const std::size_t all = s.points.size();
-  const std::vector<Vector> exact = shading(s, 2);
-  const auto is_found = [&](std::size_t others, long double off, int digits) {
-    std::vector<Vector> normals = exact;
+  const std::vector<Triple> exact = shading(s, 2);
+  const auto is_found = [&](std::size_t others, double off, int digits) {
+    std::vector<Triple> normals = exact;
     for (std::size_t v = 0; v < others; ++v) {
-      Vector side = cross(normals[v], {0.3L, 0.5L, 0.8L});
+      const Triple side = cross(normals[v], {0.3, 0.5, 0.8});
       // its largest coordinate is what is compared
-      const long double largest =
-        std::max({std::abs(side[0]), std::abs(side[1]), std::abs(side[2])});
-      for (std::size_t k = 0; k < 3; ++k) normals[v][k] += off * side[k] / largest;
+      const double largest = std::max({std::abs(side[0]), std::abs(side[1]), std::abs(side[2])});
+      normals[v] = sum(normals[v], side, off / largest);
     }
     return contains(refine(written(s, normals, 1, digits), "").err, "shading");
   };
-  EXPECT_TRUE(is_found(all / 5, 0.1L, 12));
-  EXPECT_FALSE(is_found(all / 5 + 1, 0.1L, 12));
-  EXPECT_TRUE(is_found(all, 1.95e-6L, 12));
-  EXPECT_FALSE(is_found(all, 2.05e-6L, 12));
-  EXPECT_TRUE(is_found(all, 1.2e-4L, 4)); // and rounding
-  EXPECT_FALSE(is_found(all, 3.2e-4L, 4));
+  EXPECT_TRUE(is_found(all / 5, 0.1, 12));
+  EXPECT_FALSE(is_found(all / 5 + 1, 0.1, 12));
+  EXPECT_TRUE(is_found(all, 1.95e-6, 12));
+  EXPECT_FALSE(is_found(all, 2.05e-6, 12));
+  EXPECT_TRUE(is_found(all, 1.2e-4, 4)); // and rounding
+  EXPECT_FALSE(is_found(all, 3.2e-4, 4));
 }
 
 // Zero normals do not count, whatever their number.
 TEST_F(Pn_subdivide_shading, MissingNormalsDoNotCount)
 {
-  const Shape s = potato();
-  std::vector<Vector> normals = shading(s, 3);
+  const Part s = potato();
+  std::vector<Triple> normals = shading(s, 3);
   for (std::size_t v = 0; v < normals.size(); v += 2) normals[v] = {0, 0, 0};
   expect_part(refine(written(s, normals, 1, 6), "").err, "area times angle");
   // of any length
-  for (std::size_t v = 0; v < normals.size(); ++v) normals[v] = scaled(0.01L * (1 + v), normals[v]);
+  for (std::size_t v = 0; v < normals.size(); ++v)
+    normals[v] = sum({}, normals[v], 0.01 * double(1 + v));
   for (const bool is_fixed : {true, false})
     expect_part(refine(written(s, normals, 1, 7, is_fixed), "").err, "area times angle");
 }
 
 TEST_F(Pn_subdivide_shading, TrueNormalsAreData)
 {
-  const Shape even = ball(8, 6, on_sphere);
+  const Part even = ball_of(8, 6, on_sphere);
   expect_data(even, even.points, "sphere");
-  const Shape uneven = ball(9, 7, [](long double t, long double u) {
-    return on_sphere(t + 0.25L * std::sin(2 * t), u + 0.3L * std::sin(u));
+  const Part uneven = ball_of(9, 7, [](double t, double u) {
+    return on_sphere(t + 0.25 * std::sin(2 * t), u + 0.3 * std::sin(u));
   });
   expect_data(uneven, uneven.points, "uneven sphere");
-  const Shape ellipsoid = ball(9, 7, [](long double t, long double u) {
-    const Vector p = on_sphere(t, u + 0.3L * std::sin(u));
-    return Vector{3 * p[0], 2 * p[1], p[2]};
+  const Part ellipsoid = ball_of(9, 7, [](double t, double u) {
+    const Triple p = on_sphere(t, u + 0.3 * std::sin(u));
+    return Triple{3 * p[0], 2 * p[1], p[2]};
   });
-  std::vector<Vector> normals;
-  for (const Vector& p : ellipsoid.points) normals.push_back(unit({p[0] / 9, p[1] / 4, p[2]}));
+  std::vector<Triple> normals;
+  for (const Triple& p : ellipsoid.points) normals.push_back(unit({p[0] / 9, p[1] / 4, p[2]}));
   expect_data(ellipsoid, normals, "ellipsoid");
 
   // by symmetry these agree with the sums, too
-  const Shape tetrahedron{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
-                          {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
+  const Part tetrahedron{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
+                         {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
   normals.clear();
-  for (const Vector& p : tetrahedron.points) normals.push_back(unit(p));
+  for (const Triple& p : tetrahedron.points) normals.push_back(unit(p));
   expect_data(tetrahedron, normals, "tetrahedron");
-  Shape torus;
-  normals.clear();
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) {
-      const long double c[] = {1, 0, -1, 0}, z[] = {0, 1, 0, -1};
-      const Vector n = {c[i] * c[j], z[i] * c[j], z[j]};
-      torus.points.push_back({3 * c[i] + n[0], 3 * z[i] + n[1], n[2]});
-      normals.push_back(n);
-      torus.faces.push_back(
-        {4 * i + j, 4 * ((i + 1) % 4) + j, 4 * ((i + 1) % 4) + (j + 1) % 4, 4 * i + (j + 1) % 4});
-    }
-  expect_data(torus, normals, "torus");
+  const Torus torus(4, 4, 3, 1);
+  expect_data(torus, torus.normals, "torus");
 }
 
 // A ring of rectangular section, its normals those of its four smooth parts at corners.
 TEST_F(Pn_subdivide_shading, WedgesAndWashers)
 {
-  const int n = 12;
+  constexpr std::size_t n = 12;
   const auto obj = [&](bool is_true, int digits) {
-    Shape s; // of corners; vertex i of ring r is n r + i
-    std::string text;
-    const long double radius[] = {1, 2, 2, 1}, height[] = {0, 0, 0.7L, 0.7L};
-    const auto turn = [&](int i) {
-      return 2 * pi * i / n + (is_true ? 0.L : 0.3L * std::sin(2 * pi * i / n));
+    Part s; // vertex i of ring r is n r + i, face i of part r as well
+    const double radius[] = {1, 2, 2, 1}, height[] = {0, 0, 0.7, 0.7};
+    for (std::size_t r = 0; r < 4; ++r)
+      for (std::size_t i = 0; i < n; ++i) {
+        const double a = 2 * pi * double(i) / n, u = a + (is_true ? 0 : 0.3 * std::sin(a));
+        s.points.push_back({radius[r] * std::cos(u), radius[r] * std::sin(u), height[r]});
+        const std::size_t j = (i + 1) % n, next = n * ((r + 1) % 4);
+        s.faces.push_back({n * r + i, n * r + j, next + j, next + i});
+      }
+    const auto sums_of_part = [&](std::size_t r) {
+      const auto begin = s.faces.begin() + std::ptrdiff_t(n * r);
+      return shading({s.points, {begin, begin + std::ptrdiff_t(n)}}, 1);
     };
-    for (int r = 0; r < 4; ++r)
-      for (int i = 0; i < n; ++i) {
-        s.points.push_back(
-          {radius[r] * std::cos(turn(i)), radius[r] * std::sin(turn(i)), height[r]});
-        text += "v" + numbers(s.points.back(), 17, false) + "\n";
-      }
-    std::string faces;
-    int number = 0;
-    for (int r = 0; r < 4; ++r) { // each part with normals of its own
-      Shape part{s.points, {}};
-      for (int i = 0; i < n; ++i)
-        part.faces.push_back(
-          {n * r + i, n * r + (i + 1) % n, n * ((r + 1) % 4) + (i + 1) % n, n * ((r + 1) % 4) + i});
-      const std::vector<Vector> sums = shading(part, 1);
-      for (const std::vector<int>& f : part.faces) {
-        faces += "f";
-        for (const int v : f) {
-          const Vector side = unit({s.points[std::size_t(v)][0], s.points[std::size_t(v)][1], 0});
-          const Vector exact[] = {{0, 0, -1}, side, {0, 0, 1}, scaled(-1, side)};
-          text += "vn" + numbers(is_true ? exact[r] : sums[std::size_t(v)], digits, true) + "\n";
-          faces += " " + std::to_string(v + 1) + "//" + std::to_string(++number);
-        }
-        faces += "\n";
-      }
-    }
-    return text + faces;
+    const std::vector<Triple> sums[] = {sums_of_part(0), sums_of_part(1), sums_of_part(2),
+                                        sums_of_part(3)};
+    const auto normal = [&](std::size_t f, std::size_t i) {
+      const std::size_t r = f / n, v = s.faces[f][i];
+      const Triple side = unit({s.points[v][0], s.points[v][1], 0});
+      const Triple exact[] = {{0, 0, -1}, side, {0, 0, 1}, sum({}, side, -1)};
+      return is_true ? exact[r] : sums[r][v];
+    };
+    return s.obj_of_corners(normal, {digits, true});
   };
   for (const int digits : {4, 9}) {
     Outcome outcome = refine(folder.write("washer.obj", obj(true, digits)), "");
@@ -417,18 +289,18 @@ TEST_F(Pn_subdivide_shading, WedgesAndWashers)
 // Their normals are then those of other faces; true ones are no more those of the faces than before.
 TEST_F(Pn_subdivide_shading, PointsMayBeRounded)
 {
-  const auto rounded = [](Shape s, long double unit, long double scale) {
-    for (Vector& p : s.points)
-      for (long double& x : p) x = std::round(x / unit) * unit * scale;
+  const auto rounded = [](Part s, double steps, double shrink) {
+    for (Triple& p : s.points)
+      for (double& x : p) x = std::round(steps * x) / (steps * shrink);
     return s;
   };
-  const Shape s = potato();
-  std::vector<Vector> other = shading(s, 2);
+  const Part s = potato();
+  std::vector<Triple> other = shading(s, 2);
   for (std::size_t v = 0; v < other.size(); ++v)
-    other[v] = unit({other[v][0], other[v][1] + 0.15L, other[v][2]});
-  for (const long double unit : {1e-3L, 1e-4L})
-    for (const long double scale : {1.L, 1e-3L}) {
-      const Shape coarse = rounded(s, unit, scale);
+    other[v] = unit({other[v][0], other[v][1] + 0.15, other[v][2]});
+  for (const double steps : {1e3, 1e4})
+    for (const double shrink : {1., 1e3}) {
+      const Part coarse = rounded(s, steps, shrink);
       for (std::size_t kind = 0; kind < 5; ++kind)
         expect_part(refine(written(coarse, shading(s, kind), 0, 6), "").err, weights[kind]);
       expect_no_part(refine(written(coarse, other, 0, 6), "").err, "shading");
@@ -438,24 +310,18 @@ TEST_F(Pn_subdivide_shading, PointsMayBeRounded)
 // Of a capsule and a ball beside it, both with the normals of balls.
 TEST_F(Pn_subdivide_shading, NormalsFarFromTheFacesAreSetAside)
 {
-  Shape s = ball(10, 9, on_sphere);
+  Part s = ball_of(10, 9, on_sphere);
   const std::size_t n = s.points.size();
-  std::vector<Vector> normals;
-  for (Vector& p : s.points) {
-    p[2] += p[2] > 0 ? 0.8L : -0.8L;
+  std::vector<Triple> normals;
+  for (Triple& p : s.points) {
+    p[2] += p[2] > 0 ? 0.8 : -0.8;
     normals.push_back(unit(p));
   }
-  const Shape one = ball(9, 8, on_sphere);
-  Shape both = s;
-  std::vector<Vector> normals_of_both = normals;
-  for (const Vector& p : one.points) {
-    both.points.push_back({p[0] + 4, p[1], p[2]});
-    normals_of_both.push_back(p);
-  }
-  for (std::vector<int> f : one.faces) {
-    for (int& v : f) v += int(n);
-    both.faces.push_back(f);
-  }
+  const Part one = ball_of(9, 8, on_sphere);
+  Part both = s;
+  both.add(one, {4, 0, 0}, false);
+  std::vector<Triple> normals_of_both = normals;
+  normals_of_both.insert(normals_of_both.end(), one.points.begin(), one.points.end());
   const std::string options = "--levels 1 --normals ";
   Outcome outcome = refine(written(s, normals, 2, 9), "");
   expect_part(outcome.err, "on 1 of 1 components");
@@ -479,8 +345,8 @@ TEST_F(Pn_subdivide_shading, NormalsFarFromTheFacesAreSetAside)
 
 TEST_F(Pn_subdivide_shading, WhatAFileCallsControlNormalsAreData)
 {
-  const Shape s = potato();
-  const std::string plain = folder.write("plain.off", file(s, {}, Format::off, 17));
+  const Part s = potato();
+  const std::string plain = folder.write("plain.off", s.off());
   const std::string options = "--normals angle --levels 0 --output-normals ";
   for (const std::string choice : {"control", "both"}) {
     refine(plain, options + choice);
@@ -530,15 +396,15 @@ TEST(Written_digits, UnitOfTheLastDigit)
 
 TEST_F(Pn_subdivide_shading, RepairTurnsNormalsOver)
 {
-  const Shape s = ball(9, 7, on_sphere);
-  const std::string good = folder.write("good.off", file(s, s.points, Format::off, 15));
+  const Part s = ball_of(9, 7, on_sphere);
+  const std::string good = folder.write("good.off", s.off(s.points, {15, true}));
   const std::string expected = refined(good, "--levels 2");
   for (const std::size_t step : {1u, 5u, 100u})
     for (const std::size_t format : {0u, 1u, 2u, 4u}) {
-      std::vector<Vector> normals = s.points;
+      std::vector<Triple> normals = s.points;
       std::size_t turned = 0;
       for (std::size_t v = 3 % step; v < normals.size(); v += step, ++turned)
-        normals[v] = scaled(-1, normals[v]);
+        normals[v] = sum({}, normals[v], -1);
       const std::string input = written(s, normals, format, 15);
       const std::string number = std::to_string(turned);
       const Outcome without = refine(input, "--quiet");
@@ -574,8 +440,8 @@ TEST_F(Pn_subdivide_shading, RepairTurnsNormalsOver)
 // Of a box inside out with normals that point outwards the faces are turned, and the normals are right then.
 TEST_F(Pn_subdivide_shading, FacesAreTurnedFirst)
 {
-  Shape s = ball(9, 7, on_sphere);
-  for (std::vector<int>& f : s.faces) std::reverse(f.begin(), f.end());
+  Part s = ball_of(9, 7, on_sphere);
+  for (auto& f : s.faces) std::reverse(f.begin(), f.end());
   const Outcome outcome = refine(written(s, s.points, 1, 15), "--quiet --repair");
   expect_part(outcome.err, "1 closed component turned right side out");
   expect_no_part(outcome.err, "turned over");

@@ -30,6 +30,11 @@ namespace {
 class Streams : public Command_test
 {
 protected:
+  void SetUp() override
+  {
+    folder.write("cube.off", cube_off);
+    folder.write("p.txt", "0 0\n1 0\n1 1\n");
+  }
   std::string quoted(const std::string& name) const { return "'" + folder.file(name) + "'"; }
   std::string drawn_curve() const
   {
@@ -42,7 +47,6 @@ protected:
 
 TEST_F(Streams, TheSameBytesAsInFiles)
 {
-  folder.write("cube.off", cube_off);
   for (const std::string format : {"ply", "off", "obj", "stl", "vtp"}) {
     const std::string file = "file." + format;
     done(run("surface " + quoted("cube.off") + " " + quoted(file) + " --levels 2"));
@@ -67,7 +71,6 @@ TEST_F(Streams, TheSameBytesAsInFiles)
 
 TEST_F(Streams, Curves)
 {
-  folder.write("p.txt", "0 0\n1 0\n1 1\n");
   const std::string options = "--closed --scheme chaikin --quiet";
   done(run("curve " + quoted("p.txt") + " " + quoted("c.txt") + " " + options));
   const Outcome both = done(run("curve - - " + options, "cat " + quoted("p.txt") + " | "));
@@ -78,7 +81,6 @@ TEST_F(Streams, Curves)
 
 TEST_F(Streams, WhatTheyNeed)
 {
-  folder.write("cube.off", cube_off);
   const std::string file = quoted("cube.off"), out = quoted("o.ply");
   expect_one_line(run("surface - " + out), 2, "--format");
   expect_one_line(run("surface " + file + " -"), 2, "--format");
@@ -88,7 +90,7 @@ TEST_F(Streams, WhatTheyNeed)
   expect_one_line(run("surface " + file + " " + out + " --format ply"), 2, "--format");
   expect_one_line(run("surface - - --format off </dev/null"), 1, "standard input: nothing came in");
   expect_one_line(run("surface - - --format off", "echo Dear Sir | "), 1, "not an OFF file");
-  EXPECT_EQ(folder.number_of_files(), 1u);
+  EXPECT_EQ(folder.number_of_files(), 2u);
 }
 
 #ifdef __unix__
@@ -96,7 +98,6 @@ TEST_F(Streams, WhatTheyNeed)
 // Whatever is read, in any format.
 TEST_F(Streams, DevicesWithoutEnd)
 {
-  folder.write("cube.off", cube_off);
   const std::string file = quoted("cube.off"), out = quoted("o.ply");
   const std::string bounded = "ulimit -v 4000000; timeout 60 ";
   for (const std::string& arguments : {"surface " + file + " " + out + " --sharp /dev/zero",
@@ -106,7 +107,7 @@ TEST_F(Streams, DevicesWithoutEnd)
                                        "surface - " + out + " --format stl </dev/zero",
                                        "curve /dev/zero " + quoted("o.txt") + " --scheme chaikin"})
     expect_one_line(run(arguments, bounded), 1, "device");
-  EXPECT_EQ(folder.number_of_files(), 1u);
+  EXPECT_EQ(folder.number_of_files(), 2u);
 }
 
 #endif
@@ -114,7 +115,6 @@ TEST_F(Streams, DevicesWithoutEnd)
 // A reader of standard output must not take the first half of a mesh for a mesh.
 TEST_F(Streams, AFailureWritesNothing)
 {
-  folder.write("cube.off", cube_off);
   const std::string start = "surface " + quoted("cube.off") + " - --quiet --format ply ";
   expect_one_line(run(start + "--scheme loop"), 1, "--triangulate");
   expect_one_line(run(start + "--levels 20"), 1, "round");
@@ -133,7 +133,6 @@ TEST_F(Streams, AFailureWritesNothing)
 
 TEST_F(Streams, TheDeviationDoesNotGetIntoTheMesh)
 {
-  folder.write("cube.off", cube_off);
   const std::string start = "surface " + quoted("cube.off") + " - --quiet --format off ";
   const Outcome plain = run(start), verified = run(start + "--verify sphere:0,0,0,2");
   EXPECT_EQ(verified.out, plain.out);
@@ -145,7 +144,6 @@ TEST_F(Streams, TheDeviationDoesNotGetIntoTheMesh)
 TEST_F(Streams, LinksAreWrittenThrough)
 {
   namespace fs = std::filesystem;
-  folder.write("cube.off", cube_off);
   const auto write_to = [&](const std::string& name) {
     done(run("surface " + quoted("cube.off") + " " + quoted(name) + " --quiet"));
     EXPECT_TRUE(fs::is_symlink(folder.file(name))) << name;
@@ -172,13 +170,12 @@ TEST_F(Streams, LinksAreWrittenThrough)
 // nobody reads, until the signal comes.
 TEST_F(Streams, ASignalLeavesNoFile)
 {
-  folder.write("p.txt", "0 0\n1 0\n1 1\n");
   ASSERT_EQ(mkfifo(folder.file("comb.svg").c_str(), 0600), 0);
   const std::string output = folder.write("c.txt", "untouched");
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const int status = interrupt(drawn_curve(), signal, std::chrono::milliseconds(0));
     EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
-    EXPECT_EQ(folder.number_of_files(), 3u) << "after signal " << signal;
+    EXPECT_EQ(folder.number_of_files(), 4u) << "after signal " << signal;
     EXPECT_EQ(Temporary_folder::content(output), "untouched");
   }
 }
@@ -186,10 +183,9 @@ TEST_F(Streams, ASignalLeavesNoFile)
 // As under nohup.
 TEST_F(Streams, AnIgnoredSignalStaysIgnored)
 {
-  folder.write("p.txt", "0 0\n1 0\n1 1\n");
   ASSERT_EQ(mkfifo(folder.file("comb.svg").c_str(), 0600), 0);
   const pid_t child = start_command(drawn_curve(), "trap '' HUP; ");
-  for (int i = 0; i < 1000 && folder.number_of_files() != 3; ++i)
+  for (int i = 0; i < 1000 && folder.number_of_files() != 4; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_EQ(kill(child, SIGHUP), 0);
   EXPECT_NE(content("comb.svg"), ""); // lets the command go on

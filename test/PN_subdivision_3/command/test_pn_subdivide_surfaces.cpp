@@ -37,13 +37,11 @@ Part rounded_bar()
 // A sphere of radius 2, of 12 meridians and 6 parallels, all of whose points are moved about.
 Part stone()
 {
-  const auto point = [](int i, int j) {
-    const double a = 30. * (i % 12), b = 30. * j - 90;
-    const Triple p = on_circle(std::cos(b * pi / 180), a, std::sin(b * pi / 180));
+  return ball_of(12, 6, [](double t, double u) {
+    const Triple p = on_sphere(t, u);
     const double r = 2 + .1 * std::sin(3 * p[0] + 5 * p[1]) + .1 * std::cos(4 * p[2] + 2 * p[0]);
-    return Triple{r * p[0], r * p[1], r * p[2]};
-  };
-  return ball_of(point);
+    return sum({}, p, r);
+  });
 }
 
 class Pn_subdivide_surfaces : public Refined_files
@@ -108,6 +106,8 @@ double off_axis(const Triple& p)
 {
   return std::hypot(p[0], p[1]);
 }
+
+const std::vector<Triple> dart{{0, 0, 0}, {4, -2, 0}, {1, 0, 0}, {4, 2, 0}};
 
 } // namespace
 
@@ -297,8 +297,8 @@ TEST_F(Pn_subdivide_surfaces, TheLabelsAreThoseOfTheReport)
 // The middle of a chord of a circle of radius R is R (1 - cos) off, with half of its angle; two rounds divide this by 4.
 TEST_F(Pn_subdivide_surfaces, TheReportHasParametersAndDeviations)
 {
-  const Outcome outcome = done(run("'" + folder.file("shaft.ply") + "' '" + folder.file("o.ply") +
-                                   "' --sharp surfaces --levels 2" + reported()));
+  const Outcome outcome =
+    done(run(words("shaft.ply", "o.ply") + "--sharp surfaces --levels 2" + reported()));
   expect_part(outcome.err, "3 planes of 26 faces, 2 cylinders of 48 faces");
   expect_part(outcome.err, "; 96 crease edges");
   const Json json = report();
@@ -333,8 +333,7 @@ TEST_F(Pn_subdivide_surfaces, WhatIsNoPartIsSaid)
   const Part plate = drilled_plate();
   for (const auto& face : plate.faces) {
     std::vector<Triple> corners;
-    for (const std::size_t v : face) corners.push_back(plate.points[v]);
-    for (Triple& p : corners) p = {.2 * p[0], .2 * p[1], .2 * p[2] - 5};
+    for (const std::size_t v : face) corners.push_back(sum({0, 0, -5}, plate.points[v], .2));
     part.add(corners);
   }
   folder.write("both.ply", part.ply());
@@ -372,12 +371,8 @@ TEST_F(Pn_subdivide_surfaces, TagsAndNormalsSayAll)
       written(input, format,
               std::string("--sharp surfaces --levels 0 --output-normals ") + normals);
       const Mesh_data mesh = refined(format, "p.ply", "--levels 2");
-      for (const Triple& p : expected.points) { // those between planes' rims only
-        double least = 1;
-        for (const Triple& q : mesh.points)
-          least = (std::min)(least, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
-        EXPECT_LT(least, 1e-12);
-      }
+      // those between planes' rims only
+      for (const Triple& p : expected.points) EXPECT_LT(distance_to_nearest(p, mesh.points), 1e-12);
     }
 }
 
@@ -386,10 +381,7 @@ TEST_F(Pn_subdivide_surfaces, NormalsOfTheFileAreTakenWhereAskedFor)
 {
   const Part part = drilled_plate(2);
   std::vector<Triple> normals;
-  for (const Triple& p : part.points) {
-    const double length = std::hypot(p[0], p[1], p[2] + .3);
-    normals.push_back({p[0] / length, p[1] / length, (p[2] + .3) / length});
-  }
+  for (const Triple& p : part.points) normals.push_back(unit({p[0], p[1], p[2] + .3}));
   folder.write("plain.ply", part.ply());
   folder.write("normals.ply", part.ply(normals));
   const Mesh_data plain = refined("plain.ply", "o.ply", "--sharp surfaces --levels 2");
@@ -406,7 +398,7 @@ TEST_F(Pn_subdivide_surfaces, NormalsOfTheFileAreTakenWhereAskedFor)
                    &p = control.points[v];
       const bool is_inside = p[2] == .5 && std::abs(std::abs(p[0]) - std::abs(p[1])) > 1e-9;
       if (is_inside || off_axis(p) < 1.1)
-        EXPECT_EQ(std::hypot(n[0] - m[0], n[1] - m[1], n[2] - m[2]) < 1e-12, p[2] == .5);
+        EXPECT_EQ(distance(n, m) < 1e-12, p[2] == .5);
       else
         EXPECT_LT(std::abs(n[2]) * (1 - std::abs(n[2])), 1e-9); // a plane's
     }
@@ -432,21 +424,12 @@ double folded_area(const Mesh_data& mesh, const Json& report)
   for (std::size_t f = 0; f < surface.size(); ++f) {
     const auto s = std::size_t(surface[f]);
     if (report["surfaces"].at(s)["kind"] != "plane") continue;
-    Triple area{};
-    const auto face = mesh.face(f);
-    for (auto v = face.begin(); v != face.end(); ++v) {
-      const Triple &p = mesh.points[*v],
-                   &q = mesh.points[v + 1 == face.end() ? *face.begin() : *(v + 1)];
-      for (std::size_t k = 0; k < 3; ++k)
-        area[k] += (p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3]) / 2;
-    }
-    auto& [sum, vector] = areas[s];
-    sum += std::hypot(area[0], area[1], area[2]);
-    for (std::size_t k = 0; k < 3; ++k) vector[k] += area[k];
+    auto& [size, vector] = areas[s];
+    size += length(area_vector(mesh, f));
+    vector = sum(vector, area_vector(mesh, f));
   }
   double result = 0;
-  for (const auto& [s, area] : areas)
-    result += area.first - std::hypot(area.second[0], area.second[1], area.second[2]);
+  for (const auto& [s, area] : areas) result += area.first - length(area.second);
   return result;
 }
 
@@ -454,9 +437,10 @@ double folded_area(const Mesh_data& mesh, const Json& report)
 // the plate. Neither rims nor control data do.
 TEST_F(Pn_subdivide_surfaces, PlanesDoNotFold)
 {
-  folder.write("dart.off", "OFF\n8 12 0\n0 0 0\n4 -2 0\n1 0 0\n4 2 0\n0 0 1\n4 -2 1\n1 0 1\n4 2 1\n"
-                           "3 2 1 0\n3 3 2 0\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n"
-                           "3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
+  Part part = prism(dart, 1);
+  std::rotate(part.faces[0].begin(), part.faces[0].begin() + 1,
+              part.faces[0].end()); // to the notch
+  folder.write("dart.off", triangulated(part).off());
   for (const std::string input : {"dart.off", "plate_3.ply", "bar_3.ply"})
     for (const std::string& more : {std::string(), tags("t"), std::string(" --linear")}) {
       SCOPED_TRACE(input + more);
@@ -475,8 +459,7 @@ TEST_F(Pn_subdivide_surfaces, PlanesDoNotFold)
 // A plate of a dart as one face, whose middle is outside.
 TEST_F(Pn_subdivide_surfaces, FoldsAreTold)
 {
-  folder.write("dart.off", "OFF\n8 6 0\n0 0 0\n4 -2 0\n1 0 0\n4 2 0\n0 0 1\n4 -2 1\n1 0 1\n4 2 1\n"
-                           "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  folder.write("dart.off", prism(dart, 1).off());
   for (const bool has_control_data : {false, true}) {
     const Outcome outcome = done(
       surface("dart.off", "o.ply",
@@ -524,11 +507,8 @@ TEST_F(Pn_subdivide_surfaces, PlanesAreTrianglesBetweenTheirRims)
         ++faces[s];
         // all of the triangle is in the plane
         const Triple n = json["surfaces"][s]["direction"], p = json["surfaces"][s]["point"];
-        for (const auto v : mesh.face(f)) {
-          double d = 0;
-          for (std::size_t k = 0; k < 3; ++k) d += n[k] * (mesh.points[v][k] - p[k]);
-          EXPECT_NEAR(d, 0, 1e-9);
-        }
+        for (const auto v : mesh.face(f))
+          EXPECT_NEAR(dot(n, difference(mesh.points[v], p)), 0, 1e-9);
       }
       EXPECT_EQ(of_cylinder, (input == "plate.ply" ? 1u : 2u) * 24 * 16);
       for (const auto& [s, number] : faces) ++sums[number];

@@ -27,21 +27,12 @@ std::string obj_box(bool is_triangles = false, bool is_open = false)
   return uneven_box(is_triangles, is_open).obj();
 }
 
-using Tag = std::pair<std::array<int, 2>, double>;
-
 // With a face between the points that is a mesh of the elements that the tags say.
-std::string ply_box(const std::vector<Tag>& edges, const std::vector<double>& vertices,
+std::string ply_box(const std::vector<Edge_tag>& edges, const std::vector<double>& vertices,
                     bool is_triangles = false)
 {
-  std::ostringstream of_edges;
-  for (const auto& [ends, sharpness] : edges)
-    of_edges << ends[0] << ' ' << ends[1] << ' ' << sharpness << "\n";
-  std::string s = uneven_box(is_triangles)
-                    .ply({}, {{"sharpness", vertices.empty() ? std::vector<double>(8) : vertices}});
-  s.insert(s.find("end_header"), "element edge " + std::to_string(edges.size()) +
-                                   "\nproperty int vertex1\nproperty int vertex2\n"
-                                   "property double sharpness\n");
-  return s + of_edges.str();
+  const auto of_vertices = vertices.empty() ? std::vector<double>(8) : vertices;
+  return with_edges(uneven_box(is_triangles).ply({}, {{"sharpness", of_vertices}}), edges);
 }
 
 const std::vector<std::array<int, 2>> outline = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
@@ -262,7 +253,7 @@ TEST_F(Pn_subdivide_tags, TagsOfAFileAreAsASelection)
       const std::string expected =
         written(input, "expected.obj", options + sharp("rims") + "--sharpness " + sharpness);
       std::string obj = obj_box(is_triangles);
-      std::vector<Tag> tags;
+      std::vector<Edge_tag> tags;
       const double s = sharpness == "inf" ? infinity : std::stod(sharpness);
       for (const auto& e : rims) {
         // as OpenSubdiv has them: either way round, and 10 is for ever
@@ -307,7 +298,7 @@ TEST_F(Pn_subdivide_tags, ObjTagsOfSeveralEdges)
 
 TEST_F(Pn_subdivide_tags, EachEdgeHasItsOwnSharpnessUnlessOneIsGiven)
 {
-  std::vector<Tag> tags;
+  std::vector<Edge_tag> tags;
   for (const auto& e : outline) tags.push_back({e, e[0] < 4 && e[1] < 4 ? 1 : 2.5});
   folder.write("mixed.ply", ply_box(tags, {}));
   const std::string options = "--levels 1 --output-normals control";
@@ -342,8 +333,9 @@ TEST_F(Pn_subdivide_tags, OtherSourcesLeaveTheTagsOut)
 // A box whose faces have normals of their own has creases by these, unless tags say otherwise.
 TEST_F(Pn_subdivide_tags, TagsComeBeforeNormalsThatDiffer)
 {
-  const std::string s = uneven_box().obj_of_faces(
-    {{0, 0, -1}, {0, -1, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}});
+  const Part box = uneven_box();
+  const auto normal = [&](std::size_t f, std::size_t) { return unit(box.area(f)); };
+  const std::string s = box.obj_of_corners(normal);
   folder.write("normals.obj", s);
   folder.write("both.obj", s + "t crease 2/1/0 0 1 10\n");
   const std::string options = "--levels 1 --output-normals control";

@@ -7,8 +7,9 @@
 // Author(s): PN_subdivision_3 developers
 // Faces become triangles whatever their points are: n - 2 of n corners, one disc, without folds where there is a way.
 
-#include "Command_test.h"
 #include "Extent.h"
+#include "Refined_files.h"
+
 #include "io/mesh_io.h"
 #include "surface/split_polygon.h"
 
@@ -286,25 +287,17 @@ TEST_F(Pn_subdivide_triangulate, TheMeshRoundAFaceStaysManifold)
   EXPECT_EQ(read_mesh(folder.file("r.ply")).number_of_faces(), 24u);
 }
 
-// A dodecahedron, cut corners and all, keeps its volume: the triangles have the faces' borders and directions.
+// A prism keeps its volume: the triangles have the faces' borders and directions.
 TEST_F(Pn_subdivide_triangulate, FacesOfSolidsKeepTheirDirection)
 {
-  // a prism over a concave hexagon, of volume 3
-  const std::string prism = folder.write(
-    "l.off",
-    "OFF\n12 8 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n0 0 0\n2 0 1\n2 1 1\n1 1 1\n1 2 1\n0 2 1\n"
-    "0 0 1\n6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n"
-    "4 4 5 11 10\n4 5 0 6 11\n");
+  // over a concave hexagon, of volume 3
+  const Part part = prism({{2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}, {0, 0, 0}}, 1);
+  const std::string input = folder.write("l.off", part.off());
   for (const auto& [output, options] :
        {std::pair<std::string, std::string>("o.ply", "--triangulate"),
         std::pair<std::string, std::string>("o.stl", "")}) {
-    const Mesh_data mesh = split(prism, output, options);
+    const Mesh_data mesh = split(input, output, options);
     ASSERT_EQ(mesh.number_of_faces(), 20u);
-    double volume = 0;
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-      const auto at = [&](int i) { return to_vector(mesh.points[mesh.face(f).begin()[i]]); };
-      volume += CGAL::cross_product(at(0), at(1)) * at(2) / 6;
-    }
-    EXPECT_NEAR(volume, 3, 1e-12);
+    EXPECT_NEAR(volume(mesh), 3, 1e-12);
   }
 }

@@ -51,7 +51,7 @@ protected:
 
   std::string surface(const std::string& file, const std::string& options) const
   {
-    return "surface '" + file + "' '" + output + "' --scheme catmull-clark " + options;
+    return "surface " + words(file, output) + "--scheme catmull-clark " + options;
   }
   std::string curve(const std::string& content, const std::string& options) const
   {

@@ -323,6 +323,14 @@ inline void move_to_sphere(Control_mesh& mesh)
     for (double& x : p) x *= radius;
 }
 
+// about the origin, with its normals
+inline Control_mesh on_unit_sphere(Control_mesh mesh)
+{
+  for (Triple& p : mesh.points) p = unit(p);
+  mesh.normals = mesh.points;
+  return mesh;
+}
+
 inline Control_mesh with_normals(Control_mesh mesh, Normals n)
 {
   mesh.normals.assign(mesh.points.size(), Triple{0, 0, 0});

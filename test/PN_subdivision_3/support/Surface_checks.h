@@ -36,6 +36,35 @@ inline double length(const Vector& v)
   return std::sqrt(v.squared_length());
 }
 
+template <class Hit>
+void expect_point(const Hit& hit, const Point& expected, double distance, double tolerance = 2e-6)
+{
+  EXPECT_LE(length(hit.point - expected), tolerance) << hit.point << " not " << expected;
+  EXPECT_NEAR(hit.distance, distance, tolerance);
+}
+
+// so many steps along each side of each piece of a face
+template <class Surface>
+std::vector<typename Surface::Location> grid_places(const Surface& surface,
+                                                    typename Surface::Face f, int steps)
+{
+  std::vector<typename Surface::Location> result;
+  for (std::size_t piece = 0; piece < surface.number_of_pieces(f); ++piece)
+    for (int i = 0; i <= steps; ++i)
+      for (int j = 0; j <= (surface.is_triangular() ? steps - i : steps); ++j)
+        result.push_back({f, 2 * double(piece) + double(i) / steps, double(j) / steps});
+  return result;
+}
+// of all faces; the steps are a function of the face
+template <class Surface, class Steps>
+std::vector<typename Surface::Location> grid_places(const Surface& surface, const Steps& steps)
+{
+  std::vector<typename Surface::Location> result;
+  for (auto f : surface.faces())
+    for (const auto& place : grid_places(surface, f, steps(f))) result.push_back(place);
+  return result;
+}
+
 // \name Derivatives
 
 // weights of the values at x + k h, where there is room
