@@ -14,8 +14,6 @@
 #include "Scheme_runs.h"
 #include "Schemes.h"
 
-#include <CGAL/PN_certificates_3/reproduction.h>
-
 namespace {
 
 namespace PN = CGAL::PN_subdivision_3;
@@ -24,51 +22,19 @@ using test_meshes::Control_mesh;
 
 using Number = One_root_number;
 
-// A control mesh of rational samples of a shape; its points say their directions.
-struct Exact_control
+using Exact_control = rational_shapes::Samples<One_root_kernel>;
+
+std::size_t number_of_vertices_off(const Exact_control& exact)
 {
-  using Point = One_root_kernel::Point_3;
-  using Vector = One_root_kernel::Vector_3;
-  using Mesh = CGAL::Surface_mesh<Point>;
-  using Vertex = Mesh::Vertex_index;
-
-  Exact_control(const Shape& shape, const Control_mesh& control)
-  {
-    for (const test_meshes::Triple& d : control.points) {
-      const rational_shapes::Sample s = shape.sample(d);
-      normals[mesh.add_vertex(point(s.point))] = vector(s.normal);
-    }
-    for (const reference::Face& face : control.faces) {
-      std::vector<Vertex> corners;
-      for (int v : face) corners.emplace_back(Mesh::size_type(v));
-      mesh.add_face(corners);
-    }
+  std::size_t off = 0;
+  for (auto v : exact.mesh.vertices()) {
+    const auto& p = exact.mesh.point(v);
+    const auto& n = exact.normals[v];
+    off += !rational_shapes::is_exactly_on<Number>(exact.shape, {p.x(), p.y(), p.z()},
+                                                   {n.x(), n.y(), n.z()});
   }
-
-  std::size_t number_of_vertices_off(const Shape& shape) const
-  {
-    std::size_t off = 0;
-    for (auto v : mesh.vertices()) {
-      const Point& p = mesh.point(v);
-      const Vector& n = normals[v];
-      off += !rational_shapes::is_exactly_on<Number>(shape, {p.x(), p.y(), p.z()},
-                                                     {n.x(), n.y(), n.z()});
-    }
-    return off;
-  }
-
-  static Point point(const rational_shapes::Vector<rational_shapes::Rational>& p)
-  {
-    return Point(p[0], p[1], p[2]);
-  }
-  static Vector vector(const rational_shapes::Vector<rational_shapes::Rational>& v)
-  {
-    return Vector(v[0], v[1], v[2]);
-  }
-
-  Mesh mesh;
-  Mesh::Property_map<Vertex, Vector> normals = mesh.add_property_map<Vertex, Vector>("n").first;
-};
+  return off;
+}
 
 // The rows of a scheme and no more, the first round being number 1 + `rounds_before`.
 template <class Host_, unsigned rounds_before>
@@ -133,23 +99,14 @@ std::vector<Shape> shapes()
 }
 
 // the same by the package's own predicates
-bool is_certified(const Exact_control& exact, const Shape& shape)
+bool is_certified(const Exact_control& exact)
 {
-  const auto np = CGAL::parameters::vertex_normal_map(exact.normals);
-  const auto is_exact = [](const auto& deviation) {
+  return exact.is_on_shape([](const auto& deviation) {
     return CGAL::certainly(deviation.points_are_on_shape) &&
            CGAL::certainly(deviation.normals_are_exact) &&
            deviation.squared_deviation == Number(0) &&
            deviation.squared_normal_deviation == Number(0);
-  };
-  const Exact_control::Point center = Exact_control::point(shape.center);
-  const Number squared_radius = shape.radius * shape.radius;
-  if (shape.is_sphere())
-    return is_exact(
-      PN::mesh_deviation(exact.mesh, One_root_kernel::Sphere_3(center, squared_radius), np));
-  const One_root_kernel::Line_3 axis(center, Exact_control::vector(shape.axis));
-  return is_exact(
-    PN::mesh_deviation(exact.mesh, PN::Cylinder_3<One_root_kernel>(axis, squared_radius), np));
+  });
 }
 
 // The transfer of curvature is computed in double, so that it has no certificate; the rows of its
@@ -173,10 +130,10 @@ public:
   void certify(const Shape& shape, const Control_mesh& control, const Scheme& scheme)
   {
     Exact_control exact(shape, control);
-    ASSERT_EQ(exact.number_of_vertices_off(shape), 0u) << "control data of " << control.name;
+    ASSERT_EQ(number_of_vertices_off(exact), 0u) << "control data of " << control.name;
     PN::subdivide(exact.mesh, scheme, CGAL::parameters::vertex_normal_map(exact.normals));
-    EXPECT_EQ(exact.number_of_vertices_off(shape), 0u) << control.name;
-    EXPECT_TRUE(is_certified(exact, shape)) << control.name;
+    EXPECT_EQ(number_of_vertices_off(exact), 0u) << control.name;
+    EXPECT_TRUE(is_certified(exact)) << control.name;
     vertices_ += exact.mesh.number_of_vertices();
   }
 

@@ -15,7 +15,6 @@
 #include "Schemes.h"
 
 #include <CGAL/Interval_nt.h>
-#include <CGAL/PN_certificates_3/reproduction.h>
 
 namespace {
 
@@ -26,18 +25,6 @@ using test_meshes::Control_mesh;
 
 using Interval = CGAL::Interval_nt<true>;
 using Interval_kernel = CGAL::Simple_cartesian<Interval>;
-using Interval_mesh = CGAL::Surface_mesh<Interval_kernel::Point_3>;
-
-// the interval around a rational number
-Interval interval(const rational_shapes::Rational& x)
-{
-  return Interval(CGAL::to_interval(x));
-}
-rational_shapes::Vector<Interval>
-interval(const rational_shapes::Vector<rational_shapes::Rational>& v)
-{
-  return {interval(v[0]), interval(v[1]), interval(v[2])};
-}
 
 // What intervals say of a point: that the squared radius, and the squared length of the normal, relative
 // to what they should be, are in an interval about 1.
@@ -56,57 +43,29 @@ struct Widths
 
 Interval relative_squared_radius(const Shape& shape, const Interval_kernel::Point_3& p)
 {
-  const auto axis = interval(shape.axis);
-  auto r = rational_shapes::sum<Interval>({p.x(), p.y(), p.z()}, -1, interval(shape.center));
+  const auto axis = rational_shapes::in<Interval>(shape.axis);
+  auto r = rational_shapes::sum<Interval>({p.x(), p.y(), p.z()}, -1,
+                                          rational_shapes::in<Interval>(shape.center));
   r = rational_shapes::sum<Interval>(r, -rational_shapes::dot(r, axis), axis);
   return (CGAL::square(r[0]) + CGAL::square(r[1]) + CGAL::square(r[2])) /
-         CGAL::square(interval(shape.radius));
-}
-
-// the same by the package's own predicates: indeterminate, not false
-template <class Normals>
-void expect_not_refuted(const Interval_mesh& mesh, const Normals& normals, const Shape& shape)
-{
-  using K = CGAL::Simple_cartesian<CGAL::Gmpq>;
-  const auto np = params::vertex_normal_map(normals);
-  const auto possible = [](const auto& deviation) {
-    return CGAL::possibly(deviation.points_are_on_shape) &&
-           CGAL::possibly(deviation.normals_are_exact);
-  };
-  const K::Point_3 center(shape.center[0], shape.center[1], shape.center[2]);
-  const CGAL::Gmpq squared_radius = shape.radius * shape.radius;
-  if (shape.is_sphere())
-    EXPECT_TRUE(possible(PN::mesh_deviation(mesh, K::Sphere_3(center, squared_radius), np)));
-  else {
-    const K::Line_3 axis(center, K::Vector_3(shape.axis[0], shape.axis[1], shape.axis[2]));
-    EXPECT_TRUE(possible(PN::mesh_deviation(mesh, PN::Cylinder_3<K>(axis, squared_radius), np)));
-  }
+         CGAL::square(rational_shapes::in<Interval>(shape.radius));
 }
 
 template <class Description>
 Widths widths_after(unsigned rounds, const Shape& shape, const Control_mesh& control)
 {
-  Interval_mesh mesh;
-  auto normals = mesh.add_property_map<CGAL::SM_Vertex_index, Interval_kernel::Vector_3>("n").first;
-  for (const test_meshes::Triple& d : control.points) {
-    const rational_shapes::Sample s = shape.sample(d);
-    const auto p = interval(s.point), n = interval(s.normal);
-    normals[mesh.add_vertex({p[0], p[1], p[2]})] = {n[0], n[1], n[2]};
-  }
-  for (const reference::Face& face : control.faces) {
-    std::vector<CGAL::SM_Vertex_index> corners;
-    for (int v : face) corners.emplace_back(static_cast<CGAL::SM_Vertex_index::size_type>(v));
-    mesh.add_face(corners);
-  }
-  PN::subdivide(mesh, Description::scheme(),
-                params::vertex_normal_map(normals).number_of_iterations(rounds));
-  expect_not_refuted(mesh, normals, shape);
+  rational_shapes::Samples<Interval_kernel> samples(shape, control);
+  PN::subdivide(samples.mesh, Description::scheme(),
+                params::vertex_normal_map(samples.normals).number_of_iterations(rounds));
+  // the package's own predicates: indeterminate, not false
+  EXPECT_TRUE(samples.is_on_shape([](const auto& deviation) {
+    return CGAL::possibly(deviation.points_are_on_shape) &&
+           CGAL::possibly(deviation.normals_are_exact);
+  }));
   Widths widths;
-  for (auto v : mesh.vertices()) {
-    const auto& n = normals[v];
-    widths.add(relative_squared_radius(shape, mesh.point(v)),
-               CGAL::square(n.x()) + CGAL::square(n.y()) + CGAL::square(n.z()));
-  }
+  for (auto v : samples.mesh.vertices())
+    widths.add(relative_squared_radius(shape, samples.mesh.point(v)),
+               samples.normals[v].squared_length());
   return widths;
 }
 
@@ -183,7 +142,7 @@ TEST(Interval_certificate_of_curves, NoRoundIsRefutedAndWidthsGrowByAFactor)
     for (int i = 0; i < 24; ++i) {
       const double a = 0.26 * (i + 0.3 * std::sin(2.7 * i));
       const auto c = rational_shapes::unit_2(std::cos(a), std::sin(a));
-      const Interval x = interval(c[0]), y = interval(c[1]);
+      const auto x = rational_shapes::in<Interval>(c[0]), y = rational_shapes::in<Interval>(c[1]);
       polygon.emplace_back(Interval_kernel::Point_2(x, y), Interval_kernel::Vector_2(x, y));
     }
     const Interval_kernel::Circle_2 circle({0, 0}, 1);

@@ -38,14 +38,6 @@ namespace PN = CGAL::PN_subdivision_3;
 using K = CGAL::Simple_cartesian<double>;
 using Surface_mesh = CGAL::Surface_mesh<K::Point_3>;
 
-std::vector<Triple> third_of(const std::vector<Triple>& points)
-{
-  std::vector<Triple> normals = points;
-  for (Triple& n : normals)
-    for (double& x : n) x /= 3;
-  return normals;
-}
-
 template <class Pn_mask>
 void keeps_sphere(Control<Surface_mesh>& control, Pn_mask mask)
 {
@@ -53,25 +45,27 @@ void keeps_sphere(Control<Surface_mesh>& control, Pn_mask mask)
     control.mesh, mask,
     CGAL::parameters::vertex_point_map(control.point_normals()).number_of_iterations(4));
   ASSERT_GT(num_vertices(control.mesh), 1000u);
-  for (const auto& p : control.points()) ASSERT_NEAR(distance(p, K::Point_3(0, 0, 0)), 3, 2e-14);
+  for (const auto& p : control.mesh.points())
+    ASSERT_NEAR(std::sqrt((p - CGAL::ORIGIN).squared_length()), 3, 2e-14);
 }
 
 TEST(PN_mask_3_custom, MaskOfCGALsManual)
 {
 #ifdef PN_TEST_WITH_MASK_OF_MANUAL
   for (bool closed : {true, false}) {
-    const Soup soup = on_sphere(pebble(closed), 3);
-    Control<Surface_mesh> sphere(soup, third_of(soup.points));
+    Control_mesh control = on_sphere(control_mesh<Loop>(closed), 3);
+    Control<Surface_mesh> sphere(control);
     keeps_sphere(sphere,
                  PN::make_PN_mask_3<manual::WLoop_mask_3>(sphere.mesh, sphere.point_normals()));
 
-    Control<Surface_mesh> pn(soup, std::vector<Triple>(soup.points.size())), linear = pn;
+    control.normals.assign(control.points.size(), {0, 0, 0});
+    Control<Surface_mesh> pn(control), linear(control);
     const auto map = pn.point_normals();
     CGAL::Subdivision_method_3::PTQ(pn.mesh, PN::make_PN_mask_3<manual::WLoop_mask_3>(pn.mesh, map),
                                     CGAL::parameters::vertex_point_map(map));
     CGAL::Subdivision_method_3::PTQ(linear.mesh, manual::WLoop_mask_3<Surface_mesh>(linear.mesh),
                                     CGAL::parameters::number_of_iterations(1));
-    EXPECT_EQ(largest_distance(pn.points(), linear.points()), 0);
+    EXPECT_EQ(mesh_cases::points(pn.mesh), mesh_cases::points(linear.mesh));
   }
 #else
   GTEST_SKIP() << "left out: CGAL's examples not found (Debian: examples.tar.gz of libcgal-dev)";
@@ -116,8 +110,7 @@ private:
 
 TEST(PN_mask_3_custom, MaskWithParameters)
 {
-  const Soup soup = on_sphere(pebble(false), 3);
-  Control<Surface_mesh> sphere(soup, third_of(soup.points));
+  Control<Surface_mesh> sphere(on_sphere(control_mesh<Loop>(false), 3));
   keeps_sphere(sphere,
                PN::make_PN_mask_3<Skew_mask_3>(sphere.mesh, sphere.point_normals(), 0.375, 0.125));
 }
@@ -169,15 +162,16 @@ private:
 
 TEST(PN_mask_3_custom, ViewAnswersLikeTheMesh)
 {
-  const Soup soup = pebble(true);
-  Control<Surface_mesh> control(soup, random_normals(soup.points.size(), 3));
+  Control_mesh mesh = control_mesh<Loop>(true);
+  test_meshes::set_uneven_normals(mesh, 3);
+  Control<Surface_mesh> control(mesh);
   const auto map = control.point_normals();
   auto mask = PN::make_PN_mask_3<Curious_mask_3>(control.mesh, map);
   for (auto v : vertices(control.mesh)) {
     decltype(mask)::Point_normal node;
     mask.vertex_node(v, node);
     EXPECT_EQ(node.first, get(map, v).first);
-    EXPECT_LE(distance(node.second, get(map, v).second), 1e-15);
+    EXPECT_LE((node.second - get(map, v).second).squared_length(), 1e-30);
   }
 }
 

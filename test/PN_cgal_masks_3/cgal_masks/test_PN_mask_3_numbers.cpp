@@ -9,6 +9,7 @@
 // PN_mask_3 over other number types than double: sphere data stay on the sphere as well as the
 // numbers can tell, and exactly where they are exact.
 
+#include "Named_shapes.h"
 #include "PN_mask_3_cases.h"
 
 #include <CGAL/CORE_Expr.h>
@@ -25,35 +26,31 @@ template <class Kernel>
 using Mesh_of = CGAL::Surface_mesh<typename Kernel::Point_3>;
 
 // A box in the sphere of radius 3: (1, 2, 2) with all signs; normals three times unit.
-Soup box()
+Control_mesh box()
 {
-  Soup soup;
-  for (int i = 0; i < 8; ++i)
-    soup.points.push_back({i & 1 ? 1. : -1., i & 2 ? 2. : -2., i & 4 ? 2. : -2.});
-  soup.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}};
-  return soup;
+  Control_mesh mesh = named_shapes::cube();
+  for (Triple& p : mesh.points) p = {p[0], 2 * p[1], 2 * p[2]};
+  mesh.normals = mesh.points;
+  return mesh;
 }
 
 // The same sphere, with normals that are exactly unit.
-Soup octahedron()
+Control_mesh octahedron()
 {
-  Soup soup;
-  soup.points = {{3, 0, 0}, {0, 3, 0}, {-3, 0, 0}, {0, -3, 0}, {0, 0, 3}, {0, 0, -3}};
-  soup.faces = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4},
-                {1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 3, 5}};
-  return soup;
+  Control_mesh mesh = test_meshes::bipyramid(4);
+  mesh.normals = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  mesh.points.clear();
+  for (const Triple& n : mesh.normals) mesh.points.push_back({3 * n[0], 3 * n[1], 3 * n[2]});
+  return mesh;
 }
 
 template <class Kernel, class Scheme = CatmullClark>
-void keeps_sphere(unsigned int rounds, double tolerance, const Soup& soup = box())
+void keeps_sphere(unsigned int rounds, double tolerance, const Control_mesh& shape = box())
 {
   using FT = typename Kernel::FT;
-  std::vector<Triple> normals = soup.points;
-  for (Triple& n : normals)
-    for (double& x : n) x /= soup.points.size() == 6 ? 3 : 1;
-  Control<Mesh_of<Kernel>> control(soup, normals);
+  Control<Mesh_of<Kernel>> control(shape);
   subdivide_pn<Scheme>(control, rounds);
-  ASSERT_GT(num_vertices(control.mesh), soup.points.size());
+  ASSERT_GT(num_vertices(control.mesh), shape.points.size());
   for (auto v : vertices(control.mesh)) {
     const auto radius = control.mesh.point(v) - CGAL::ORIGIN;
     const FT excess = radius.squared_length() / FT(9) - FT(1);

@@ -14,6 +14,7 @@
 #include "Named_shapes.h"
 #include "Random_meshes.h"
 
+#include <CGAL/Gmpq.h>
 #include <CGAL/PN_cgal_masks_3/PN_mask_3.h>
 #include <CGAL/PN_cgal_masks_3/Subdivision_method_3.h>
 #include <CGAL/PN_subdivision_3/schemes/Bilinear_scheme.h>
@@ -197,6 +198,50 @@ TYPED_TEST(As_cgal, RefinesPolyhedraWithMasks)
   });
 }
 
+// Whether CGAL has a rational weight for a new vertex. Others, at irregular vertices and faces, have cosines of double.
+bool has_rational_weight(CatmullClark, const Control_mesh&, int)
+{
+  return true;
+}
+bool has_rational_weight(Loop, const Control_mesh& control, int v)
+{
+  const reference::Face_list list = test_meshes::face_list(control);
+  return v >= list.number_of_vertices() || list.is_border(v) || list.ring(v).size() == 6;
+}
+bool has_rational_weight(DooSabin, const Control_mesh& control, int)
+{
+  return test_meshes::all_faces_have_degree(control, 4);
+}
+bool has_rational_weight(Sqrt3, const Control_mesh& control, int v)
+{
+  return v >= int(control.points.size());
+}
+
+TYPED_TEST(As_cgal, RefinesMeshesOfRationalNumbersExactly)
+{
+  using Rational_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<CGAL::Gmpq>::Point_3>;
+  std::size_t equal = 0;
+  for (const Control_mesh& control : control_meshes<TypeParam>()) {
+    if (control.points.size() > 40) continue;
+    Rational_mesh mine = built<Rational_mesh>(control), theirs = mine;
+    const double box = box_size(mine);
+    TypeParam::of_ours(mine, np::number_of_iterations(1));
+    TypeParam::of_cgal(theirs, np::number_of_iterations(1));
+    ASSERT_EQ(mine.number_of_vertices(), theirs.number_of_vertices()) << control.name;
+    auto w = theirs.vertices().begin();
+    for (auto v : mine.vertices()) {
+      const auto &p = mine.point(v), &q = theirs.point(*w++);
+      if (has_rational_weight(TypeParam(), control, int(v.idx()))) {
+        ++equal;
+        EXPECT_TRUE(p == q) << control.name << ", " << v;
+      } else
+        EXPECT_LE(std::sqrt(CGAL::to_double(CGAL::squared_distance(p, q))), 1e-15 * box)
+          << control.name << ", " << v;
+    }
+  }
+  EXPECT_GT(equal, 100u);
+}
+
 // the number of rounds as it was once given, and none
 TYPED_TEST(As_cgal, TakesNumbersOfRounds)
 {
@@ -213,7 +258,7 @@ TYPED_TEST(As_cgal, TakesNumbersOfRounds)
   expect_same(d, e, 1, 1e-13);
 }
 
-// with normals they are the point-normal schemes, which may have another order
+// with normals they are the point-normal schemes, which may have another order, and without them their linear twins
 TYPED_TEST(As_cgal, IsPointNormalWithNormals)
 {
   const auto normals_of = [](Surface_mesh& mesh) {
@@ -225,18 +270,21 @@ TYPED_TEST(As_cgal, IsPointNormalWithNormals)
   };
   std::size_t curved = 0;
   for (const Control_mesh& control : control_meshes<TypeParam>()) {
-    Surface_mesh a = built<Surface_mesh>(control), b = a, linear = a;
+    Surface_mesh a = built<Surface_mesh>(control), b = a, linear = a, twin = a;
     const auto of_a = normals_of(a), of_b = normals_of(b);
-    TypeParam::of_ours(a, np::vertex_normal_map(of_a));
-    PN::subdivide(b, TypeParam::scheme(), np::vertex_normal_map(of_b));
-    TypeParam::of_ours(linear, np::default_values());
-    auto pa = points(a), pb = points(b);
-    curved += pa != points(linear);
-    if (TypeParam::is_dual) {
-      std::sort(pa.begin(), pa.end());
-      std::sort(pb.begin(), pb.end());
-    }
-    EXPECT_EQ(pa, pb) << control.name;
+    const auto rounds = np::number_of_iterations(1);
+    TypeParam::of_ours(a, rounds.vertex_normal_map(of_a));
+    PN::subdivide(b, TypeParam::scheme(), rounds.vertex_normal_map(of_b));
+    TypeParam::of_ours(linear, rounds);
+    PN::subdivide(twin, PN::linear(TypeParam::scheme()), rounds);
+    const auto points_of = [](const Surface_mesh& mesh) {
+      auto all = points(mesh);
+      if (TypeParam::is_dual) std::sort(all.begin(), all.end());
+      return all;
+    };
+    curved += points_of(a) != points_of(linear);
+    EXPECT_EQ(points_of(a), points_of(b)) << control.name;
+    EXPECT_EQ(points_of(linear), points_of(twin)) << control.name;
   }
   EXPECT_GE(curved, 20u);
 }

@@ -89,51 +89,45 @@ std::string name_of(const ::testing::TestParamInfo<Shape>& info)
 }
 
 class Crease_shapes : public ::testing::TestWithParam<Shape>
+{};
+
+// calls f(scheme, control, groups, name) for the schemes
+template <class Function>
+void for_each_scheme(const Part& part, const Function& f)
 {
-protected:
-  // calls f(scheme, control, groups) for the schemes
-  template <class Function>
-  static void for_each_scheme(const Part& part, bool with_normals, const Function& f)
-  {
-    const Control polygons = part.control(with_normals), triangles = triangulated(polygons);
-    std::vector<std::size_t> groups;
-    for (std::size_t i = 0; i < part.faces.size(); ++i)
-      groups.insert(groups.end(), part.faces[i].size() - 2, part.group[i]);
-    f(CatmullClark_scheme(), polygons, part.group, "Catmull-Clark");
-    f(CatmullClark_scheme::Tuned(), polygons, part.group, "modified Catmull-Clark");
-    f(Loop_scheme(), triangles, groups, "Loop");
-    f(Loop_scheme::Tuned(), triangles, groups, "modified Loop");
-  }
-};
+  const Control polygons = part.control(), triangles = triangulated(polygons);
+  std::vector<std::size_t> groups;
+  for (std::size_t i = 0; i < part.faces.size(); ++i)
+    groups.insert(groups.end(), part.faces[i].size() - 2, part.group[i]);
+  f(CatmullClark_scheme(), polygons, part.group, "Catmull-Clark");
+  f(CatmullClark_scheme::Tuned(), polygons, part.group, "modified Catmull-Clark");
+  f(Loop_scheme(), triangles, groups, "Loop");
+  f(Loop_scheme::Tuned(), triangles, groups, "modified Loop");
+}
+
+template <class FT>
+void expect_to_stay(const Shape& shape, int rounds, Real points, Real border)
+{
+  Part part = shape.make();
+  part.place();
+  const Real epsilon = std::numeric_limits<FT>::epsilon();
+  for_each_scheme(part, [&](const auto& scheme, const Control& control,
+                            const std::vector<std::size_t>& group, const char* name) {
+    const Deviation d = deviation<FT>(part, control, group, scheme, rounds);
+    EXPECT_LE(d.points, points * epsilon * part.scale()) << name;
+    EXPECT_LE(d.border, border * epsilon * part.scale()) << name;
+    EXPECT_LE(d.normals, 8 * epsilon) << name;
+  });
+}
 
 TEST_P(Crease_shapes, Stay_exact)
 {
-  Part part = GetParam().make();
-  part.place();
-  const Real epsilon = std::numeric_limits<double>::epsilon();
-  for_each_scheme(part, true,
-                  [&](const auto& scheme, const Control& control,
-                      const std::vector<std::size_t>& group, const char* name) {
-                    const Deviation d =
-                      deviation<double>(part, control, group, scheme, GetParam().rounds);
-                    EXPECT_LE(d.points, 8 * epsilon * part.scale()) << name;
-                    EXPECT_LE(d.border, 8 * epsilon * part.scale()) << name;
-                    EXPECT_LE(d.normals, 8 * epsilon) << name;
-                  });
+  expect_to_stay<double>(GetParam(), GetParam().rounds, 8, 8);
 }
 
 TEST_P(Crease_shapes, Stay_in_float)
 {
-  Part part = GetParam().make();
-  part.place();
-  const Real epsilon = std::numeric_limits<float>::epsilon();
-  for_each_scheme(part, true,
-                  [&](const auto& scheme, const Control& control,
-                      const std::vector<std::size_t>& group, const char* name) {
-                    const Deviation d = deviation<float>(part, control, group, scheme, 3);
-                    EXPECT_LE(d.points, GetParam().float_bar * epsilon * part.scale()) << name;
-                    EXPECT_LE(d.normals, 8 * epsilon) << name;
-                  });
+  expect_to_stay<float>(GetParam(), 3, GetParam().float_bar, 8);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -307,22 +301,15 @@ TEST(Crease_shapes_borders, Planes_of_no_height_stay)
   }
 }
 
-// no normals given: straight prisms all of whose side vertices are on creases
+// no normals given, all side vertices on creases; prisms are the subject of test_creases_mesh.cpp
 TEST(Crease_shapes_without_normals, Stay_exact)
 {
   const auto solid = [](Part part) {
     part.place();
     return part;
   };
-  Part prism;
-  const auto angles = uneven(7);
-  const Ring low = prism.ring(1, 0, angles), high = prism.ring(1, 2, angles);
-  prism.tube(prism.add(upright_cylinder(1)), low, high);
-  prism.face(prism.add(plane(0, -1)), low);
-  prism.face(prism.add(plane(2, 1)), high);
   Real bar = 8 * Real(std::numeric_limits<double>::epsilon());
-  for (const Part& part :
-       {solid(prism), solid(washer()), solid(cube()), solid(plate_with_hole())}) {
+  for (const Part& part : {solid(washer()), solid(cube()), solid(plate_with_hole())}) {
     const Deviation d =
       deviation<double>(part, part.control(false), part.group, CatmullClark_scheme(), 5);
     EXPECT_LE(d.points, bar * part.scale());

@@ -86,28 +86,11 @@ TEST(Enclosures, KnowTheRoundness)
   expect_rounded([](const auto& n) { return PN::parameters::roundness(.5).vertex_normal_map(n); });
 }
 
-// with apexes of valence n, vertices 0 and n + 1; the x of the first one is 1, that of all others 0
-template <class Mesh>
-void make_bipyramid(int n, Mesh& mesh)
-{
-  using Point = typename Mesh::Point;
-  using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
-  const auto v = [](int i) {
-    return CGAL::SM_Vertex_index(static_cast<CGAL::SM_Vertex_index::size_type>(i));
-  };
-  for (int i = 0; i < n + 2; ++i)
-    mesh.add_vertex(Point(FT(i == 0 ? 1 : 0), FT(i * i % 5), FT(i % 3)));
-  for (int i = 0; i < n; ++i) {
-    mesh.add_face(v(0), v(1 + i), v(1 + (i + 1) % n));
-    mesh.add_face(v(n + 1), v(1 + (i + 1) % n), v(1 + i));
-  }
-}
-
 // the real weights of valence 5 with their irrational cosine: 1 - beta is a root of (128 x - 63)^2 = 125
 TEST(Enclosures, ContainTheSchemeWithItsRealWeights)
 {
   CGAL::Surface_mesh<CGAL::Simple_cartesian<CGAL::Gmpq>::Point_3> mesh;
-  make_bipyramid(5, mesh);
+  build(bipyramid(5), mesh);
   const PN::Enclosure e = PN::enclose(mesh, PN::linear(PN::Loop_scheme()), 1, 1e-100);
   const CGAL::Gmpfi y = 128 * e.mesh.point(CGAL::SM_Vertex_index(0)).x() - 63, rest = y * y - 125;
   EXPECT_TRUE(rest.inf() <= 0 && rest.sup() >= 0);
@@ -122,8 +105,8 @@ void expect_around_fifty_digits(const Scheme& scheme)
   using FT = boost::multiprecision::cpp_bin_float_50;
   CGAL::Surface_mesh<Double::Point_3> mesh;
   CGAL::Surface_mesh<CGAL::Simple_cartesian<FT>::Point_3> expected;
-  make_bipyramid(7, mesh);
-  make_bipyramid(7, expected);
+  build(bipyramid(7), mesh);
+  build(bipyramid(7), expected);
   PN::subdivide(expected, PN::linear(scheme), params::number_of_iterations(3));
   const PN::Enclosure e = PN::enclose(mesh, PN::linear(scheme), 3, 1e-60);
   ASSERT_EQ(e.mesh.number_of_vertices(), expected.number_of_vertices());

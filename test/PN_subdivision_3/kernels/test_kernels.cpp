@@ -6,13 +6,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Kernels: results close to those of long double, normals of the stated precision, exactness.
+// Exact kernels: what they are exact in. That all kernels give the same results is the subject of test_kernels_exact.cpp.
 
 #include "Mesh_cases.h"
-#include "Tracked_double.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Gmpfr.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -29,92 +27,6 @@ namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
 
 namespace {
-
-template <class K>
-struct Refined
-{
-  using Mesh = CGAL::Surface_mesh<typename K::Point_3>;
-  using Normal_map =
-    typename Mesh::template Property_map<typename Mesh::Vertex_index, typename K::Vector_3>;
-
-  Refined(const Soup& soup, bool loop, unsigned rounds)
-  {
-    build(soup, mesh);
-    normal = mesh
-               .template add_property_map<typename Mesh::Vertex_index, typename K::Vector_3>(
-                 "n", typename K::Vector_3(0, 0, 0))
-               .first;
-    put_normals(normals(soup), mesh, normal);
-    const auto np = params::number_of_iterations(rounds).vertex_normal_map(normal);
-    if (loop)
-      PN::Loop_subdivision(mesh, np);
-    else
-      PN::CatmullClark_subdivision(mesh, np);
-  }
-
-  Mesh mesh;
-  Normal_map normal;
-};
-
-double largest_difference(const std::vector<Triple>& a, const std::vector<Triple>& b)
-{
-  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(a[i][k] - b[i][k]));
-  return largest;
-}
-
-// points and normals are those of long double up to `tolerance`; lengths are 1 up to `unit`, or 0
-template <class K>
-void expect_close_to_long_double(double tolerance, double unit, unsigned rounds)
-{
-  for (bool loop : {false, true}) {
-    const Soup soup = loop ? triangles_with_border() : mixed_with_border();
-    const Refined<K> r(soup, loop, rounds);
-    const Refined<CGAL::Simple_cartesian<long double>> reference(soup, loop, rounds);
-    EXPECT_LT(largest_difference(points(r.mesh), points(reference.mesh)), tolerance);
-    EXPECT_LT(
-      largest_difference(values(r.mesh, r.normal), values(reference.mesh, reference.normal)),
-      tolerance);
-    EXPECT_EQ(faces_of(r.mesh), faces_of(reference.mesh));
-    for (auto v : r.mesh.vertices()) {
-      using FT = typename K::FT;
-      const auto n = r.normal[v];
-      const FT l = n.x() * n.x() + n.y() * n.y() + n.z() * n.z();
-      const double deviation = std::abs(CGAL::to_double(FT(l - FT(1))));
-      if (CGAL::to_double(l) == 0) continue;
-      EXPECT_LE(deviation, unit) << "vertex " << std::size_t(v);
-    }
-  }
-}
-
-// All coordinates are below 6. Soups are double numbers, which float rounds.
-TEST(Kernels, CartesianDouble)
-{
-  expect_close_to_long_double<CGAL::Simple_cartesian<double>>(1e-14, 4 * 2.3e-16, 1);
-  expect_close_to_long_double<CGAL::Simple_cartesian<double>>(2e-14, 4 * 2.3e-16, 3);
-}
-
-TEST(Kernels, CartesianFloat)
-{
-  expect_close_to_long_double<CGAL::Simple_cartesian<float>>(4e-6, 4 * 1.2e-7, 1);
-  expect_close_to_long_double<CGAL::Simple_cartesian<float>>(8e-6, 4 * 1.2e-7, 3);
-}
-
-// In an exact field without square root normals have unit length up to 2^-48, squared 2^-47.
-TEST(Kernels, Epeck)
-{
-  using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
-  expect_close_to_long_double<Epeck>(2e-14, std::ldexp(1., -47), 1);
-  expect_close_to_long_double<Epeck>(2e-14, std::ldexp(1., -47), 2);
-}
-
-TEST(Kernels, Gmpq)
-{
-  using K = CGAL::Simple_cartesian<CGAL::Gmpq>;
-  expect_close_to_long_double<K>(2e-14, std::ldexp(1., -47), 1);
-}
 
 // The new normal is exactly parallel to the sum of the control normals as they were normalized.
 TEST(Kernels, ExactNormalsKeepTheirDirection)
@@ -209,15 +121,6 @@ TEST(Kernels, ExactWithSqrtStaysOnTheSphere)
 }
 #endif
 
-#ifdef CGAL_USE_MPFR
-TEST(Kernels, Gmpfr)
-{
-  using K = CGAL::Simple_cartesian<CGAL::Gmpfr>;
-  CGAL::Gmpfr::set_default_precision(100);
-  expect_close_to_long_double<K>(2e-14, std::ldexp(1., -90), 2);
-}
-#endif
-
 // \name Parameters of schemes
 
 // 1/20 is no double. The bottom row of a strip of quadrilaterals has the rule of four points.
@@ -244,17 +147,6 @@ TEST(Kernels, ParametersMayBeFractions)
   EXPECT_THROW(PN::Scheme_parameter(1, 0), std::invalid_argument);
   EXPECT_THROW(PN::Kobbelt_scheme(PN::Scheme_parameter(1, 2)), std::invalid_argument);
   EXPECT_THROW(PN::Loop_scheme::Tuned(PN::Scheme_parameter(-1, 3)), std::invalid_argument);
-}
-
-// \name A number type of the user's own
-
-TEST(Own_number_type, GivesWhatDoubleGives)
-{
-  const Refined<CGAL::Simple_cartesian<Tracked_double>> r(mixed_with_border(), false, 2);
-  const Refined<CGAL::Simple_cartesian<double>> d(mixed_with_border(), false, 2);
-  EXPECT_LT(largest_difference(points(r.mesh), points(d.mesh)), 1e-14);
-  EXPECT_LT(largest_difference(values(r.mesh, r.normal), values(d.mesh, d.normal)), 1e-14);
-  EXPECT_GT(Tracked_double::square_roots(), 0u);
 }
 
 } // namespace

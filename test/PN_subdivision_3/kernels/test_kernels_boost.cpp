@@ -35,14 +35,6 @@ struct Data
 
   static Vertex vertex(int i) { return Vertex(static_cast<typename Vertex::size_type>(i)); }
   static FT epsilon() { return std::numeric_limits<FT>::epsilon(); }
-  static void make_bipyramid(Mesh& mesh)
-  {
-    for (int i = 0; i < 7; ++i) mesh.add_vertex({FT(i == 0 ? 1 : 0), FT(i), FT(i == 6 ? 1 : 0)});
-    for (int i = 0; i < 5; ++i) {
-      mesh.add_face(vertex(0), vertex(1 + i), vertex(1 + (i + 1) % 5));
-      mesh.add_face(vertex(6), vertex(1 + (i + 1) % 5), vertex(1 + i));
-    }
-  }
 };
 
 using Boost_floats = testing::Types<boost::multiprecision::cpp_bin_float_100
@@ -83,7 +75,7 @@ TYPED_TEST(Boost_float, HasCosinesOfItsOwnPrecision)
 {
   using D = Data<TypeParam>;
   typename D::Mesh mesh;
-  D::make_bipyramid(mesh);
+  build(bipyramid(5), mesh);
   PN::subdivide(mesh, PN::linear(PN::Loop_scheme()));
   const TypeParam x = mesh.point(D::vertex(0)).x(), y = TypeParam(128) * x - TypeParam(63);
   EXPECT_LE(CGAL::abs(TypeParam(y * y - TypeParam(125))), TypeParam(1e5) * D::epsilon());
@@ -95,7 +87,7 @@ TYPED_TEST(Boost_float, RefusesNaNAndInfinity)
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
                            std::numeric_limits<double>::infinity(), -HUGE_VAL}) {
     typename D::Mesh mesh;
-    D::make_bipyramid(mesh);
+    build(bipyramid(5), mesh);
     mesh.point(D::vertex(3)) = {TypeParam(0), TypeParam(bad), TypeParam(1)};
     EXPECT_THROW(PN::Loop_subdivision(mesh), std::invalid_argument) << bad;
     EXPECT_EQ(mesh.number_of_faces(), 10u);
@@ -109,18 +101,14 @@ void expect_angle_weighted_normal(const FT& epsilon)
 {
   using D = Data<FT>;
   typename D::Mesh mesh;
-  for (const auto& [x, y, z] : {std::array<int, 3>{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 1}})
-    mesh.add_vertex({FT(x), FT(y), FT(z)});
-  const auto v = [](int i) { return D::vertex(i); };
-  mesh.add_face(v(0), v(2), v(1));
-  mesh.add_face(v(0), v(3), v(2));
-  mesh.add_face(v(0), v(1), v(3));
-  mesh.add_face(v(1), v(2), v(3));
+  build(Soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 1}},
+             {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}},
+        mesh);
   auto normals = mesh.template add_property_map<typename D::Vertex, typename D::Vector>("n").first;
   PN::estimate_control_normals(
     mesh, normals, PN::parameters::control_normal_estimate(PN::Control_normal_estimate::angle));
   const FT root = FT(CGAL::sqrt(FT(2)));
-  const typename D::Vector n = normals[v(0)], expected(FT(1), root, FT(FT(2) - root));
+  const typename D::Vector n = normals[D::vertex(0)], expected(FT(1), root, FT(FT(2) - root));
   EXPECT_LE(
     CGAL::to_double(FT(CGAL::cross_product(n, expected).squared_length() / (epsilon * epsilon))),
     1e4);
@@ -147,7 +135,7 @@ std::vector<FT> transferred(const Scheme& scheme)
 {
   using D = Data<FT>;
   typename D::Mesh mesh;
-  D::make_bipyramid(mesh);
+  build(bipyramid(5), mesh);
   auto normals = mesh.template add_property_map<typename D::Vertex, typename D::Vector>("n").first;
   int i = 0;
   for (auto v : mesh.vertices()) {

@@ -13,6 +13,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Gmpfr.h>
+#include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
 
 #ifdef CGAL_USE_CORE
@@ -27,6 +28,11 @@ using namespace kernel_cases;
 TEST(Exact_kernel, Epeck)
 {
   expect_everything<CGAL::Exact_predicates_exact_constructions_kernel>(1e-13, std::ldexp(1., -47));
+}
+
+TEST(Exact_kernel, Gmpq)
+{
+  expect_subdivision<CGAL::Simple_cartesian<CGAL::Gmpq>>(2e-14, std::ldexp(1., -47));
 }
 
 // Lengths of any size have an inverse, to the same precision.

@@ -224,16 +224,9 @@ TYPED_TEST(Interval_kernel, WeightsContainTheRealOnes)
 {
   using Kernel = CGAL::Simple_cartesian<TypeParam>;
   CGAL::Surface_mesh<typename Kernel::Point_3> mesh;
-  const auto v = [&](int i) {
-    return CGAL::SM_Vertex_index(static_cast<CGAL::SM_Vertex_index::size_type>(i));
-  };
-  for (int i = 0; i < 7; ++i) mesh.add_vertex({TypeParam(i == 0), 0, TypeParam(i == 6)});
-  for (int i = 0; i < 5; ++i) {
-    mesh.add_face(v(0), v(1 + i), v(1 + (i + 1) % 5));
-    mesh.add_face(v(6), v(1 + (i + 1) % 5), v(1 + i));
-  }
+  build(bipyramid(5), mesh);
   PN::subdivide(mesh, PN::linear(PN::Loop_scheme()));
-  const TypeParam x = mesh.point(v(0)).x();
+  const TypeParam x = mesh.point(CGAL::SM_Vertex_index(0)).x();
   // 1 - beta = (24 + (5 + sqrt(5))^2 / 4) / 64 is the greater root of (128 x - 63)^2 = 125
   const TypeParam y = TypeParam(128) * x - TypeParam(63);
   const TypeParam rest = y * y - TypeParam(125);

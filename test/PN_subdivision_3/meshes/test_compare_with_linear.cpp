@@ -9,6 +9,7 @@
 // Comparison with the linear result, against loops over faces and coordinates that are written here, in long double.
 
 #include "Mesh_cases.h"
+#include "Mesh_shapes.h"
 #include "support/Exact_rational.h"
 
 #include <CGAL/PN_certificates_3/compare_with_linear.h>
@@ -20,10 +21,11 @@
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/generators.h>
 
 #include <Eigen/Geometry>
 
@@ -175,16 +177,7 @@ Mesh refined(Mesh mesh, const Scheme& scheme, unsigned rounds)
 
 Mesh torus()
 {
-  mesh_cases::Soup soup;
-  const double turn = 2 * std::acos(-1.);
-  for (std::size_t i = 0; i < 9; ++i)
-    for (std::size_t j = 0; j < 6; ++j) {
-      const double u = turn * double(i) / 9, v = turn * double(j) / 6, r = 3 + std::cos(v);
-      soup.points.push_back({r * std::cos(u), r * std::sin(u), std::sin(v)});
-      const auto at = [](std::size_t k, std::size_t l) { return k % 9 * 6 + l % 6; };
-      soup.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  return built<Mesh>(soup);
+  return built<Mesh>(test_meshes::grid(9, 6, true, true, test_meshes::Cells::quads));
 }
 
 void expect_measures(const PN::Comparison_with_linear& c, const Measured& control,
@@ -257,25 +250,11 @@ TEST(Compare_with_linear, EverySchemeIsComparedWithItsOwnTwin)
   const Mesh quads = shaken(torus(), 0.3, 1);
   PN::for_each_shipped_scheme([&](const auto& scheme) {
     SCOPED_TRACE(scheme.name());
-    const bool takes_quads =
-      scheme.name() != std::string("loop") && scheme.name() != std::string("modified-loop") &&
-      scheme.name() != std::string("ct-loop") && scheme.name() != std::string("butterfly") &&
-      scheme.name() != std::string("sqrt3") && scheme.name() != std::string("midpoint");
-    // triangles: every quad round its center
-    const Mesh mesh = takes_quads ? quads : [&] {
-      Mesh split = quads;
-      std::vector<Mesh::Face_index> all(split.faces().begin(), split.faces().end());
-      for (const auto f : all) {
-        std::vector<Mesh::Vertex_index> v;
-        for (const auto w : split.vertices_around_face(split.halfedge(f))) v.push_back(w);
-        CGAL::Euler::split_face(split.halfedge(f), split.next(split.next(split.halfedge(f))),
-                                split);
-      }
-      return split;
-    }();
+    Mesh mesh = quads;
+    const auto any = PN::any_scheme<double>(scheme.name());
+    if (any.needs_triangles()) CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
     const Measured result(refined(mesh, scheme, 2)), linear(refined(mesh, PN::linear(scheme), 2));
     expect_measures(compare(mesh, scheme, 2), Measured(mesh), result, linear);
-    const auto any = PN::any_scheme<double>(scheme.name());
     expect_same(compare(mesh, any, 2), compare(mesh, scheme, 2), 0);
   });
 }
@@ -365,14 +344,8 @@ TEST(Compare_with_linear, NothingDependsOnThePlaceAndTheSize)
 TEST(Compare_with_linear, InsideOutTheRatiosAreTheSame)
 {
   const Mesh mesh = shaken(torus(), 0.3, 2);
-  Mesh turned;
-  for (const auto v : mesh.vertices()) turned.add_vertex(mesh.point(v));
-  for (const auto f : mesh.faces()) {
-    std::vector<Mesh::Vertex_index> corners;
-    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
-      corners.insert(corners.begin(), v);
-    turned.add_face(corners);
-  }
+  Mesh turned = mesh;
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(turned);
   const PN::CatmullClark_scheme scheme;
   const auto a = compare(mesh, scheme, 2), b = compare(turned, scheme, 2);
   EXPECT_GT(a.control_volume, 0);
@@ -568,14 +541,11 @@ TEST(Compare_with_linear, FoldedIsMoreThanATenthAndFourMore)
 TEST(Compare_with_linear, MeshesOfOtherKindsAndNumbers)
 {
   using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
-  CGAL::Polyhedron_3<Exact> exact;
-  CGAL::make_hexahedron(Exact::Point_3(0, 0, 0), Exact::Point_3(1, 0, 0), Exact::Point_3(1, 1, 0),
-                        Exact::Point_3(0, 1, 0), Exact::Point_3(0, 1, 1), Exact::Point_3(0, 0, 1),
-                        Exact::Point_3(1, 0, 1), Exact::Point_3(1, 1, 1), exact);
+  auto exact = built<CGAL::Polyhedron_3<Exact>>(mesh_cases::cube());
   const PN::CatmullClark_scheme scheme;
   const auto c = PN::compare_with_linear(exact, scheme);
   const auto expected = compare(cube(), scheme, 1);
-  EXPECT_DOUBLE_EQ(c.control_volume, 1);
+  EXPECT_DOUBLE_EQ(c.control_volume, 8);
   EXPECT_NEAR(c.volume_ratio, expected.volume_ratio, 1e-12);
   EXPECT_DOUBLE_EQ(c.linear_volume_ratio, expected.linear_volume_ratio);
   EXPECT_EQ(exact.size_of_vertices(), 8u);
@@ -589,10 +559,7 @@ TEST(Compare_with_linear, MeshesOfOtherKindsAndNumbers)
   EXPECT_EQ(far.turning_edges, 12u);
 
   using Small = CGAL::Simple_cartesian<float>;
-  CGAL::Surface_mesh<Small::Point_3> small;
-  CGAL::make_hexahedron(Small::Point_3(0, 0, 0), Small::Point_3(1, 0, 0), Small::Point_3(1, 1, 0),
-                        Small::Point_3(0, 1, 0), Small::Point_3(0, 1, 1), Small::Point_3(0, 0, 1),
-                        Small::Point_3(1, 0, 1), Small::Point_3(1, 1, 1), small);
+  const auto small = built<CGAL::Surface_mesh<Small::Point_3>>(mesh_cases::cube());
   EXPECT_NEAR(PN::compare_with_linear(small, scheme).volume_ratio, expected.volume_ratio, 1e-5);
 }
 

@@ -200,16 +200,18 @@ TEST(Refiner_with_normals_of_corners, FollowsPointsAndNormals)
   EXPECT_TRUE(same_bytes(edited.all_corner_normals(), plain.all_corner_normals()));
 }
 
-template <class Control, class Built, class Number, class Scheme>
-void compare(const mesh_cases::Soup& soup, const Scheme& scheme)
+template <class Control, class Built, class Number, class Concurrency_tag = CGAL::Sequential_tag,
+          class Scheme>
+void compare(const mesh_cases::Soup& soup, const Scheme& scheme,
+             const std::vector<unsigned>& numbers_of_rounds = {0, 1, 2})
 {
-  for (const unsigned rounds : {0u, 1u, 2u}) {
+  for (const unsigned rounds : numbers_of_rounds) {
     Mesh_with_attributes<Control, Number> control(soup), plain(soup);
     Mesh_with_attributes<Built, Number> built;
     const auto np = params::number_of_iterations(rounds);
-    const PN::Surface_refiner refiner(
-      control.mesh, scheme,
-      PN::parameters::join(PN::parameters::attributes(control.attributes()), np));
+    const PN::Surface_refiner<Control, Scheme, CGAL::Simple_cartesian<Number>, Concurrency_tag>
+      refiner(control.mesh, scheme,
+              PN::parameters::join(PN::parameters::attributes(control.attributes()), np));
     refiner.build_mesh(built.mesh, PN::parameters::attributes(built.attributes()));
     PN::subdivide(plain.mesh, scheme,
                   PN::parameters::join(PN::parameters::attributes(plain.attributes()), np));
@@ -229,18 +231,8 @@ TEST(Refiner_with_attributes, InMapsOfOtherMeshes)
 #ifdef CGAL_LINKED_WITH_TBB
 TEST(Refiner_with_attributes, OnSeveralThreads)
 {
-  const PN::CatmullClark_scheme scheme;
-  const auto np = params::number_of_iterations(5); // some chunks of vertices
-  Mesh_with_attributes<Mesh> control(mesh_cases::mixed_with_border()),
-    plain(mesh_cases::mixed_with_border());
-  Mesh_with_attributes<Mesh> built;
-  const PN::Surface_refiner<Mesh, PN::CatmullClark_scheme, Kernel, CGAL::Parallel_tag> refiner(
-    control.mesh, scheme,
-    PN::parameters::join(PN::parameters::attributes(control.attributes()), np));
-  refiner.build_mesh(built.mesh, PN::parameters::attributes(built.attributes()));
-  PN::subdivide(plain.mesh, scheme,
-                PN::parameters::join(PN::parameters::attributes(plain.attributes()), np));
-  EXPECT_EQ(built.carried(), plain.carried());
+  compare<Mesh, Mesh, double, CGAL::Parallel_tag>(
+    mesh_cases::mixed_with_border(), PN::CatmullClark_scheme(), {5}); // some chunks of vertices
 }
 #endif
 

@@ -11,7 +11,6 @@
 #include "Mesh_cases.h"
 #include "Surface_refiner_cases.h"
 
-#include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/PN_subdivision_3/parameters/parameters.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
@@ -153,31 +152,20 @@ TEST(Surface_refiner, NoRoundsNoFacesNoVertices)
   EXPECT_TRUE(built.is_empty());
 }
 
-TEST(Surface_refiner, BuildsTheMeshThatSubdivideMakes)
+// that of a Surface_mesh is compared with that of subdivide() by test_matrix_of_features.cpp
+TEST(Surface_refiner, BuildsAPolyhedronOnce)
 {
   for (const Soup& soup : {quads_and_others(), mixed_with_border()}) {
-    Mesh mesh;
-    build(soup, mesh, mesh.points());
-    auto normals = add_normals(mesh);
-    PN::Surface_refiner refiner(mesh, PN::CatmullClark_scheme(),
-                                params::number_of_iterations(2).vertex_normal_map(normals));
-    Mesh built;
-    auto built_normals = built.add_property_map<Vertex, Vector>("n").first;
-    refiner.build_mesh(built, params::vertex_normal_map(built_normals));
-    PN::subdivide(mesh, PN::CatmullClark_scheme(),
-                  params::number_of_iterations(2).vertex_normal_map(normals));
-    EXPECT_TRUE(is_linked(built));
-    EXPECT_EQ(faces_of(built), faces_of(mesh));
-    EXPECT_EQ(points(built), points(mesh));
-    EXPECT_EQ(values(built, built_normals), values(mesh, normals));
-
+    Mesh mesh = built<Mesh>(soup);
+    const auto np = params::number_of_iterations(2).vertex_normal_map(add_normals(mesh));
+    PN::Surface_refiner refiner(mesh, PN::CatmullClark_scheme(), np);
+    PN::subdivide(mesh, PN::CatmullClark_scheme(), np);
     CGAL::Polyhedron_3<Kernel> polyhedron;
     refiner.build_mesh(polyhedron);
+    EXPECT_THROW(refiner.build_mesh(polyhedron), std::invalid_argument);
     EXPECT_TRUE(is_linked(polyhedron));
     EXPECT_EQ(faces_of(polyhedron), faces_of(mesh));
     EXPECT_EQ(points(polyhedron), points(mesh));
-    EXPECT_THROW(refiner.build_mesh(polyhedron), std::invalid_argument);
-    EXPECT_EQ(faces_of(polyhedron), faces_of(mesh));
   }
 }
 
@@ -321,21 +309,6 @@ TEST(Surface_refiner, MovesAndStatesItsMemory)
   moved.set_normal(Vertex(40), Vector(0.3, 0, 1));
   EXPECT_FALSE(moved.update().empty());
   EXPECT_GT(moved.memory(), at_first);
-}
-
-TEST(Surface_refiner, ExactNumbers)
-{
-  using FT = CGAL::Gmpq;
-  using Exact = CGAL::Simple_cartesian<FT>;
-  CGAL::Surface_mesh<Exact::Point_3> mesh;
-  build(cube(), mesh, mesh.points());
-  // the linear scheme needs no roots
-  PN::Surface_refiner refiner(mesh, PN::linear(PN::CatmullClark_scheme()));
-  refiner.set_point(Vertex(0), Exact::Point_3(-3, -1, -1));
-  refiner.update();
-  // (Q + 2 R + 0 p) / 3 with the mean Q of three centroids and R of three midpoints
-  const FT centroids = (FT(-1) / 2 - FT(1) / 2 - FT(3) / 2) / 3, midpoints = FT(-1 - 2 - 2) / 3;
-  EXPECT_EQ(refiner.points()[0].x(), (centroids + 2 * midpoints) / 3);
 }
 
 TEST(Surface_refiner, IntervalsThatDoNotDecide)

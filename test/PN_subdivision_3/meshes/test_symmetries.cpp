@@ -10,6 +10,7 @@
 // the 48 exact ways to exchange and reflect the axes, and does not depend on numbers of vertices and faces and first corners.
 
 #include "Mesh_cases.h"
+#include "Mesh_shapes.h"
 
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_limit_surface_3/tessellate.h>
@@ -62,47 +63,12 @@ void tilt(Control& c)
   }
 }
 
-// one vertex twice, with an edge between the two
-Control cube_with_zero_edge()
+// a shape, of which some vertices are moved to the points of other ones
+Control coincident(const std::string& name, const test_meshes::Control_mesh& shape,
+                   const std::vector<std::pair<std::size_t, std::size_t>>& moved)
 {
-  Control c{
-    "cube with an edge without length",
-    {{2, 2, 0}, {0, 2, 0}, {0, 0, 0}, {2, 0, 0}, {2, 2, 2}, {2, 0, 2}, {0, 2, 2}, {0, 0, 2}},
-    {{0, 3, 2, 1},
-     {4, 6, 8, 7, 5},
-     {0, 1, 6, 4},
-     {1, 2, 8, 6},
-     {2, 3, 5, 7},
-     {2, 7, 8},
-     {3, 0, 4, 5}}};
-  c.points.push_back(c.points[7]);
-  tilt(c);
-  return c;
-}
-
-// all vertices of the ring at a pole are at one point, and its cap is a face there
-Control ball_with_pole()
-{
-  Control c{"ball with a pole", {}, {}};
-  const int n = 5, rings = 3;
-  for (int j = 1; j <= rings; ++j)
-    for (int i = 0; i < n; ++i) {
-      const double u = i + 0.3 * std::sin(i + j), t = 3.2 * j / rings;
-      c.points.push_back(j == rings ? Triple{0.1, 0.2, -1}
-                                    : Triple{1.5 * std::sin(t) * std::cos(u),
-                                             std::sin(t) * std::sin(u), std::cos(t)});
-    }
-  std::vector<int> top, pole;
-  for (int i = 0; i < n; ++i) {
-    top.push_back(i);
-    pole.push_back(n * rings - 1 - i);
-    for (int j = 0; j + 1 < rings; ++j) {
-      const int a = n * j + i, b = n * j + (i + 1) % n;
-      c.faces.push_back({a, a + n, b + n, b});
-    }
-  }
-  c.faces.push_back(top);
-  c.faces.push_back(pole);
+  Control c{name, shape.points, shape.faces};
+  for (const auto& [v, to] : moved) c.points[v] = c.points[to];
   tilt(c);
   return c;
 }
@@ -128,43 +94,16 @@ Control box_with_flat_triangle()
   return c;
 }
 
-// two octahedra that touch with a vertex of each
-Control touching_octahedra()
-{
-  Control c{"octahedra that touch", {}, {}};
-  for (const double shift : {0., 2.}) {
-    const int n = int(c.points.size());
-    for (const Triple& p :
-         Points{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1.5, 0}, {0, 0, 1}, {0, 0, -1}})
-      c.points.push_back({p[0] + shift, p[1], p[2]});
-    for (const std::vector<int>& f : std::vector<std::vector<int>>{
-           {0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}})
-      c.faces.push_back({f[0] + n, f[1] + n, f[2] + n});
-  }
-  tilt(c);
-  return c;
-}
-
-// with an edge without length at its border
-Control open_grid()
-{
-  Control c{"open grid", {}, {}};
-  const int n = 3;
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      c.points.push_back({double(i), j + 0.2 * i, 0.2 * i * i - 0.15 * j * j + 0.1 * i * j});
-      if (i > 0 && j > 0)
-        c.faces.push_back({n * (j - 1) + i - 1, n * (j - 1) + i, n * j + i, n * j + i - 1});
-    }
-  c.points[1] = c.points[2];
-  tilt(c);
-  return c;
-}
-
 std::vector<Control> controls()
 {
-  return {cube_with_zero_edge(), ball_with_pole(), box_with_flat_triangle(), touching_octahedra(),
-          open_grid()};
+  const auto bipyramid = test_meshes::bipyramid(4);
+  return {coincident("house with an edge without length", test_meshes::house(4), {{0, 1}}),
+          // all vertices of the ring at a pole are at one point, and its cap is a face there
+          coincident("house with a pole", test_meshes::house(5), {{1, 0}, {2, 0}, {3, 0}, {4, 0}}),
+          box_with_flat_triangle(),
+          coincident("bipyramids that touch", test_meshes::united(bipyramid, bipyramid), {{8, 0}}),
+          coincident("open grid with an edge without length at its border",
+                     test_meshes::grid(2, 2, false, false, test_meshes::Cells::quads), {{1, 2}})};
 }
 
 Control triangulated(Control c)

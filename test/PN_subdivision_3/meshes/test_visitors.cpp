@@ -92,33 +92,20 @@ TEST(Visitors, MembersMayTakeWhatTheirArgumentsConvertTo)
 
 // --- lifetimes ---
 
-template <class Piece, class = void>
-struct Gives_points : std::false_type
-{};
-template <class Piece>
-struct Gives_points<Piece, std::void_t<decltype(std::declval<Piece>().points())>> : std::true_type
-{};
-template <class Piece, class = void>
-struct Gives_normals : std::false_type
-{};
-template <class Piece>
-struct Gives_normals<Piece, std::void_t<decltype(std::declval<Piece>().normals())>> : std::true_type
-{};
-template <class Piece, class = void>
-struct Gives_connectivity : std::false_type
-{};
-template <class Piece>
-struct Gives_connectivity<Piece, std::void_t<decltype(std::declval<Piece>().connectivity())>>
-  : std::true_type
-{};
-
 TEST(Lifetimes, APieceThatIsGoneGivesNoReferences)
 {
   using Piece = PN::Surface_piece<Kernel>;
-  EXPECT_TRUE(Gives_points<Piece&>::value && Gives_points<const Piece&>::value);
-  EXPECT_TRUE(Gives_normals<Piece&>::value && Gives_connectivity<Piece&>::value);
-  EXPECT_FALSE(Gives_points<Piece>::value || Gives_points<const Piece>::value);
-  EXPECT_FALSE(Gives_normals<Piece>::value || Gives_connectivity<Piece>::value);
+  const auto expect = [](auto get) {
+    EXPECT_TRUE((std::is_invocable_v<decltype(get), Piece&>));
+    EXPECT_TRUE((std::is_invocable_v<decltype(get), const Piece&>));
+    EXPECT_FALSE((std::is_invocable_v<decltype(get), Piece>));
+    EXPECT_FALSE((std::is_invocable_v<decltype(get), const Piece>));
+  };
+  expect([](auto&& p) -> decltype(std::forward<decltype(p)>(p).points()) { return p.points(); });
+  expect([](auto&& p) -> decltype(std::forward<decltype(p)>(p).normals()) { return p.normals(); });
+  expect([](auto&& p) -> decltype(std::forward<decltype(p)>(p).connectivity()) {
+    return p.connectivity();
+  });
 }
 
 TEST(Lifetimes, NoCallKeepsAReferenceToATemporaryFunction)

@@ -200,28 +200,8 @@ Control_mesh ends_of_bevels(unsigned seed)
 // points on the edges of the box have no normals.
 Control_mesh box_with_bevels_of_no_width()
 {
-  Control_mesh mesh{"box with bevels of no width", {}, {}, {}};
-  std::map<std::array<int, 3>, int> numbers;
-  const auto vertex = [&](const std::array<int, 3>& p) {
-    const auto found = numbers.emplace(p, int(mesh.points.size()));
-    if (found.second) mesh.points.push_back({p[0] / 2 * 12., p[1] / 2 * 7., p[2] / 2 * 3.});
-    return found.first->second;
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (int side : {0, 3})
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-          reference::Face f;
-          for (const auto& [di, dj] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
-            std::array<int, 3> p;
-            p[axis] = side;
-            p[(axis + 1) % 3] = i + di;
-            p[(axis + 2) % 3] = j + dj;
-            f.push_back(vertex(p));
-          }
-          if (side == 0) std::reverse(f.begin(), f.end());
-          mesh.faces.push_back(f);
-        }
+  Control_mesh mesh = renamed(test_meshes::box_of_cells({3, 3, 3}), "box with bevels of no width");
+  for (Triple& p : mesh.points) p = {p[0] < 2 ? 0. : 12., p[1] < 2 ? 0. : 7., p[2] < 2 ? 0. : 3.};
   return mesh;
 }
 

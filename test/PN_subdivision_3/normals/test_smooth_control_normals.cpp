@@ -93,16 +93,23 @@ Control_mesh waves(Cells cells)
   return sampled_surfaces::patch(20, 20, 0.1, cells, 7, sampled_surfaces::on_waves);
 }
 
+Sampled refined(Sampled s, double roundness)
+{
+  const auto np =
+    PN::parameters::roundness(roundness).number_of_iterations(2).vertex_normal_map(s.normals);
+  if (CGAL::is_triangle_mesh(s.mesh))
+    PN::subdivide(s.mesh, PN::Loop_scheme(), np);
+  else
+    PN::subdivide(s.mesh, PN::CatmullClark_scheme(), np);
+  return s;
+}
+
 // The mean of |grad H| of a refined surface: H by cotangents, of quads the mean of both ways to split them.
 class Fairness
 {
 public:
-  template <class Scheme>
-  Fairness(Sampled s, const Scheme& scheme, double roundness)
+  explicit Fairness(const Sampled& s)
   {
-    PN::subdivide(
-      s.mesh, scheme,
-      PN::parameters::roundness(roundness).number_of_iterations(2).vertex_normal_map(s.normals));
     for (const auto v : s.mesh.vertices()) {
       p_.push_back(s.mesh.point(v));
       n_.push_back(s.normals[v]);
@@ -155,19 +162,13 @@ private:
 
 double fairness(const Sampled& s, double roundness = 1)
 {
-  if (CGAL::is_triangle_mesh(s.mesh)) return Fairness(s, PN::Loop_scheme(), roundness)();
-  return Fairness(s, PN::CatmullClark_scheme(), roundness)();
+  return Fairness(refined(s, roundness))();
 }
 
 // of faces that share an edge, in degrees
-double mean_turn(Sampled s, double roundness)
+double mean_turn(const Sampled& control, double roundness)
 {
-  const auto np =
-    PN::parameters::roundness(roundness).number_of_iterations(2).vertex_normal_map(s.normals);
-  if (CGAL::is_triangle_mesh(s.mesh))
-    PN::subdivide(s.mesh, PN::Loop_scheme(), np);
-  else
-    PN::subdivide(s.mesh, PN::CatmullClark_scheme(), np);
+  const Sampled s = refined(control, roundness);
   const auto normal = [&](auto h) { // by the diagonals of quads
     const auto &p = s.mesh.point(s.mesh.source(h)), &q = s.mesh.point(s.mesh.target(h));
     const auto &r = s.mesh.point(s.mesh.target(s.mesh.next(h))),
@@ -378,31 +379,21 @@ TEST(Smooth_normals, TakeTheLeastNoise)
 // reversed.
 TEST(Smooth_normals, LeaveWhatHasNothingToSay)
 {
-  const Control_mesh control = sphere();
+  Control_mesh control = sphere();
   const auto n = std::uint32_t(control.points.size());
+  Sampled disturbed(control);
+  disturb(disturbed, 2);
+  const Control_mesh clean = sampled_surfaces::scattered(1, 0.2, 3, sampled_surfaces::on_sphere);
+  control = test_meshes::united(control, clean);
+  control.normals.insert(control.normals.end(), clean.normals.begin(), clean.normals.end());
+  const int isolated = int(control.points.size()); // and behind it a triangle of one line
+  control.points.insert(control.points.end(), {{9, 9, 9}, {0, 7, 0}, {0, 7, 0}, {1, 7, 0}});
+  control.normals.insert(control.normals.end(), {{0, 0, 2}, {0, .6, .8}, {0, .6, .8}, {0, .6, .8}});
+  control.faces.push_back({isolated + 1, isolated + 2, isolated + 3});
   Sampled s(control);
-  disturb(s, 2);
+  for (const auto v : disturbed.mesh.vertices()) s.normals[v] = disturbed.normals[v];
   s.normals[Sampled::Vertex(7)] = Vector_3(0, 0, 0);
   s.normals[Sampled::Vertex(50)] = -s.normals[Sampled::Vertex(50)];
-  const Control_mesh clean = sampled_surfaces::scattered(1, 0.2, 3, sampled_surfaces::on_sphere);
-  for (std::size_t i = 0; i < clean.points.size(); ++i) {
-    const Triple &p = clean.points[i], &m = clean.normals[i];
-    s.normals[s.mesh.add_vertex(Kernel::Point_3(p[0] + 5, p[1], p[2]))] =
-      Vector_3(m[0], m[1], m[2]);
-  }
-  for (const auto& f : clean.faces) {
-    std::vector<Sampled::Vertex> corners;
-    for (const int i : f) corners.emplace_back(n + std::uint32_t(i));
-    s.mesh.add_face(corners);
-  }
-  const auto isolated = s.mesh.add_vertex(Kernel::Point_3(9, 9, 9));
-  s.normals[isolated] = Vector_3(0, 0, 2);
-  std::vector<Sampled::Vertex> line;
-  for (const double x : {0., 0., 1.}) {
-    line.push_back(s.mesh.add_vertex(Kernel::Point_3(x, 7, 0)));
-    s.normals[line.back()] = Vector_3(0, .6, .8);
-  }
-  s.mesh.add_face(line);
   const Sampled given(s);
   PN::smooth_control_normals(s.mesh, s.normals);
   for (const auto v : s.mesh.vertices()) {

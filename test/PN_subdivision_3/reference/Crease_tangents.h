@@ -25,11 +25,11 @@ public:
   {
     const int n = mesh.mesh.number_of_vertices();
     for (int v = 0; v < n; ++v)
-      if (is_on_crease(v)) make_on_crease(v);
+      if (is_crease_vertex(mesh, v)) make_on_crease(v);
     const std::map<Edge, Vector> on_creases = tangents_;
     for (int v = 0; v < n; ++v)
-      if (!is_on_crease(v))
-        for (const int a : neighbors(v)) make_end(v, a, on_creases);
+      if (!is_crease_vertex(mesh, v))
+        for (const int a : sharp_neighbors(mesh, v)) make_end(v, a, on_creases);
     if (!mesh.has_fixed_border) return;
     for (auto& [ends, t] : tangents_)
       if (mesh.mesh.is_border(ends.first, ends.second)) t = Vector::Zero();
@@ -37,27 +37,12 @@ public:
 
   const Vector& at(int v, int a) const { return tangents_.at({v, a}); }
 
-  std::vector<int> neighbors(int v) const
-  {
-    std::vector<int> result;
-    for (const int u : mesh_.mesh.ring(v))
-      if (mesh_.sharpness(v, u) > 0) result.push_back(u);
-    return result;
-  }
-  bool is_on_crease(int v) const
-  {
-    const std::vector<int> a = neighbors(v);
-    if (a.size() != 2 || mesh_.sharpness(v) > 0) return false;
-    return !mesh_.mesh.is_border(v) ||
-           (mesh_.mesh.is_border(v, a[0]) && mesh_.mesh.is_border(v, a[1]));
-  }
-
 private:
   static Vector unit(const Vector& x) { return x.norm() == 0 ? x : Vector(x / x.norm()); }
 
   void make_on_crease(int v)
   {
-    const std::vector<int> ends = neighbors(v);
+    const std::vector<int> ends = sharp_neighbors(mesh_, v);
     const Vector y = mesh_.point(ends[0]) - mesh_.point(v),
                  x = mesh_.point(ends[1]) - mesh_.point(v);
     // the tangent at v of the circle through all three: the chords' directions, each weighted by the

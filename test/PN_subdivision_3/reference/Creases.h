@@ -62,6 +62,20 @@ struct Creased_mesh
   const Vector& tangent(int v, int a) const { return tangents.at({v, a}); }
 };
 
+inline std::vector<int> sharp_neighbors(const Creased_mesh& mesh, int v)
+{
+  std::vector<int> result;
+  for (const int u : mesh.mesh.ring(v))
+    if (mesh.sharpness(v, u) > 0) result.push_back(u);
+  return result;
+}
+inline bool is_crease_vertex(const Creased_mesh& mesh, int v)
+{
+  const std::vector<int> a = sharp_neighbors(mesh, v);
+  if (a.size() != 2 || mesh.sharpness(v) > 0) return false;
+  return !mesh.mesh.is_border(v) || (mesh.mesh.is_border(v, a[0]) && mesh.mesh.is_border(v, a[1]));
+}
+
 inline Real after_round(Real s)
 {
   return (std::max)(s - 1, Real(0));

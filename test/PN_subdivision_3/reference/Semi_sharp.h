@@ -6,7 +6,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// One round of Catmull-Clark or Loop, or their modified forms, with creases, by the meaning of the rules: values belong to the
 // Rounds in which creases end, in long double: a round in which less than 1 of an edge is left is the blend of two
 // whole ones, one in which these edges are sharp and one in which they are gone. What ends is not round.
 
@@ -31,20 +30,6 @@ inline Creased_mesh with_fractions(const Creased_mesh& old, Real s)
   for (auto& vertex : mesh.sharp_vertices)
     if (is_fraction(vertex.second)) vertex.second = s;
   return mesh;
-}
-
-inline std::vector<int> sharp_neighbors(const Creased_mesh& mesh, int v)
-{
-  std::vector<int> result;
-  for (const int u : mesh.mesh.ring(v))
-    if (mesh.sharpness(v, u) > 0) result.push_back(u);
-  return result;
-}
-inline bool is_crease_vertex(const Creased_mesh& mesh, int v)
-{
-  const std::vector<int> a = sharp_neighbors(mesh, v);
-  if (a.size() != 2 || mesh.sharpness(v) > 0) return false;
-  return !mesh.mesh.is_border(v) || (mesh.mesh.is_border(v, a[0]) && mesh.mesh.is_border(v, a[1]));
 }
 
 // calls f(face, v, least): at v the face touches edges of which less than 1 is left, the least of them `least`

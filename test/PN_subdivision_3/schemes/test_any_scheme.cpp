@@ -401,26 +401,21 @@ TEST(Any_scheme, ByName)
 
 TEST(Any_scheme, RefusedNames)
 {
-  messages::expect_refused([] { PN::any_scheme("lop"); },
-                           {"'lop'", "catmull-clark, kobbelt, loop", "ct-loop"});
-  messages::expect_refused([] { PN::any_scheme("kobbelt", {{"cap", 1.}}); }, {"'cap'", "tension"});
-  messages::expect_refused(
-    [] {
-      PN::any_scheme("loop", {{"tension", 1.}});
-    },
-    {"'tension'", "none"});
-  messages::expect_refused(
-    [] {
-      PN::any_scheme("modified-loop", {{"w", 1.}});
-    },
-    {"'w'", "cap and first-round"});
-  for (const double round : {0., 1.5, -1.})
-    messages::expect_refused(
-      [&] {
-        PN::any_scheme("modified-loop", {{"first-round", round}});
-      },
-      {"first-round"});
-  messages::expect_refused([] { PN::any_scheme("kobbelt", {{"tension", 1e9}}); }, {"tension"});
+  struct Case
+  {
+    const char* name;
+    PN::Scheme_parameters parameters;
+    std::vector<std::string> words;
+  };
+  for (const Case& c : {Case{"lop", {}, {"'lop'", "catmull-clark, kobbelt, loop", "ct-loop"}},
+                        {"kobbelt", {{"cap", 1.}}, {"'cap'", "tension"}},
+                        {"loop", {{"tension", 1.}}, {"'tension'", "none"}},
+                        {"modified-loop", {{"w", 1.}}, {"'w'", "cap and first-round"}},
+                        {"modified-loop", {{"first-round", 0.}}, {"first-round"}},
+                        {"modified-loop", {{"first-round", 1.5}}, {"first-round"}},
+                        {"modified-loop", {{"first-round", -1.}}, {"first-round"}},
+                        {"kobbelt", {{"tension", 1e9}}, {"tension"}}})
+    messages::expect_refused([&] { PN::any_scheme(c.name, c.parameters); }, c.words);
 }
 
 // What the compiler refuses of a scheme is refused at run time, and the mesh is as it was.

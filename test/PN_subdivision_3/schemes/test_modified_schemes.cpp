@@ -11,6 +11,7 @@
 
 #include "Messages.h"
 #include "Modified_rings.h"
+#include "Named_shapes.h"
 #include "analysis/subdivision_matrix.h"
 
 #include <CGAL/Gmpq.h>
@@ -113,13 +114,7 @@ TYPED_TEST(Modified_scheme, ModifiesAllVerticesOnceTheyAreSeparated)
 // Neighbors along an edge, and opposite corners of a quad.
 TEST(Separated_vertex, HasNoExtraordinaryNeighbor)
 {
-  Control_mesh cube{
-    "cube",
-    {},
-    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
-  for (int z : {-1, 1})
-    for (auto [x, y] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)})
-      cube.points.push_back({double(x), double(y), double(z)});
+  const Control_mesh cube = named_shapes::cube();
   expect_modified_about<Quads>(cube, 0, {});
   expect_modified_about<Quads>(cube, 1, {0, 1, 2, 3, 4, 5, 6, 7});
 }
@@ -391,12 +386,8 @@ void expect_rows_that_sum_to_one(const std::vector<int>& valences)
   for (int n : valences) {
     Surface_mesh mesh = to_surface_mesh(star(n, 1, Kind::cells));
     for (double cap : {0.5, 0.3})
-      for_each_row<FT>(mesh, typename Kind::Modified(cap), 1,
-                       [&](std::size_t v, const auto* begin, const auto* end) {
-                         FT sum(0);
-                         for (const auto* e = begin; e != end; ++e) sum += e->weight;
-                         EXPECT_TRUE(sum == FT(1)) << "valence " << n << ", vertex " << v;
-                       });
+      ::expect_rows_that_sum_to_one<FT>(mesh, typename Kind::Modified(cap), 1,
+                                        "valence " + std::to_string(n));
   }
 }
 

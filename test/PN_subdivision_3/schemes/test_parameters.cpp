@@ -109,7 +109,8 @@ TEST(Own_parameters, AreChainedInAnyOrder)
             expected);
   // of two packs that say different things the first one counts
   EXPECT_EQ(refined(of_call::join(of_call::roundness(.5), of_call::roundness(1.),
-                                  of_call::border(PN::Border::curve), rounds)),
+                                  of_call::border(PN::Border::curve), rounds,
+                                  params::number_of_iterations(1))),
             expected);
 }
 

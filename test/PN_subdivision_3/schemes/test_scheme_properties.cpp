@@ -122,12 +122,7 @@ void expect_rows_that_sum_to_one()
   for (const Control_mesh& control : meshes_of_any_valence<Description>()) {
     Surface_mesh mesh = to_surface_mesh(control);
     for (unsigned k = 1; k <= 2; ++k) {
-      for_each_row<FT>(
-        mesh, Description::scheme(), k, [&](std::size_t v, const auto* begin, const auto* end) {
-          FT sum(0);
-          for (const auto* e = begin; e != end; ++e) sum += e->weight;
-          EXPECT_TRUE(sum == FT(1)) << control.name << ", round " << k << ", vertex " << v;
-        });
+      expect_rows_that_sum_to_one<FT>(mesh, Description::scheme(), k, control.name);
       if (k == 1) refine_linearly<Description>(mesh, 1);
     }
   }
@@ -143,29 +138,6 @@ TYPED_TEST(Scheme_property, RowsSumToOneInOrderOfEmission)
 TYPED_TEST(Scheme_property, RowsSumToOneExactly)
 {
   expect_rows_that_sum_to_one<CGAL::Exact_rational, TypeParam>();
-}
-
-TYPED_TEST(Scheme_property, SubdivisionMatrixHoldsTheReferenceWeights)
-{
-  for (const Control_mesh& control : meshes_for<TypeParam>()) {
-    const Surface_mesh mesh = to_surface_mesh(control);
-    const reference::Face_list list = face_list(mesh);
-    for (unsigned round : {1u, 2u}) {
-      if (round == 2 && TypeParam::composes_single_rounds) continue;
-      if (round == 2 && !test_meshes::is_closed(control)) continue;
-      const auto matrix = PN::subdivision_matrix(mesh, TypeParam::scheme(), round);
-      const reference::Matrix weights =
-        TypeParam::refine(list, round).weights(list.number_of_vertices());
-      ASSERT_EQ(matrix.rows(), weights.rows()) << control.name;
-      ASSERT_EQ(matrix.cols(), weights.cols()) << control.name;
-      const Eigen::MatrixXd dense = matrix;
-      EXPECT_LE(double((dense.cast<reference::Real>() - weights).cwiseAbs().maxCoeff()), 1e-15)
-        << control.name;
-      EXPECT_LE((dense.rowwise().sum().array() - 1).abs().maxCoeff(),
-                4 * std::numeric_limits<double>::epsilon())
-        << control.name;
-    }
-  }
 }
 
 // Vertices and faces with many edges, whose rows are long and have weights that are not tabulated.

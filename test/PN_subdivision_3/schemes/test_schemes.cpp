@@ -6,7 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Every scheme against CGAL, against PN_mask_3 in CGAL's hosts, and against the reference form.
+// Every scheme against PN_mask_3 in CGAL's hosts, and against the reference form; its linear twin against CGAL is the subject of
+// test_Subdivision_method_3.cpp.
 
 #include "Mesh_files.h"
 #include "Schemes.h"
@@ -21,26 +22,6 @@ template <class Description>
 class Scheme : public testing::Test
 {};
 TYPED_TEST_SUITE(Scheme, Schemes, Scheme_names);
-
-TYPED_TEST(Scheme, LinearTwinEqualsCgal)
-{
-  if constexpr (has_cgal_peer<TypeParam>) {
-    double largest = 0;
-    for (const Control_mesh& control : meshes_for_cgal<TypeParam>())
-      for (unsigned rounds = 1; rounds <= 3; ++rounds) {
-        Surface_mesh ours = to_surface_mesh(control), cgal = ours;
-        for (auto v : ours.vertices())
-          put(normal_map(ours), v, CGAL::NULL_VECTOR), put(normal_map(cgal), v, CGAL::NULL_VECTOR);
-        refine_linearly<TypeParam>(ours, rounds);
-        TypeParam::Cgal::linear(cgal, CGAL::parameters::number_of_iterations(rounds));
-        const Difference d = difference(result_of(ours), result_of(cgal));
-        EXPECT_TRUE(is_within(d, 1e-13)) << control.name << ", rounds " << rounds;
-        largest = (std::max)(largest, d.points);
-      }
-    std::cout << "largest difference " << largest << '\n';
-  } else
-    GTEST_SKIP() << "does not apply: CGAL has no such function";
-}
 
 // The meshes of data/, and real ones where they are found; estimated normals where a file has none.
 TYPED_TEST(Scheme, AgreesWithCgalOnMeshFiles)
@@ -70,37 +51,31 @@ TYPED_TEST(Scheme, AgreesWithCgalOnMeshFiles)
     GTEST_SKIP() << "does not apply: CGAL has no such mask";
 }
 
-// One round, vertex by vertex in the documented order.
+// The first round vertex by vertex in the documented order, further ones by position.
 TYPED_TEST(Scheme, EqualsReferenceInDocumentedOrder)
 {
   double largest = 0;
-  for (const Control_mesh& control : meshes_for<TypeParam>()) {
-    Surface_mesh pn = to_surface_mesh(control), linear = pn;
-    for (auto v : linear.vertices()) put(normal_map(linear), v, CGAL::NULL_VECTOR);
-    const Result pn_expected = reference_result<TypeParam>(pn, 1, Rule::pn);
-    const Result linear_expected = reference_result<TypeParam>(linear, 1, Rule::linear);
-    refine<TypeParam>(pn, 1);
-    refine_linearly<TypeParam>(linear, 1);
-    const Difference d = difference_by_index(result_of(pn), pn_expected);
-    EXPECT_TRUE(is_within(d, 1e-13)) << control.name;
-    EXPECT_TRUE(is_within(difference_by_index(result_of(linear), linear_expected), 1e-13))
-      << control.name;
-    largest = (std::max)({largest, d.points, d.normals});
-  }
-  std::cout << "largest difference " << largest << '\n';
-}
-
-TYPED_TEST(Scheme, EqualsReferenceOverSeveralRounds)
-{
   for (const Control_mesh& control : meshes_for<TypeParam>())
-    for (unsigned rounds = 2; rounds <= 3; ++rounds) {
-      if (double(control.faces.size()) * std::pow(TypeParam::growth, rounds) > 700) continue;
-      Surface_mesh pn = to_surface_mesh(control);
-      const Result expected = reference_result<TypeParam>(pn, rounds, Rule::pn);
+    for (unsigned rounds = 1; rounds <= 3; ++rounds) {
+      if (rounds > 1 && double(control.faces.size()) * std::pow(TypeParam::growth, rounds) > 700)
+        continue;
+      Surface_mesh pn = to_surface_mesh(control), linear = pn;
+      for (auto v : linear.vertices()) put(normal_map(linear), v, CGAL::NULL_VECTOR);
+      const Result pn_expected = reference_result<TypeParam>(pn, rounds, Rule::pn);
+      const Result linear_expected = reference_result<TypeParam>(linear, rounds, Rule::linear);
       refine<TypeParam>(pn, rounds);
-      EXPECT_TRUE(is_within(difference(result_of(pn), expected), 1e-13))
+      refine_linearly<TypeParam>(linear, rounds);
+      const auto compared = [&](Surface_mesh& mesh, const Result& expected) {
+        return rounds == 1 ? difference_by_index(result_of(mesh), expected)
+                           : difference(result_of(mesh), expected);
+      };
+      const Difference d = compared(pn, pn_expected);
+      EXPECT_TRUE(is_within(d, 1e-13)) << control.name << ", rounds " << rounds;
+      EXPECT_TRUE(is_within(compared(linear, linear_expected), 1e-13))
         << control.name << ", rounds " << rounds;
+      largest = (std::max)({largest, d.points, d.normals});
     }
+  std::cout << "largest difference " << largest << '\n';
 }
 
 // Missing, fading and opposite normals. Where they nearly cancel, rounding is magnified.

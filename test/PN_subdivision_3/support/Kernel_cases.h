@@ -54,7 +54,7 @@ auto mask_of_normals(const Scheme& scheme, const PN::Level_connectivity& level)
 }
 
 // One round in the number type FT: all of subdivide() that depends on the scheme and on FT, but not
-// the mesh around it, which test_kernels.cpp has.
+// the mesh around it.
 template <class FT, class Scheme>
 Point_normals<FT> one_round(const Control_mesh& control, const Scheme& scheme)
 {
@@ -131,7 +131,8 @@ struct Mesh_with_normals
 {
   using Vector = typename K::Vector_3;
 
-  explicit Mesh_with_normals(const Control_mesh& control)
+  template <class Shape>
+  explicit Mesh_with_normals(const Shape& control)
   {
     mesh_cases::build(control, mesh);
     PN::estimate_control_normals(mesh, normals);
@@ -163,6 +164,43 @@ void expect_mesh_functions(double tolerance, double unit)
   EXPECT_EQ(deviation.number_of_points, control.points.size());
   EXPECT_FALSE(CGAL::certainly(deviation.points_are_on_shape));
   EXPECT_GT(deviation.distance.sup(), 0.5);
+}
+
+// All of subdivide(), with borders and a normal that is missing: points and normals, and the lengths of these, which are 1
+// up to `unit`, or 0.
+template <class K>
+void expect_subdivision(double tolerance, double unit)
+{
+  const auto expect_near = [](const auto& a, const auto& b, double bound) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+      for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(a[i][c], b[i][c], bound) << i;
+  };
+  const auto refine = [](auto& m, const mesh_cases::Soup& soup) {
+    mesh_cases::put_normals(mesh_cases::normals(soup), m.mesh, m.normals);
+    const auto np = params::number_of_iterations(has_exact_roots<typename K::FT> ? 1 : 2)
+                      .vertex_normal_map(m.normals);
+    if (soup.faces[0].size() == 3)
+      PN::subdivide(m.mesh, PN::Loop_scheme(), np);
+    else
+      PN::subdivide(m.mesh, PN::CatmullClark_scheme(), np);
+  };
+  for (const auto& soup : {mesh_cases::triangles_with_border(), mesh_cases::mixed_with_border()}) {
+    Mesh_with_normals<K> m(soup);
+    Mesh_with_normals<CGAL::Simple_cartesian<double>> expected(soup);
+    refine(m, soup);
+    refine(expected, soup);
+    expect_near(mesh_cases::points(m.mesh), mesh_cases::points(expected.mesh), tolerance);
+    expect_near(mesh_cases::values(m.mesh, m.normals),
+                mesh_cases::values(expected.mesh, expected.normals), tolerance);
+    EXPECT_EQ(mesh_cases::faces_of(m.mesh), mesh_cases::faces_of(expected.mesh));
+    if constexpr (!has_exact_roots<typename K::FT>)
+      for (auto v : m.mesh.vertices()) {
+        const typename K::FT length = m.normals[v].squared_length();
+        if (CGAL::to_double(length) == 0) continue;
+        EXPECT_LE(std::abs(double(CGAL::to_double(typename K::FT(length - 1)))), unit) << v;
+      }
+  }
 }
 
 // --- curves ---
@@ -271,6 +309,7 @@ void expect_everything(double tolerance, double unit)
 {
   expect_schemes<typename K::FT>(Schemes_elsewhere(), tolerance, unit);
   expect_mesh_functions<K>(tolerance, unit);
+  expect_subdivision<K>(tolerance / 5, unit);
   expect_masks<K>(tolerance);
   expect_curve_functions<K>(tolerance);
 }

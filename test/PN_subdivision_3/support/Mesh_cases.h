@@ -89,6 +89,19 @@ inline Soup triangles_with_border()
   return soup;
 }
 
+// with apexes of valence n, vertices 0 and n + 1; the x of the first one is 1, that of all others 0
+inline Soup bipyramid(std::size_t n)
+{
+  Soup soup;
+  for (std::size_t i = 0; i < n + 2; ++i)
+    soup.points.push_back({i == 0 ? 1. : 0., double(i * i % 5), double(i % 3)});
+  for (std::size_t i = 1; i <= n; ++i) {
+    soup.faces.push_back({0, i, i % n + 1});
+    soup.faces.push_back({n + 1, i % n + 1, i});
+  }
+  return soup;
+}
+
 // no unit vectors, none of them the surface's; the last one is zero
 inline std::vector<Triple> normals(const Soup& soup)
 {

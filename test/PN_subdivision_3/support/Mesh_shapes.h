@@ -199,6 +199,34 @@ inline Control_mesh grid(int nx, int ny, bool closed_x, bool closed_y, Cells cel
   return mesh;
 }
 
+// The sides of a box of unit cells.
+inline Control_mesh box_of_cells(const std::array<int, 3>& cells)
+{
+  Control_mesh mesh{"box of cells", {}, {}};
+  std::map<std::array<int, 3>, int> index;
+  const auto vertex = [&](const std::array<int, 3>& p) {
+    const auto [it, is_new] = index.try_emplace(p, int(mesh.points.size()));
+    if (is_new) mesh.points.push_back({double(p[0]), double(p[1]), double(p[2])});
+    return it->second;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (int side = 0; side < 2; ++side)
+      for (int i = 0; i < cells[(axis + 1) % 3]; ++i)
+        for (int j = 0; j < cells[(axis + 2) % 3]; ++j) {
+          reference::Face f;
+          for (const auto& [di, dj] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+            std::array<int, 3> p{};
+            p[axis] = side * cells[axis];
+            p[(axis + 1) % 3] = i + di;
+            p[(axis + 2) % 3] = j + dj;
+            f.push_back(vertex(p));
+          }
+          if (side == 0) std::reverse(f.begin(), f.end());
+          mesh.faces.push_back(f);
+        }
+  return mesh;
+}
+
 // A prism over an n-gon with a pyramid on top: triangles, quads and the n-gon.
 inline Control_mesh house(int n)
 {

@@ -12,6 +12,7 @@
 #define CGAL_PN_SUBDIVISION_3_TEST_RANDOM_CREASES_H
 
 #include "Crease_levels.h"
+#include "Mesh_shapes.h"
 
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 
@@ -32,31 +33,12 @@ inline double random_between(std::mt19937& random, double least, double greatest
 
 inline Control box_of_cells(const std::array<int, 3>& cells)
 {
+  const test_meshes::Control_mesh mesh = test_meshes::box_of_cells(cells);
   Control c;
-  std::map<std::array<int, 3>, int> index;
-  const auto vertex = [&](const std::array<int, 3>& p) {
-    const auto [it, is_new] = index.try_emplace(p, int(c.points.size()));
-    if (is_new) c.points.push_back({double(p[0]), double(p[1]), double(p[2])});
-    return it->second;
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (int side = 0; side < 2; ++side)
-      for (int i = 0; i < cells[(axis + 1) % 3]; ++i)
-        for (int j = 0; j < cells[(axis + 2) % 3]; ++j) {
-          Face f;
-          for (const auto& [di, dj] : {Edge{0, 0}, Edge{1, 0}, Edge{1, 1}, Edge{0, 1}}) {
-            std::array<int, 3> p{};
-            p[axis] = side * cells[axis];
-            p[(axis + 1) % 3] = i + di;
-            p[(axis + 2) % 3] = j + dj;
-            f.push_back(vertex(p));
-          }
-          if (side == 0) std::reverse(f.begin(), f.end());
-          c.faces.push_back(f);
-        }
+  c.points = mesh.points;
+  c.faces = mesh.faces;
   return c;
 }
-
 inline Control box()
 {
   return box_of_cells({2, 2, 2});

@@ -6,16 +6,22 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Rational points with rational unit normals on spheres, cylinders and circles, and the exact test
+// Rational points with rational unit normals on spheres, cylinders and circles, meshes of them, and the exact test
 // whether a point with its normal is on one.
 
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_RATIONAL_SHAPES_H
 #define CGAL_PN_SUBDIVISION_3_TEST_RATIONAL_SHAPES_H
 
+#include "Mesh_cases.h"
+
 #include <CGAL/Gmpq.h>
+#include <CGAL/PN_certificates_3/reproduction.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace rational_shapes {
 
@@ -104,10 +110,19 @@ inline Shape cylinder()
           {Rational(1, 3), Rational(2, 3), Rational(2, 3)}};
 }
 
+// in the number type, or the interval around it
+template <class FT>
+FT in(const Rational& x)
+{
+  if constexpr (std::is_constructible_v<FT, Rational>)
+    return FT(x);
+  else
+    return FT(CGAL::to_interval(x));
+}
 template <class FT>
 Vector<FT> in(const Vector<Rational>& v)
 {
-  return {FT(v[0]), FT(v[1]), FT(v[2])};
+  return {in<FT>(v[0]), in<FT>(v[1]), in<FT>(v[2])};
 }
 
 // The radial vector p - center (cylinders: without its part along the axis) is the normal times the
@@ -122,6 +137,47 @@ bool is_exactly_on(const Shape& shape, const Vector<FT>& p, const Vector<FT>& n)
   return dot(n, n) == FT(1) && r[0] == radius * n[0] && r[1] == radius * n[1] &&
          r[2] == radius * n[2];
 }
+
+// A control mesh of rational samples of a shape; its points say their directions.
+template <class K>
+struct Samples
+{
+  using Mesh = CGAL::Surface_mesh<typename K::Point_3>;
+  using FT = typename K::FT;
+
+  template <class Control>
+  Samples(const Shape& s, const Control& control)
+    : shape(s)
+  {
+    mesh_cases::build(control, mesh);
+    std::size_t i = 0;
+    for (auto v : mesh.vertices()) {
+      const Sample sample = shape.sample(control.points[i++]);
+      const Vector<FT> p = in<FT>(sample.point), n = in<FT>(sample.normal);
+      mesh.point(v) = {p[0], p[1], p[2]};
+      normals[v] = {n[0], n[1], n[2]};
+    }
+  }
+
+  // what is(deviation) says, by the package's own predicates
+  template <class Is>
+  bool is_on_shape(const Is& is) const
+  {
+    using Exact = CGAL::Simple_cartesian<Rational>;
+    namespace PN = CGAL::PN_subdivision_3;
+    const auto np = CGAL::parameters::vertex_normal_map(normals);
+    const Exact::Point_3 center(shape.center[0], shape.center[1], shape.center[2]);
+    const Rational square = shape.radius * shape.radius;
+    if (shape.is_sphere()) return is(PN::mesh_deviation(mesh, Exact::Sphere_3(center, square), np));
+    const Exact::Line_3 axis(center, Exact::Vector_3(shape.axis[0], shape.axis[1], shape.axis[2]));
+    return is(PN::mesh_deviation(mesh, PN::Cylinder_3<Exact>(axis, square), np));
+  }
+
+  Shape shape;
+  Mesh mesh;
+  typename Mesh::template Property_map<CGAL::SM_Vertex_index, typename K::Vector_3> normals =
+    mesh.template add_property_map<CGAL::SM_Vertex_index, typename K::Vector_3>("n").first;
+};
 
 } // namespace rational_shapes
 

@@ -12,19 +12,45 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_SCHEME_DESCRIPTION_H
 #define CGAL_PN_SUBDIVISION_3_TEST_SCHEME_DESCRIPTION_H
 
-#include "PN_mask_3_cases.h"
 #include "Test_meshes.h"
 #include "reference/CatmullClark.h"
 #include "reference/Loop.h"
 #include "reference/PN_rule.h"
 
+#include <CGAL/PN_cgal_masks_3/PN_mask_3.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+
+#include <CGAL/subdivision_method_3.h>
 
 #include <boost/core/demangle.hpp>
 
 #include <type_traits>
 #include <typeinfo>
+
+// CGAL's masks, each with its host.
+#define PN_MASK_OF_CGAL(NAME, HOST, TRIANGLES)                                                     \
+  struct NAME                                                                                      \
+  {                                                                                                \
+    static constexpr bool triangles = TRIANGLES;                                                   \
+    template <class Mesh, class Map>                                                               \
+    static auto mask(const Mesh& mesh, const Map& map)                                             \
+    {                                                                                              \
+      return CGAL::PN_subdivision_3::make_PN_mask_3<CGAL::NAME##_mask_3>(mesh, map);               \
+    }                                                                                              \
+    template <class Mesh, class Mask, class NP>                                                    \
+    static void host(Mesh& mesh, const Mask& pn_mask, const NP& np)                                \
+    {                                                                                              \
+      CGAL::Subdivision_method_3::HOST(mesh, pn_mask, np);                                         \
+    }                                                                                              \
+  };
+
+PN_MASK_OF_CGAL(CatmullClark, PQQ, false)
+PN_MASK_OF_CGAL(Loop, PTQ, true)
+PN_MASK_OF_CGAL(DooSabin, DQQ, false)
+PN_MASK_OF_CGAL(Sqrt3, Sqrt3, true)
+
+#undef PN_MASK_OF_CGAL
 
 // What most schemes have in common; a description overrides what differs.
 struct Scheme_description
@@ -47,7 +73,7 @@ struct Scheme_description
   static constexpr bool is_linear_for_equal_normals = true;
   // intervals enclose the result, and normals are as exact as the number type
   static constexpr bool takes_intervals = true;
-  // CGAL's linear function, and its mask in its host
+  // CGAL's mask in its host
   using Cgal = void;
   // what comes after a point-normal round on `mesh`, for the values of the new vertices
   static void finish_round(const reference::Face_list& /*mesh*/, reference::Values& /*values*/) {}

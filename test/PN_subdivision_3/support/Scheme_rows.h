@@ -32,4 +32,15 @@ void for_each_row(Surface_mesh& mesh, const Scheme& scheme, unsigned k, const Fu
   }
 }
 
+template <class FT, class Scheme>
+void expect_rows_that_sum_to_one(Surface_mesh& mesh, const Scheme& scheme, unsigned k,
+                                 const std::string& name)
+{
+  for_each_row<FT>(mesh, scheme, k, [&](std::size_t v, const auto* begin, const auto* end) {
+    FT sum(0);
+    for (const auto* e = begin; e != end; ++e) sum += e->weight;
+    EXPECT_TRUE(sum == FT(1)) << name << ", round " << k << ", vertex " << v;
+  });
+}
+
 #endif // CGAL_PN_SUBDIVISION_3_TEST_SCHEME_ROWS_H

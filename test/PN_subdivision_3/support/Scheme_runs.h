@@ -12,6 +12,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_SCHEME_RUNS_H
 #define CGAL_PN_SUBDIVISION_3_TEST_SCHEME_RUNS_H
 
+#include "Mesh_cases.h"
 #include "Scheme_description.h"
 #include "reference/PN_rule.h"
 
@@ -39,18 +40,10 @@ inline Surface_mesh to_surface_mesh(const test_meshes::Control_mesh& control)
 {
   Surface_mesh mesh;
   const Normal_map normals = normal_map(mesh);
-  for (std::size_t i = 0; i < control.points.size(); ++i) {
-    const test_meshes::Triple &p = control.points[i],
-                              &n = control.normals.at(i); // shapes get theirs by with_normals()
-    const auto v = mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
-    put(normals, v, Kernel::Vector_3(n[0], n[1], n[2]));
-  }
-  for (const reference::Face& face : control.faces) {
-    std::vector<Surface_mesh::Vertex_index> vertices;
-    for (int v : face) vertices.emplace_back(Surface_mesh::size_type(v));
-    if (mesh.add_face(vertices) == Surface_mesh::null_face())
-      throw std::logic_error("the test mesh " + control.name + " is not a manifold");
-  }
+  mesh_cases::build(control, mesh);
+  if (control.normals.size() != control.points.size()) // shapes get theirs by with_normals()
+    throw std::logic_error("the test mesh " + control.name + " has no normals");
+  mesh_cases::put_normals(control.normals, mesh, normals);
   return mesh;
 }
 
