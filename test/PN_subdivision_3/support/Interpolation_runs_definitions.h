@@ -14,6 +14,7 @@
 #include "Interpolation_runs.h"
 #include "Options.h"
 
+#include <CGAL/PN_fitting_3/internal/Mesh_limit_functionals.h>
 #include <CGAL/PN_fitting_3/interpolate_limit_points.h>
 
 namespace interpolation_cases {
