@@ -199,6 +199,25 @@ void expect_distances(const Control_mesh& data, const Scheme& scheme)
   }
 }
 
+// Points over the limits of vertices, each sought about a neighbor: at the corners of the faces there.
+template <class Scheme>
+void expect_distances_about_neighbors(const Control_mesh& data, const Scheme& scheme)
+{
+  constexpr double height = 2e-3;
+  Surface_mesh mesh = to_surface_mesh(data);
+  test_options::Limit_options options = limit_cases::close(1e-12);
+  options.surface_normals = true;
+  const Limits all = limits(mesh, scheme, options);
+  for (const auto h : mesh.halfedges()) {
+    if (h.idx() % 5 != 0) continue;
+    const auto& at = all.at[mesh.target(h).idx()];
+    const Vector p =
+      limit_cases::to_vector(at.point) + height * limit_cases::to_vector(at.surface_normal);
+    const double found = Distance_runs<Scheme>::from_limit(mesh, scheme, p, mesh.source(h).idx());
+    EXPECT_NEAR(found, height, 0.02 * height) << data.name << ", half-edge " << h.idx();
+  }
+}
+
 TEST(Interpolation, DistancesFromTheLimit)
 {
   expect_distances(sampled_surfaces::patch(3, 3, 0.2, Cells::mixed, 5, sampled_surfaces::on_waves),
@@ -208,6 +227,8 @@ TEST(Interpolation, DistancesFromTheLimit)
   expect_distances(
     sampled_surfaces::patch(3, 3, 0.2, Cells::triangles, 5, sampled_surfaces::on_waves),
     triangle_scheme);
+  expect_distances_about_neighbors(ellipsoid_quads(2), quad_scheme);
+  expect_distances_about_neighbors(ellipsoid_triangles(1), triangle_scheme);
 }
 
 // The report has the distance of the points from the surface, which is that of the arcs no more.

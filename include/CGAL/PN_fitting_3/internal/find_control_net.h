@@ -29,6 +29,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -36,34 +37,26 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
+// control values of points, with their estimated normals and roundness
+inline std::vector<Point_normal<double, 3>> estimated_values(const Level_connectivity& level,
+                                                             Control_normal_estimate estimate,
+                                                             const Vectors<3>& points)
+{
+  std::vector<Point_normal<double, 3>> values;
+  for (const Eigen_vector<3>& p : points) values.push_back({to_coordinates<3>(p), {}});
+  estimate_normals_of<double>(level, estimate, values);
+  return values;
+}
+
 // estimates the normals that are zero
 inline void estimate_missing_normals(const Level_connectivity& level,
                                      Control_normal_estimate estimate, Interpolation_data<3>& data)
 {
   const auto is_missing = [](const Eigen_vector<3>& n) { return n.isZero(0); };
   if (std::none_of(data.normals.begin(), data.normals.end(), is_missing)) return;
-  using Value = Point_normal<double, 3>;
-  std::vector<Value> values;
-  for (const Eigen_vector<3>& p : data.points) values.push_back({to_coordinates<3>(p), {}});
-  estimate_normals_of<double>(level, estimate, values);
+  const auto values = estimated_values(level, estimate, data.points);
   for (std::size_t v = 0; v < values.size(); ++v)
     if (is_missing(data.normals[v])) data.normals[v] = to_eigen<3>(values[v].normal);
-}
-
-// Estimates all normals, and the roundness if that is asked for, of points in the place of the data's own points.
-inline void estimate_all_normals(const Level_connectivity& level, Control_normal_estimate estimate,
-                                 const Vectors<3>& points, bool with_roundness,
-                                 Interpolation_data<3>& data)
-{
-  using Value = Point_normal<double, 3>;
-  std::vector<Value> values;
-  for (const Eigen_vector<3>& p : points) values.push_back({to_coordinates<3>(p), {}, 1.});
-  estimate_normals_of<double>(level, estimate, values);
-  if (with_roundness) data.roundness.resize(values.size());
-  for (std::size_t v = 0; v < values.size(); ++v) {
-    data.normals[v] = to_eigen<3>(values[v].normal);
-    if (with_roundness) data.roundness[v] = values[v].roundness;
-  }
 }
 
 // the largest angle between the normals of neighbors, in degrees
@@ -79,36 +72,22 @@ inline double largest_normal_angle(const Level_connectivity& level, const Vector
   return in_degrees(std::acos((std::max)(-1., least)));
 }
 
-// all control points move, as smoothly as they can
-template <int dimension>
-Interpolation_result<3> interpolate_smoothly(const Level_connectivity& level,
-                                             Interpolation_data<dimension> data,
-                                             Surface_limits& source, Vectors<3> control_normals)
-{
-  std::vector<Prescribed_vertex> prescribed;
-  for (const auto v : data.vertices) {
-    prescribed.emplace_back().vertex = v;
-    prescribed.back().point = data.points[v];
-  }
-  data.normals = std::move(control_normals);
-  return Prescription(level, data, source, std::move(prescribed),
-                      (std::numeric_limits<unsigned>::max)())();
-}
-
-// with normals that are estimated of the control points, again in each step
+// with normals, and roundness unless it is given, that are estimated of the control points, again in each step
 template <int dimension>
 Interpolation_result<dimension>
 interpolate_estimated(const Level_connectivity& level, Control_normal_estimate estimate,
                       Interpolation_data<dimension>& data, Limit_source<dimension, 2>& source)
 {
-  const bool estimates_roundness = data.roundness.empty();
   Limit_precision precision = data.precision();
   precision.with_blocks = false;
   auto result =
     interpolate_evaluated<dimension>(data, false, [&](Vectors<dimension>& points, double) {
-      estimate_all_normals(level, estimate, points, estimates_roundness, data);
-      const auto limits =
-        source(to_values<dimension>(points, data.normals, data), data.vertices, precision);
+      auto values = estimated_values(level, estimate, points);
+      for (std::size_t v = 0; v < values.size(); ++v) {
+        data.normals[v] = to_eigen<dimension>(values[v].normal);
+        if (!data.roundness.empty()) values[v].roundness = data.roundness[v];
+      }
+      const auto limits = source(values, data.vertices, precision);
       for (std::size_t i = 0; i < limits.size(); ++i)
         points[data.vertices[i]] = limits[i].limit_point;
       Limit_interpolation report;
@@ -120,14 +99,19 @@ interpolate_estimated(const Level_connectivity& level, Control_normal_estimate e
 }
 
 template <int dimension>
-Interpolation_result<3>
+Interpolation_result<dimension>
 interpolate_strictly(const Level_connectivity& level, const Interpolation_options& options,
-                     Interpolation_data<dimension>& data, Surface_limits& source)
+                     const Interpolation_data<dimension>& data, Limit_source<dimension, 2>& source)
 {
-  return with_control_normals(options, data, source, [&](Vectors<3> normals) {
-    return options.free == Limit_interpolation::Free::smooth
-             ? interpolate_smoothly(level, data, source, std::move(normals))
-             : Strict_interpolation<3, 2>(data, source)(std::move(normals));
+  return with_control_normals(options, data, source, [&](Vectors<dimension> normals) {
+    if (options.free == Limit_interpolation::Free::fixed)
+      return Strict_interpolation<dimension, 2>(data, source)(std::move(normals));
+    std::vector<Prescribed_vertex> prescribed;
+    for (const auto v : data.vertices) prescribed.push_back({v, data.points[v], std::nullopt});
+    Interpolation_data<dimension> with_normals = data;
+    with_normals.normals = std::move(normals);
+    return Prescription(level, with_normals, source, std::move(prescribed),
+                        (std::numeric_limits<unsigned>::max)())();
   });
 }
 
