@@ -194,6 +194,10 @@ foreach(unit_test ${unit_tests})
     continue()
   elseif(name STREQUAL "test_compiled_fitting")
     pn_add_test_of_library(${name} ${unit_test} PN_subdivision_3_fitting)
+    target_sources(${name} PRIVATE ${folder}/compiled_fitting_alone.cpp)
+    set_source_files_properties(${folder}/compiled_fitting_alone.cpp PROPERTIES
+      COMPILE_OPTIONS "-UCGAL_PN_SUBDIVISION_3_DOUBLE;-UCGAL_PN_SUBDIVISION_3_LIMITS;-UCGAL_PN_SUBDIVISION_3_FITTING"
+      SKIP_UNITY_BUILD_INCLUSION ON)
     continue()
   endif()
   set(kind joined)

@@ -7,7 +7,6 @@
 // Author(s): PN_subdivision_3 developers
 
 #include <CGAL/PN_fitting_3/internal/find_control_net.h>
-#include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 
 namespace CGAL::PN_subdivision_3::internal {
 

@@ -11,9 +11,6 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-template class Mesh_limit_functionals<Scheme_on_host<PQQ_host, double>>;
-template class Mesh_limit_functionals<Scheme_on_host<PTQ_host, double>>;
-template class Mesh_limit_functionals<compiled_once::Linear_of_quads>;
-template class Mesh_limit_functionals<compiled_once::Linear_of_triangles>;
+CGAL_PN_SUBDIVISION_3_FUNCTIONALS()
 
 } // namespace CGAL::PN_subdivision_3::internal

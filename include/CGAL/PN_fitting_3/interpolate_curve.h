@@ -12,7 +12,7 @@
 #include <CGAL/PN_subdivision_3/internal/needs_eigen.h>
 
 #include <CGAL/PN_curves/subdivide_curve.h>
-#include <CGAL/PN_fitting_3/internal/interpolate_mesh.h>
+#include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 
 #include <algorithm>
@@ -26,6 +26,12 @@
 
 namespace CGAL::PN_subdivision_3 {
 namespace internal {
+
+// interpolates the points of a polygon
+template <int dimension>
+Interpolation_result<dimension> interpolate_polygon(bool is_closed,
+                                                    const Interpolation_options& options,
+                                                    Interpolation_data<dimension>& data);
 
 // Whether limits are those of cubic splines, and not the points themselves.
 template <class Mask>
@@ -49,28 +55,6 @@ bool has_cubic_limits(const Mask& mask)
   throw std::invalid_argument(
     "PN_subdivision_3: interpolation is not known for this mask: take the "
     "cubic B-spline, or a mask that interpolates");
-}
-
-// the mean length of the edges at each point; binormals of curves in space
-template <int dimension>
-void set_curve_surroundings(bool is_closed, Interpolation_data<dimension>& data)
-{
-  using Vector = Eigen_vector<dimension>;
-  const std::size_t n = data.points.size();
-  data.is_at_border.assign(n, 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool is_end = !is_closed && (i == 0 || i + 1 == n);
-    data.is_at_border[i] = is_end ? 1 : 0;
-    const std::size_t before = i > 0 ? i - 1 : is_closed ? n - 1 : 0;
-    const std::size_t after = i + 1 < n ? i + 1 : is_closed ? 0 : i;
-    const Vector e = data.points[i] - data.points[before], f = data.points[after] - data.points[i];
-    data.edge_length.push_back((e.norm() + f.norm()) / (is_end ? 1 : 2));
-    if constexpr (dimension == 3) {
-      const Vector b = data.normals[i].cross(e + f);
-      data.binormals.push_back(b.norm() > 0 ? Vector(b.normalized())
-                                            : Vector(data.normals[i].unitOrthogonal()));
-    }
-  }
 }
 
 // The points of a polygon with unit normals, zero where it has none.
@@ -185,7 +169,6 @@ auto interpolate_curve(const Range& polygon, const Mask& mask, Curve_end end,
     if (slides || (!is_linear && !Points::has_normals)) internal::estimate_missing(result, end);
     internal::Interpolation_data<dimension> data = internal::curve_data<dimension>(result);
     internal::divide_by_size(data);
-    internal::set_curve_surroundings(end == Curve_end::closed, data);
     data.takes_normals = !is_linear;
     if constexpr (internal::Curve_parameters<Range, NamedParameters>::has_roundness)
       data.roundness.assign(result.size(), internal::close_double(roundness));
@@ -206,5 +189,9 @@ auto interpolate_curve(const Range& polygon, const Mask& mask, Curve_end end,
 }
 
 } // namespace CGAL::PN_subdivision_3
+
+#ifndef CGAL_PN_SUBDIVISION_3_FITTING // the library has it
+#  include <CGAL/PN_fitting_3/internal/find_control_net.h>
+#endif
 
 #endif // CGAL_PN_FITTING_3_INTERPOLATE_CURVE_H

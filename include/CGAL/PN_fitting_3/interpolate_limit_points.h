@@ -25,30 +25,6 @@
 namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
-// The control net of data that have been read. A way that the call does not name is not compiled.
-template <bool has_normal_map, class NamedParameters, class Scheme, class Source>
-Interpolation_result<3> control_net(const Scheme& scheme, const Level_connectivity& level,
-                                    const Interpolation_options& options,
-                                    Interpolation_data<3>& data, Source& source)
-{
-  const Control_normal_estimate estimate = normal_estimate(scheme);
-  if constexpr (is_pn_v<Scheme> && !has_normal_map) {
-    if (options.free == Limit_interpolation::Free::smooth)
-      throw std::invalid_argument(
-        "PN_subdivision_3: without normals control points move where they "
-        "are interpolated only: give a vertex_normal_map, or take "
-        "Limit_interpolation::Free::fixed");
-    return interpolate_estimated(level, estimate, data, source);
-  } else {
-    if constexpr (is_given_v<interpolation_mode_t, NamedParameters>)
-      if (options.mode == Limit_interpolation::Mode::strict)
-        return interpolate_strictly(level, options, data, source);
-    return slide_along_normals(level, estimate, data, source, [&](const auto&... arguments) {
-      return source.farthest(arguments...);
-    });
-  }
-}
-
 // Reads a mesh on which nothing is sharp, interpolates, and writes the control points and normals.
 template <class FT, class Access, class Scheme, class Mesh, class NamedParameters,
           class Is_interpolated>
@@ -62,15 +38,22 @@ interpolate_without_creases(const Access& access, const Scheme& scheme,
   using Normal_map = typename Parameters::Normal_map;
   constexpr bool has_normal_map = is_there_v<Normal_map>;
   constexpr bool finds_normals = is_pn_v<Scheme> && has_normal_map;
+  // a way that the call does not name is not compiled
+  constexpr bool may_be_strict =
+    is_linked_to_fitting || is_given_v<interpolation_mode_t, NamedParameters>;
   const auto normal_map = Parameters::normal_map(np);
   const auto read = [&](const auto& normals) {
     return read_interpolation_data<FT>(access, scheme, level, mesh, np, normals);
   };
+  const auto surface = fitted_surface(scheme, level, for_chunks);
   Undoable_vertices<Access, Normal_map> natural(access, normal_map);
   if (options.normals == Limit_interpolation::Normals::natural) {
-    if constexpr (finds_normals)
-      put_natural_normals<FT>(scheme, level, for_chunks, read(Not_given()), natural);
-    else
+    if constexpr (finds_normals) {
+      Interpolation_data<3> estimated = read(Not_given());
+      find_natural_normals(surface, estimated);
+      for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
+        natural.change_vector(v, coordinates_of<FT>(estimated.normals[v]));
+    } else
       throw std::invalid_argument("PN_subdivision_3: natural normals need a "
                                   "vertex_normal_map, and a scheme that is not linear");
   }
@@ -79,11 +62,9 @@ interpolate_without_creases(const Access& access, const Scheme& scheme,
     if (is_interpolated(v)) data.vertices.push_back(v);
   set_demand(options, data);
   const Vectors<3> old_normals = data.normals;
-  const Scheme_of_rounds<Scheme>& round_scheme = scheme_of_rounds(scheme);
-  Mesh_limit_functionals<Scheme_of_rounds<Scheme>> source(round_scheme, level, for_chunks);
-  auto result = control_net<has_normal_map, NamedParameters>(scheme, level, options, data, source);
+  auto result = find_control_net < is_pn_v<Scheme> && !has_normal_map,
+       may_be_strict > (surface, options, normal_estimate(scheme), data);
   multiply_by_size<FT>(data, result);
-  result.report.normal_angle = largest_normal_angle(level, data.normals);
   const auto write = [&](auto normals) {
     write_control_net<FT>(access, Parameters::point_map(mesh, np), normals, data.points,
                           result.points, old_normals, result.normals);

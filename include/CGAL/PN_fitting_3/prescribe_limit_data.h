@@ -138,8 +138,6 @@ Limit_interpolation prescribe_on(const Access& access, Mesh& mesh, const Scheme&
     read_interpolation_data<FT>(access, scheme, level, mesh, np, Parameters::normal_map(np));
   set_demand(options, data);
   data.max_steps = (std::numeric_limits<unsigned>::max)();
-  const Scheme_of_rounds<Scheme>& round_scheme = scheme_of_rounds(scheme);
-  Mesh_limit_functionals<Scheme_of_rounds<Scheme>> source(round_scheme, level, for_chunks);
   auto prescribed =
     read_prescribed(access, level, parameter_or<prescribed_point_map_t>(np, nothing),
                     parameter_or<prescribed_normal_map_t>(np, nothing), data.exponent);
@@ -147,8 +145,9 @@ Limit_interpolation prescribe_on(const Access& access, Mesh& mesh, const Scheme&
   if constexpr (has_curvatures)
     forms = read_prescribed_forms(
       access, level, parameter_or<prescribed_curvature_map_t>(np, nothing), data.exponent);
-  auto result = prescribe(level, options, data, source, std::move(prescribed), forms,
-                          [&](Level_connectivity::Index v) { return access.vertex_name(v); });
+  auto result =
+    prescribe(fitted_surface(scheme, level, for_chunks), options, data, std::move(prescribed),
+              forms, [&](Level_connectivity::Index v) { return access.vertex_name(v); });
   multiply_by_size<FT>(data, result);
   const auto write = [&](auto normal_map) {
     write_control_net<FT>(access, Parameters::point_map(mesh, np), normal_map, data.points,

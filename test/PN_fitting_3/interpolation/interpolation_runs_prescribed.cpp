@@ -8,6 +8,7 @@
 
 #include "Prescription_cases.h"
 
+#include <CGAL/PN_fitting_3/internal/Mesh_limit_functionals.h>
 #include <CGAL/PN_fitting_3/prescribe_limit_data.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>

@@ -18,7 +18,10 @@
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 
+#include <algorithm>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -177,24 +180,24 @@ TEST(Interpolation, SlideIsOfFourthOrder)
   EXPECT_GE(coarse / fine, 13);
 }
 
-// Points over the limits of the vertices of two rounds, each sought about the vertex whose limit is next to it.
+// Points over the limits of the vertices of some rounds, each sought about the vertex whose limit is next to it, or the next but one: then
+// it may be at the far corner of a face there.
 template <class Scheme>
-void expect_distances(const Control_mesh& data, const Scheme& scheme)
+void expect_distances(const Control_mesh& data, const Scheme& scheme, unsigned rounds = 2,
+                      std::size_t order = 0)
 {
   Surface_mesh mesh = to_surface_mesh(data), fine = mesh;
-  const Limits all = Limit_runs<Scheme>::refined(fine, scheme, 2),
+  const Limits all = Limit_runs<Scheme>::refined(fine, scheme, rounds),
                of_vertices = limits(mesh, scheme, limit_cases::close(1e-12));
   for (std::size_t w = 0; w < all.at.size(); w += 23) {
     const double height = (w % 2 == 0 ? 1e-4 : -3e-3) * double(1 + w % 3);
     const Vector p = limit_cases::to_vector(all.at[w].point) +
                      height * limit_cases::to_vector(all.at[w].surface_normal);
-    std::size_t next = 0;
-    const auto distance = [&](std::size_t v) {
-      return double((limit_cases::to_vector(of_vertices.at[v].point) - p).norm());
-    };
+    std::vector<std::pair<double, std::size_t>> next;
     for (std::size_t v = 0; v < of_vertices.at.size(); ++v)
-      if (distance(v) < distance(next)) next = v;
-    const double found = Distance_runs<Scheme>::from_limit(mesh, scheme, p, next);
+      next.emplace_back((limit_cases::to_vector(of_vertices.at[v].point) - p).norm(), v);
+    std::sort(next.begin(), next.end());
+    const double found = Distance_runs<Scheme>::from_limit(mesh, scheme, p, next[order].second);
     EXPECT_NEAR(found, std::abs(height), 0.02 * std::abs(height)) << data.name << ", vertex " << w;
   }
 }
@@ -208,6 +211,8 @@ TEST(Interpolation, DistancesFromTheLimit)
   expect_distances(
     sampled_surfaces::patch(3, 3, 0.2, Cells::triangles, 5, sampled_surfaces::on_waves),
     triangle_scheme);
+  expect_distances(ellipsoid_quads(2), quad_scheme, 3, 1);
+  expect_distances(ellipsoid_triangles(1), triangle_scheme, 3, 1);
 }
 
 // The report has the distance of the points from the surface, which is that of the arcs no more.

@@ -15,6 +15,7 @@
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Polyhedron_3.h>
 
@@ -166,6 +167,30 @@ TEST(Interpolation_creases, ExactPolyhedron)
     EXPECT_LE(CGAL::to_double(CGAL::squared_distance(v->point(), data[i])), 1e-18) << i;
     ++i;
   }
+}
+
+// the net by a scheme with normals, a border curve and its tangents
+template <class Any_kernel>
+std::vector<double> net_with_tangents()
+{
+  using Vector_3 = typename Any_kernel::Vector_3;
+  CGAL::Surface_mesh<typename Any_kernel::Point_3> mesh;
+  mesh_cases::build(mesh_cases::triangles_with_border(), mesh);
+  const auto tangents =
+    mesh.template add_property_map<CGAL::SM_Halfedge_index, Vector_3>("t", CGAL::NULL_VECTOR).first;
+  const auto report = PN::interpolate_limit_points(
+    mesh, PN::Loop_scheme(), points_mode().border(PN::Border::curve).crease_tangent_map(tangents));
+  EXPECT_TRUE(report.is_within_tolerance()) << report.residual;
+  EXPECT_GT(report.steps, 0u);
+  std::vector<double> net;
+  for (auto v : mesh.vertices())
+    for (int k = 0; k < 3; ++k) net.push_back(CGAL::to_double(mesh.point(v)[k]));
+  return net;
+}
+
+TEST(Interpolation_creases, ExactNumbersAreComputedInDouble)
+{
+  EXPECT_LE(largest_distance(net_with_tangents<CGAL::Epeck>(), net_with_tangents<Kernel>()), 1e-9);
 }
 
 template <class Scheme, class Np>

@@ -14,6 +14,8 @@
 #include "Interpolation_runs.h"
 #include "Options.h"
 
+#include <CGAL/PN_fitting_3/internal/Limit_distance.h>
+#include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
 #include <CGAL/PN_fitting_3/interpolate_limit_points.h>
 
 namespace interpolation_cases {
@@ -35,12 +37,13 @@ double Distance_runs<Scheme>::from_limit(Surface_mesh& mesh, const Scheme& schem
   double distance = 0;
   PN::internal::with_mesh_access(mesh, [&](auto& access) {
     const auto level = PN::internal::checked_level(access);
-    auto control = PN::internal::read_points_and_normals<double>(access, scheme, level,
-                                                                 mesh.points(), normal_map(mesh));
-    PN::internal::Mesh_limit_functionals<Scheme> source(scheme, level, PN::internal::For_chunks());
+    const auto control = PN::internal::read_points_and_normals<double>(
+      access, scheme, level, mesh.points(), normal_map(mesh));
+    using From_limit = PN::internal::Limit_distance<Scheme>;
     const auto net = PN::internal::to_values<3>(control.points, control.normals, control);
-    control.points[vertex] = point.cast<double>();
-    distance = source.farthest(net, control.points, {unsigned(vertex)}, 1e-12).distance;
+    const typename From_limit::Foot foot({double(point[0]), double(point[1]), double(point[2])},
+                                         unsigned(vertex), unsigned(vertex));
+    distance = From_limit(scheme, PN::internal::For_chunks())(level, net, {foot}, 1e-12).distance;
   });
   return distance;
 }

@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_CURVATURE_PRESCRIPTION_H
 #define CGAL_PN_FITTING_3_INTERNAL_CURVATURE_PRESCRIPTION_H
 
+#include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
 #include <CGAL/PN_fitting_3/internal/Prescription.h>
 #include <CGAL/PN_fitting_3/internal/Ring_limit_functionals.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>

@@ -10,6 +10,7 @@
 #define CGAL_PN_FITTING_3_INTERNAL_LIMIT_FUNCTIONALS_H
 
 #include <CGAL/PN_curves/masks/curve_masks.h>
+#include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
 #include <CGAL/PN_fitting_3/internal/Limit_distance.h>
 #include <CGAL/PN_fitting_3/internal/Ring_limit_functionals.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
@@ -125,6 +126,33 @@ private:
     }
   }
 };
+
+// Control values with the roundness of the data; a linear scheme is one of zero normals.
+template <int dimension>
+std::vector<Point_normal<double, dimension>> to_values(const Vectors<dimension>& points,
+                                                       const Vectors<dimension>& normals,
+                                                       const Interpolation_data<dimension>& data)
+{
+  std::vector<Point_normal<double, dimension>> values(points.size());
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    values[v].point = to_coordinates<dimension>(points[v]);
+    values[v].normal.fill(0);
+    if (data.takes_normals) values[v].normal = to_coordinates<dimension>(normals[v]);
+    if (!data.roundness.empty()) values[v].roundness = data.roundness[v];
+  }
+  return values;
+}
+
+template <class Functionals>
+void note_evaluation(const std::vector<Functionals>& functionals, Limit_interpolation& report)
+{
+  report.error = 0;
+  report.depth = 0;
+  for (const Functionals& f : functionals) {
+    report.error = (std::max)(report.error, f.error);
+    report.depth = (std::max)(report.depth, f.depth);
+  }
+}
 
 // Where limit functionals come from: a mesh with a scheme, or a polygon with a mask. What solves for
 // control points knows no more of either.

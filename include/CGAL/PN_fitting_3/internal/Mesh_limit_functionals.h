@@ -19,9 +19,6 @@
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
-#ifdef CGAL_PN_SUBDIVISION_3_FITTING
-#  include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
-#endif
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -358,12 +355,12 @@ Mesh_limit_functionals<Scheme>::farthest(const Values& values, const Vectors<3>&
   }
 }
 
-#ifdef CGAL_PN_SUBDIVISION_3_FITTING // the library has it
-extern template class Mesh_limit_functionals<Scheme_on_host<PQQ_host, double>>;
-extern template class Mesh_limit_functionals<Scheme_on_host<PTQ_host, double>>;
-extern template class Mesh_limit_functionals<compiled_once::Linear_of_quads>;
-extern template class Mesh_limit_functionals<compiled_once::Linear_of_triangles>;
-#endif
+// The library CGAL::PN_subdivision_3_fitting has the functionals of these schemes; EXTERN is `extern` in all but one of its sources.
+#define CGAL_PN_SUBDIVISION_3_FUNCTIONALS(EXTERN)                                                  \
+  EXTERN template class Mesh_limit_functionals<Scheme_on_host<PQQ_host, double>>;                  \
+  EXTERN template class Mesh_limit_functionals<Scheme_on_host<PTQ_host, double>>;                  \
+  EXTERN template class Mesh_limit_functionals<compiled_once::Linear_of_quads>;                    \
+  EXTERN template class Mesh_limit_functionals<compiled_once::Linear_of_triangles>;
 
 } // namespace CGAL::PN_subdivision_3::internal
 

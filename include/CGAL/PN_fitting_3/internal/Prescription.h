@@ -10,6 +10,7 @@
 #define CGAL_PN_FITTING_3_INTERNAL_PRESCRIPTION_H
 
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
+#include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
 #include <CGAL/PN_fitting_3/internal/Ring_limit_functionals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>

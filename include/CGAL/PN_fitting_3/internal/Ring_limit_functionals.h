@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_RING_LIMIT_FUNCTIONALS_H
 #define CGAL_PN_FITTING_3_INTERNAL_RING_LIMIT_FUNCTIONALS_H
 
+#include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_eigenvectors.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
@@ -21,24 +22,6 @@
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
-
-template <int dimension>
-using Eigen_vector = Eigen::Matrix<double, dimension, 1>;
-template <int dimension>
-using Vectors = std::vector<Eigen_vector<dimension>>;
-
-template <int dimension>
-Eigen_vector<dimension> to_eigen(const Coordinates<double, dimension>& c)
-{
-  return Eigen::Map<const Eigen_vector<dimension>>(c.data());
-}
-template <int dimension>
-Coordinates<double, dimension> to_coordinates(const Eigen_vector<dimension>& v)
-{
-  Coordinates<double, dimension> c;
-  for (int i = 0; i < dimension; ++i) c[static_cast<std::size_t>(i)] = v[i];
-  return c;
-}
 
 // The PN average of a row for fixed normals, a linear map of the points. Its blocks are
 //   B_j = a_j (1 + n r_j^T),  r_j = w (v_j - v),  v_j = chi_j (n_j + n) / (W d_j),  v = sum a_j v_j
@@ -102,16 +85,6 @@ struct Ring_averages
   double error_factor = 1, error_ratio = 0;  // see Ring_rules
 
   std::size_t size() const { return rows_of_points.size(); }
-};
-
-// How well limits shall be known.
-struct Limit_precision
-{
-  double tolerance = 0; // absolute
-  unsigned min_depth = 0, max_depth = 0;
-  bool with_blocks = true; // not only the limits themselves
-  double tangents = 0;     // their relative error; 0: that which comes with the limit point
-  double second_forms = 0; // their relative error; 0: they are not wanted
 };
 
 // The limit of a ring and the tangents there, for fixed normals as linear functions of the points of

@@ -20,6 +20,84 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
+// takes vertices without a normal off those to be interpolated; how many
+template <int dimension>
+std::size_t leave_out_without_normal(Interpolation_data<dimension>& data)
+{
+  const auto has_none = [&](auto v) { return data.normals[v].isZero(0); };
+  const std::size_t before = data.vertices.size();
+  data.vertices.erase(std::remove_if(data.vertices.begin(), data.vertices.end(), has_none),
+                      data.vertices.end());
+  return before - data.vertices.size();
+}
+
+// the connected component of each vertex
+inline std::vector<Level_connectivity::Index> components_of(const Level_connectivity& level)
+{
+  using Index = Level_connectivity::Index;
+  std::vector<Index> component(level.number_of_vertices(), Level_connectivity::null), open;
+  Index number = 0;
+  for (Index v = 0; v < level.number_of_vertices(); ++v) {
+    if (component[v] != Level_connectivity::null) continue;
+    component[v] = number;
+    open.assign(1, v);
+    while (!open.empty()) {
+      const Index u = open.back();
+      open.pop_back();
+      if (level.is_isolated(u)) continue;
+      level.for_each_neighbor(level.halfedge_of_vertex(u), [&](Index w) {
+        if (component[w] != Level_connectivity::null) return;
+        component[w] = number;
+        open.push_back(w);
+      });
+    }
+    ++number;
+  }
+  return component;
+}
+
+// where the border is, how long the edges are, and what is connected
+inline void set_surroundings(const Level_connectivity& level, Interpolation_data<3>& data)
+{
+  using Index = Level_connectivity::Index;
+  const Index n = level.number_of_vertices();
+  data.is_at_border.assign(n, 0);
+  data.edge_length.assign(n, 0.);
+  data.components = components_of(level);
+  for (Index v = 0; v < n; ++v) {
+    if (level.is_isolated(v)) continue;
+    data.is_at_border[v] = level.is_border_vertex(v) ? 1 : 0;
+    unsigned edges = 0;
+    level.for_each_neighbor(level.halfedge_of_vertex(v), [&](Index w) {
+      data.edge_length[v] += (data.points[w] - data.points[v]).norm();
+      ++edges;
+    });
+    data.edge_length[v] /= edges;
+  }
+}
+
+// the mean length of the edges at each point; binormals of curves in space
+template <int dimension>
+void set_curve_surroundings(bool is_closed, Interpolation_data<dimension>& data)
+{
+  using Vector = Eigen_vector<dimension>;
+  const std::size_t n = data.points.size();
+  data.is_at_border.assign(n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool is_end = !is_closed && (i == 0 || i + 1 == n);
+    data.is_at_border[i] = is_end ? 1 : 0;
+    const std::size_t before = i > 0 ? i - 1 : is_closed ? n - 1 : 0;
+    const std::size_t after = i + 1 < n ? i + 1 : is_closed ? 0 : i;
+    const Vector e = data.points[i] - data.points[before], f = data.points[after] - data.points[i];
+    data.edge_length.push_back((e.norm() + f.norm()) / (is_end ? 1 : 2));
+    if constexpr (dimension == 3) {
+      const Vector b = data.normals[i].cross(e + f);
+      data.binormals.push_back(b.norm() > 0 ? Vector(b.normalized())
+                                            : Vector(data.normals[i].unitOrthogonal()));
+    }
+  }
+}
+
 // Control points p_v = P_v + s_v M_v, control normals M_v: P_v and the limit point L_v with the normal
 // nu_v of the limit surface shall lie on one PN arc,
 //   w_v = (M_v + nu_v) . (P_v - L_v) / ((M_v + nu_v) . nu_v) = 0.

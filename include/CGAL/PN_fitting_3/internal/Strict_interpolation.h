@@ -157,10 +157,11 @@ private:
 };
 
 // The control net that `net` makes of control normals: of those that are given, or are solved for if the options say so.
-template <int dimension, int tangents, class Options, class Net>
-Interpolation_result<dimension>
-with_control_normals(const Options& options, const Interpolation_data<dimension>& data,
-                     Limit_source<dimension, tangents>& source, const Net& net)
+template <int dimension, int tangents, class Net>
+Interpolation_result<dimension> with_control_normals(const Interpolation_options& options,
+                                                     const Interpolation_data<dimension>& data,
+                                                     Limit_source<dimension, tangents>& source,
+                                                     const Net& net)
 {
   if (options.normals != Limit_interpolation::Normals::solved || !data.takes_normals)
     return net(data.normals);

@@ -9,16 +9,49 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_FIND_ROOT_H
 #define CGAL_PN_FITTING_3_INTERNAL_FIND_ROOT_H
 
+#include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
+
+// The values of some vertices, one vertex after the other.
+template <int dimension>
+Eigen::VectorXd gathered(const Vectors<dimension>& values,
+                         const std::vector<std::uint32_t>& vertices)
+{
+  Eigen::VectorXd x(dimension * static_cast<Eigen::Index>(vertices.size()));
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    x.segment<dimension>(dimension * static_cast<Eigen::Index>(i)) = values[vertices[i]];
+  return x;
+}
+
+// puts them back
+template <int dimension>
+void put_gathered(const Eigen::VectorXd& x, const std::vector<std::uint32_t>& vertices,
+                  Vectors<dimension>& values)
+{
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    values[vertices[i]] = x.segment<dimension>(dimension * static_cast<Eigen::Index>(i));
+}
+
+// of the vectors that x has one after the other
+template <int dimension>
+double largest_length(const Eigen::VectorXd& x)
+{
+  double length = 0;
+  for (Eigen::Index i = 0; i < x.size(); i += dimension)
+    length = (std::max)(length, finite_or_infinite(x.segment<dimension>(i).norm()));
+  return length;
+}
 
 // Steps towards r(x) = 0 where x + r(x) is nearer to the solution than x: this step, mixed with the last ones so that what is left of a
 // linear r would be the least (D. G. Anderson, Iterative procedures for nonlinear integral equations, 1965). The changes of r by the last

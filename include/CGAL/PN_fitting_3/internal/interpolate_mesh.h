@@ -10,12 +10,8 @@
 #define CGAL_PN_FITTING_3_INTERNAL_INTERPOLATE_MESH_H
 
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
-#include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
-#include <CGAL/PN_fitting_3/internal/Mesh_limit_functionals.h>
-#include <CGAL/PN_fitting_3/internal/Ring_limit_functionals.h>
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
@@ -23,11 +19,15 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/number_utils.h>
+#ifdef CGAL_PN_SUBDIVISION_3_FITTING
+#  include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
+#endif
 
 #include <Eigen/Core>
 #include <boost/property_map/property_map.hpp>
@@ -35,7 +35,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -77,6 +76,29 @@ void write_control_net(const Access& access, Point_map points, [[maybe_unused]] 
   new_point.commit();
 }
 
+// points and normals in double
+template <class FT>
+Interpolation_data<3> data_in_double(const std::vector<Point_normal<FT, 3>>& values)
+{
+  Interpolation_data<3> data;
+  for (const auto& value : values) {
+    data.points.push_back(to_eigen<3>(to_double_3(value.point)));
+    data.normals.push_back(to_eigen<3>(to_double_3(value.normal)));
+  }
+  divide_by_size(data);
+  return data;
+}
+
+// Points and normals of a mesh in double. Without a map the normals are estimated.
+template <class FT, class Scheme, class Access, class Point_map, class Normal_map>
+Interpolation_data<3> read_points_and_normals(const Access& access, const Scheme& scheme,
+                                              const Level_connectivity& level, Point_map points,
+                                              Normal_map normals)
+{
+  return data_in_double<FT>(
+    read_values<PN_average<FT, 3>>(access, level, points, normals, normal_estimate(scheme)));
+}
+
 template <class PolygonMesh, class Scheme, class NamedParameters>
 constexpr void check_interpolation_arguments()
 {
@@ -88,18 +110,6 @@ constexpr void check_interpolation_arguments()
   static_assert(is_chosen_at_run_time<Scheme>() || !Has_curvature_transfer<Scheme>::value,
                 "PN_subdivision_3: interpolation is not known for schemes that transfer curvature, "
                 "whose normals depend on the points: take their modified forms");
-}
-
-template <class Options>
-void check_interpolation_options(const Options& options)
-{
-  check_tolerance(options.tolerance);
-  if (options.mode == Limit_interpolation::Mode::slide &&
-      options.free == Limit_interpolation::Free::smooth)
-    throw std::invalid_argument(
-      "PN_subdivision_3: control points slide where they are interpolated "
-      "only: take Limit_interpolation::Free::fixed, or "
-      "Limit_interpolation::Mode::strict");
 }
 
 // The roundness that is given, of vertices of a mesh; nothing where none is.
@@ -114,28 +124,7 @@ std::vector<double> read_roundness_of_vertices(const Access& access, std::size_t
   return roundness;
 }
 
-// replaces the normals of the data, which are first estimates, by those of the surface that slides along them
-template <int dimension>
-void find_natural_normals(Interpolation_data<dimension>& data, Limit_source<dimension, 2>& source);
-
-// puts the natural normals that are found from the normals of the data
-template <class FT, class Scheme, class New_normals>
-void put_natural_normals(const Scheme& scheme, const Level_connectivity& level,
-                         const For_chunks& for_chunks, Interpolation_data<3> data,
-                         New_normals& new_normals)
-{
-  const Level_connectivity::Index n = level.number_of_vertices();
-  for (Level_connectivity::Index v = 0; v < n; ++v)
-    if (!data.normals[v].isZero(0)) data.vertices.push_back(v);
-  data.tolerance = 1e-9 * box_size(data.points);
-  const Scheme_of_rounds<Scheme>& round_scheme = scheme_of_rounds(scheme);
-  Mesh_limit_functionals<Scheme_of_rounds<Scheme>> source(round_scheme, level, for_chunks);
-  find_natural_normals(data, source);
-  for (Level_connectivity::Index v = 0; v < n; ++v)
-    new_normals.change_vector(v, coordinates_of<FT>(data.normals[v]));
-}
-
-// Points, normals and roundness of a mesh, and what is around the vertices; refuses what is sharp.
+// Points, normals and roundness of a mesh; refuses what is sharp.
 template <class FT, class Access, class Scheme, class Mesh, class NamedParameters, class Normal_map>
 Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme& scheme,
                                               const Level_connectivity& level, const Mesh& mesh,
@@ -159,98 +148,99 @@ Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme
   data.takes_normals = is_pn_v<Scheme>;
   data.roundness =
     read_roundness_of_vertices<FT, Parameters>(access, level.number_of_vertices(), np);
-  set_surroundings(level, data);
   return data;
 }
 
-// The control net of data that have been read: their normals are control normals, or are found.
-template <class Options>
-Interpolation_result<3> interpolate_strictly(const Level_connectivity& level,
-                                             const Options& options, Interpolation_data<3>& data,
-                                             Surface_limits& source);
+// A surface whose control net is sought, with the scheme that scheme_of_fitting() makes.
+template <class Scheme>
+struct Fitted_surface
+{
+  Scheme scheme;
+  const Level_connectivity& level;
+  For_chunks for_chunks;
+};
 
-// interpolates with normals that are estimated of the control points, again in each step
-template <int dimension>
-Interpolation_result<dimension>
-interpolate_estimated(const Level_connectivity& level, Control_normal_estimate estimate,
-                      Interpolation_data<dimension>& data, Limit_source<dimension, 2>& source);
+// a program that is linked to the library CGAL::PN_subdivision_3_fitting has this macro
+#ifdef CGAL_PN_SUBDIVISION_3_FITTING
+constexpr bool is_linked_to_fitting = true;
+#else
+constexpr bool is_linked_to_fitting = false;
+#endif
 
-template <int dimension>
-Interpolation_result<dimension>
-slide_along_normals(const Level_connectivity& level, Control_normal_estimate estimate,
-                    Interpolation_data<dimension>& data, Limit_source<dimension, 2>& source,
-                    typename Limit_source<dimension, 2>::Farthest farthest);
+template <class Scheme>
+auto on_host_in_double(const Scheme& scheme)
+{
+  if constexpr (Is_said_by_call<Scheme>::value)
+    return on_host_in_double(scheme.scheme);
+  else
+    return Scheme_on_host<typename Scheme::Host, double>(scheme);
+}
+template <class Scheme>
+auto on_host_in_double(const Linear_scheme<Scheme>& scheme)
+{
+  return on_host_in_double(scheme.scheme);
+}
+
+// A scheme as the library has it, in the company of which a program may also have the headers alone.
+template <bool is_linked = is_linked_to_fitting, class Scheme>
+auto scheme_of_fitting(const Scheme& scheme)
+{
+  if constexpr (!is_linked)
+    return scheme_of_rounds<false>(scheme);
+  else if constexpr (Is_linear<Scheme>::value)
+    return linear(on_host_in_double(scheme));
+  else
+    return on_host_in_double(scheme);
+}
+
+template <bool is_linked = is_linked_to_fitting, class Scheme>
+auto fitted_surface(const Scheme& scheme, const Level_connectivity& level,
+                    const For_chunks& for_chunks)
+{
+  const auto rules = scheme_of_fitting<is_linked>(scheme);
+  return Fitted_surface<std::decay_t<decltype(rules)>>{rules, level, for_chunks};
+}
+// the same for slots of creases, which have a roundness
+template <bool is_linked = is_linked_to_fitting, class Scheme>
+auto fitted_creases(const Scheme& scheme, const Level_connectivity& level,
+                    const For_chunks& for_chunks)
+{
+  if constexpr (is_pn_v<Scheme>) {
+    const auto rules = scheme_of_fitting<is_linked>(scheme);
+    using Rounded = With_roundness<std::decay_t<decltype(rules)>, double, true, is_linked>;
+    return Fitted_surface<Rounded>{Rounded{{rules}}, level, for_chunks};
+  } else
+    return fitted_surface<is_linked>(scheme, level, for_chunks);
+}
+
+// The control net of data that have been read: their normals are control normals, or are found. If it estimates normals, they are
+// estimated of the control points, again in each step.
+template <bool estimates_normals, bool may_be_strict, class Scheme>
+Interpolation_result<3>
+find_control_net(const Fitted_surface<Scheme>& surface, const Interpolation_options& options,
+                 Control_normal_estimate estimate, Interpolation_data<3>& data);
+
+// replaces the normals of the data, which are first estimates, by those of the surface that slides along them
+template <class Scheme>
+void find_natural_normals(const Fitted_surface<Scheme>& surface, Interpolation_data<3>& data);
 
 // The control net for limit points, normals and curvatures. Without curvatures control normals stay.
-template <int dimension, class Options>
-Interpolation_result<dimension>
-prescribe(const Level_connectivity& level, const Options& options,
-          const Interpolation_data<dimension>& data, Limit_source<dimension, 2>& source,
-          std::vector<Prescribed_vertex> prescribed, const std::vector<Prescribed_form>& forms,
+template <class Scheme>
+Interpolation_result<3>
+prescribe(const Fitted_surface<Scheme>& surface, const Interpolation_options& options,
+          const Interpolation_data<3>& data, std::vector<Prescribed_vertex> prescribed,
+          const std::vector<Prescribed_form>& forms,
           Function_ref<std::string(Level_connectivity::Index)> names);
 
-// Control points whose limit points are the given points, where limits(points, tolerance) puts limit points in the place of the control
-// points, and returns how well they are known.
-template <int dimension>
-Interpolation_result<dimension>
-interpolate_evaluated(const Interpolation_data<dimension>& data, bool is_linear,
-                      Function_ref<Limit_interpolation(Vectors<dimension>&, double)> limits);
-
-// interpolates the points of a polygon
-template <int dimension, class Options>
-Interpolation_result<dimension> interpolate_polygon(bool is_closed, const Options& options,
-                                                    Interpolation_data<dimension>& data);
-
-// The limits of the points of vertices on a surface with creases, with the normals of the wedges and the tangents of the
-// creases as they are.
 template <class Scheme>
-class Creased_limit_points
-{
-public:
-  using Index = Level_connectivity::Index;
-  using Level = Valued_level<typename Average_of_scheme<Scheme, double>::Value>;
+using Slot_value = typename Average_of_scheme<Scheme, double>::Value;
 
-  // `level` has the values of the slots, `vertex_of_slot` the vertices of the slots; the vertices of the data are sorted
-  Creased_limit_points(const Scheme& scheme, Level& level, const Creases<double>& creases,
-                       const std::vector<Index>& vertex_of_slot, const Interpolation_data<3>& data,
-                       const For_chunks& for_chunks)
-    : scheme_(scheme)
-    , level_(level)
-    , creases_(creases)
-    , vertex_of_slot_(vertex_of_slot)
-    , data_(data)
-    , for_chunks_(for_chunks)
-  {}
-
-  // Puts the limit points of the data's vertices in place of their control points.
-  Limit_interpolation operator()(Vectors<3>& points, double tolerance) const
-  {
-    for (std::size_t slot = 0; slot < level_.values.size(); ++slot)
-      point_of(level_.values[slot]) = to_coordinates<3>(points[vertex_of_slot_[slot]]);
-    Limit_demand demand;
-    demand.tolerance = tolerance;
-    demand.max_depth = data_.max_depth;
-    Creases<double> creases = creases_; // whose tangents become those of the limit
-    constexpr bool points_alone = asks_for_points_alone<parameters::Default_named_parameters>();
-    const auto results = limits_at_slots<double, points_alone>(scheme_, demand, for_chunks_, level_,
-                                                               creases, 1, &data_.vertices);
-    Limit_interpolation report;
-    for (const Index v : data_.vertices) {
-      points[v] = to_eigen<3>(point_of(results[v].value));
-      report.error = (std::max)(report.error, results[v].error);
-      report.depth = (std::max)(report.depth, results[v].depth);
-    }
-    return report;
-  }
-
-private:
-  const Scheme& scheme_;
-  Level& level_;
-  const Creases<double>& creases_;
-  const std::vector<Index>& vertex_of_slot_;
-  const Interpolation_data<3>& data_;
-  For_chunks for_chunks_;
-};
+// Strict interpolation of a surface with creases, with the normals of the wedges and the tangents of the creases as they are. `values`
+// has the values of the slots; the vertices of the data are sorted.
+template <class Scheme>
+Interpolation_result<3>
+interpolate_creased(const Fitted_surface<Scheme>& surface, std::vector<Slot_value<Scheme>> values,
+                    const Creases<double>& creases, const Interpolation_data<3>& data);
 
 template <class FT>
 Creases<double> in_double(const Creases<FT>& creases)
@@ -322,8 +312,8 @@ std::string what_is_sharp(const Scheme& scheme, const Access& access,
   return what;
 }
 
-template <class Options>
-void require_creased_options(const Options& options, const std::string& what_is_sharp)
+inline void require_creased_options(const Interpolation_options& options,
+                                    const std::string& what_is_sharp)
 {
   const auto require = [&](bool is_so, const std::string& what) {
     if (!is_so)
@@ -342,12 +332,12 @@ void require_creased_options(const Options& options, const std::string& what_is_
 
 // Reads a mesh with edges that are sharp forever, interpolates, and writes the control points, the normals of the wedges
 // and the tangents of the creases. is_interpolated(v) tells the vertices.
-template <class FT, class Access, class Scheme, class Mesh, class NamedParameters, class Options,
+template <class FT, class Access, class Scheme, class Mesh, class NamedParameters,
           class Is_interpolated>
 Limit_interpolation
 interpolate_with_creases(const Access& access, const Scheme& given_scheme,
                          const Level_connectivity& level, Mesh& mesh, const NamedParameters& np,
-                         const Options& options, const std::string& what_is_sharp,
+                         const Interpolation_options& options, const std::string& what_is_sharp,
                          const For_chunks& for_chunks, const Is_interpolated& is_interpolated)
 {
   using Parameters = Surface_parameters<Mesh, NamedParameters>;
@@ -379,18 +369,8 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
   }
   divide_by_size(data);
   set_demand(options, data);
-  std::vector<Level_connectivity::Index> vertex_of_slot(n);
-  std::iota(vertex_of_slot.begin(), vertex_of_slot.end(), Level_connectivity::Index(0));
-  const auto extra = vertices_of_extra_slots(creases, n);
-  vertex_of_slot.insert(vertex_of_slot.end(), extra.begin(), extra.end());
-  Valued_level<typename Average_of_scheme<Scheme_of_call, double>::Value> valued{
-    level, slots_in_double<Scheme_of_call, FT>(values)};
-  const Creases<double> fixed = in_double(creases);
-  const auto round_scheme = scheme_of_rounds(scheme);
-  auto result =
-    interpolate_evaluated<3>(data, true,
-                             Creased_limit_points<Scheme_of_rounds<Scheme_of_call>>(
-                               round_scheme, valued, fixed, vertex_of_slot, data, for_chunks));
+  auto result = interpolate_creased(fitted_creases(given_scheme, level, for_chunks),
+                                    slots_in_double<Scheme, FT>(values), in_double(creases), data);
   multiply_by_size<FT>(data, result);
 
   Undoable_vertices<Access, std::decay_t<decltype(points)>> new_points(access, points);
@@ -408,8 +388,7 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
 
 } // namespace CGAL::PN_subdivision_3::internal
 
-// The library CGAL::PN_subdivision_3_fitting has it (src/PN_subdivision_3_fitting).
-#ifndef CGAL_PN_SUBDIVISION_3_FITTING
+#ifndef CGAL_PN_SUBDIVISION_3_FITTING // the library has it (src/PN_subdivision_3_fitting)
 #  include <CGAL/PN_fitting_3/internal/find_control_net.h>
 #endif
 

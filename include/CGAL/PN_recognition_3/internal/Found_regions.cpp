@@ -8,6 +8,8 @@
 
 #include <CGAL/PN_recognition_3/internal/Part.h>
 
+#include <numeric>
+
 namespace CGAL::PN_subdivision_3::internal::recognition {
 
 inline Found_regions::Found_regions(const Context& context)
@@ -56,7 +58,7 @@ inline bool Found_regions::try_region(const Shape& s, const Seeds& seeds, double
   r.shape = s;
   if (!grower_.settle(r, seeds, t)) return false;
   const bool holds = has_evidence(c_, grower_, r);
-  if (holds || r.patches.size() >= 12) remember(r, holds);
+  if (holds || r.patches.size() >= 12) remember(std::move(r), holds);
   return holds;
 }
 
@@ -103,7 +105,7 @@ inline bool Found_regions::fit_to(const Seeds& seeds, Shape& s) const
   return fit_shape(s, points, 12, 100 * c_.tolerance());
 }
 
-inline void Found_regions::remember(const Region& r, bool holds)
+inline void Found_regions::remember(Region&& r, bool holds)
 {
   const bool is_doubt_excluded = facts_of(r.shape.kind).is_doubly_curved && r.inner_vertices >= 30;
   for (const Index p : r.patches) {
@@ -112,13 +114,16 @@ inline void Found_regions::remember(const Region& r, bool holds)
     if (holds && is_doubt_excluded) is_settled_[p] = true;
   }
   ++number_;
-  if (holds) regions_.push_back(r);
+  if (holds) regions_.push_back(std::move(r));
 }
 
 // Of regions that overlap those of most facets, so that a sphere wins over its rows, which are exact cones.
 inline std::vector<Region> choose_regions(const Context& c, std::vector<Region> all)
 {
-  std::stable_sort(all.begin(), all.end(), [&](const Region& a, const Region& b) {
+  std::vector<Index> order(all.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  sort_numbers(order, [&](Index i, Index j) {
+    const Region &a = all[i], &b = all[j];
     if (a.patches.size() != b.patches.size()) return a.patches.size() > b.patches.size();
     if (a.number_of_tangent_ends() != b.number_of_tangent_ends())
       return a.number_of_tangent_ends() > b.number_of_tangent_ends();
@@ -128,7 +133,8 @@ inline std::vector<Region> choose_regions(const Context& c, std::vector<Region> 
   });
   std::vector<bool> is_taken(c.patches.size(), false);
   std::vector<Region> result;
-  for (Region& r : all) {
+  for (const Index i : order) {
+    Region& r = all[i];
     std::vector<Index> rest;
     for (const Index p : r.patches)
       if (!is_taken[p]) rest.push_back(p);
@@ -291,7 +297,7 @@ inline std::vector<Region> find_regions(const Context& context)
   guess_by_rulings(context, found);
   for (Index p = 0; p < context.patches.size(); ++p) guess_by_rows(context, found, p);
   by_fits();
-  return choose_regions(context, found.regions());
+  return choose_regions(context, found.take_regions());
 }
 
 } // namespace CGAL::PN_subdivision_3::internal::recognition

@@ -17,6 +17,11 @@ namespace CGAL::PN_subdivision_3::internal::recognition {
 
 // --- data ---
 
+inline void sort_numbers(std::vector<Index>& numbers, Function_ref<bool(Index, Index)> is_before)
+{
+  std::stable_sort(numbers.begin(), numbers.end(), is_before);
+}
+
 inline Lists::Lists(Index lists, const std::vector<std::pair<Index, Index>>& pairs)
   : begin_(lists + 1, 0)
   , items_(pairs.size())
@@ -103,8 +108,7 @@ private:
   {
     for (Index v = 0; v < level.number_of_vertices(); ++v)
       if (!level.is_isolated(v)) order_.push_back(v);
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](Index v, Index w) { return points[v] < points[w]; });
+    sort_numbers(order_, [&](Index v, Index w) { return points[v] < points[w]; });
     rank_.assign(level.number_of_vertices(), null);
     for (Index i = 0; i < order_.size(); ++i) rank_[order_[i]] = i;
   }
@@ -160,8 +164,7 @@ private:
       std::rotate(corners[f].begin(), std::min_element(corners[f].begin(), corners[f].end()),
                   corners[f].end());
     }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Index f, Index g) { return corners[f] < corners[g]; });
+    sort_numbers(order, [&](Index f, Index g) { return corners[f] < corners[g]; });
     std::vector<std::pair<Index, Index>> of_faces, of_vertices;
     face_rank_.resize(order.size());
     for (Index i = 0; i < order.size(); ++i) {

@@ -10,6 +10,7 @@
 
 #include <CGAL/PN_recognition_3/internal/linear_algebra.h>
 #include <CGAL/PN_recognition_3/internal/recognition_interface.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 
 // with what all sources of recognition need
 #include <algorithm>
@@ -21,6 +22,9 @@
 namespace CGAL::PN_subdivision_3::internal::recognition {
 
 constexpr Index null = Level_connectivity::null;
+
+// Those that are alike stay in their order. One function sorts all kinds of numbers, as a sort takes long to compile.
+void sort_numbers(std::vector<Index>& numbers, Function_ref<bool(Index, Index)> is_before);
 
 // lists of numbers, one behind the other
 class Lists
@@ -257,7 +261,7 @@ public:
 
   explicit Found_regions(const Context& context);
 
-  const std::vector<Region>& regions() const { return regions_; }
+  std::vector<Region> take_regions() { return std::move(regions_); }
   bool has_region(Index p) const { return has_region_[p]; }
   // whether the facet is in a sphere or torus that is beyond doubt
   bool is_settled(Index p) const { return is_settled_[p]; }
@@ -277,7 +281,7 @@ private:
   bool are_on(const Shape& s, const Seeds& seeds, double t) const;
   bool goes_on(const Shape& s, const Seeds& seeds, double t) const;
   bool fit_to(const Seeds& seeds, Shape& s) const;
-  void remember(const Region& r, bool holds);
+  void remember(Region&& r, bool holds);
 
   const Context& c_;
   Grower grower_;

@@ -48,8 +48,8 @@ private:
     std::vector<Index> component = grown(first, [](Index) { return true; });
     if (is_in_plane(component)) return add(component);
     for (const Index f : component) result_.patch_of_face[f] = null;
-    std::stable_sort(component.begin(), component.end(),
-                     [&](Index f, Index g) { return part_.altitude[f] > part_.altitude[g]; });
+    sort_numbers(component,
+                 [&](Index f, Index g) { return part_.altitude[f] > part_.altitude[g]; });
     for (const Index f : component)
       if (result_.patch_of_face[f] == null) add(grown_in_plane(f));
   }

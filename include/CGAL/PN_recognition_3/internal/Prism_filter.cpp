@@ -58,7 +58,7 @@ private:
       set_owners();
       std::vector<Region> rest;
       for (std::size_t i = 0; i < regions_.size(); ++i)
-        if (!is_cut_of_unknown(Index(i))) rest.push_back(regions_[i]);
+        if (!is_cut_of_unknown(Index(i))) rest.push_back(std::move(regions_[i]));
       has_changed = rest.size() < regions_.size();
       regions_ = std::move(rest);
     }

@@ -36,13 +36,10 @@
 #  include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
 #endif
 
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <memory>
 #include <numeric>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -74,29 +71,6 @@ double box_size(const Valued_level<Value>& level)
     return CGAL::to_double(point_of(level.values[i])[c]);
   });
 }
-
-// Refuses what is still sharp after the rounds, but not for ever.
-template <class FT, class Access>
-void require_sharp_for_ever(const Access& access, const Creases<FT>& creases, unsigned rounds)
-{
-  const auto require = [&](double s, Function_ref<std::string()> name) {
-    if (s == infinite_sharpness || s <= rounds) return;
-    std::ostringstream message;
-    message << "PN_subdivision_3: the sharpness of " << name() << " is " << s
-            << ", and limits are known only of what is smooth or sharp forever: ";
-    const double missing = std::ceil(s) - rounds;
-    message << "subdivide by " << missing << (missing == 1 ? " more round" : " more rounds")
-            << ", or make it infinite";
-    throw std::invalid_argument(message.str());
-  };
-  for (const Crease_edge<FT>& e : creases.edges)
-    require(e.sharpness, [&] { return Edge_of_mesh::name(access, e.edge); });
-  for (const Crease_star& star : creases.stars)
-    require(star.sharpness, [&] { return access.vertex_name(star.vertex); });
-}
-template <class FT, class Access>
-void require_sharp_for_ever(const Access&, No_creases, unsigned)
-{}
 
 // Calls sink(level, creases, values of the mesh) with the level of a mesh as its maps tell. `rounds` rounds may be made
 // before every sharp element has to be infinitely sharp.

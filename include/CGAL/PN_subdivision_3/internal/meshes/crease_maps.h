@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Undoable_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
@@ -27,8 +28,11 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -224,6 +228,29 @@ private:
 
   Undoable_map<Access, Map, Halfedge_of_mesh> map_;
 };
+
+// Refuses what is still sharp after the rounds, but not for ever.
+template <class FT, class Access>
+void require_sharp_for_ever(const Access& access, const Creases<FT>& creases, unsigned rounds)
+{
+  const auto require = [&](double s, Function_ref<std::string()> name) {
+    if (s == infinite_sharpness || s <= rounds) return;
+    std::ostringstream message;
+    message << "PN_subdivision_3: the sharpness of " << name() << " is " << s
+            << ", and limits are known only of what is smooth or sharp forever: ";
+    const double missing = std::ceil(s) - rounds;
+    message << "subdivide by " << missing << (missing == 1 ? " more round" : " more rounds")
+            << ", or make it infinite";
+    throw std::invalid_argument(message.str());
+  };
+  for (const Crease_edge<FT>& e : creases.edges)
+    require(e.sharpness, [&] { return Edge_of_mesh::name(access, e.edge); });
+  for (const Crease_star& star : creases.stars)
+    require(star.sharpness, [&] { return access.vertex_name(star.vertex); });
+}
+template <class FT, class Access>
+void require_sharp_for_ever(const Access&, No_creases, unsigned)
+{}
 
 } // namespace CGAL::PN_subdivision_3::internal
 
