@@ -77,7 +77,7 @@ TEST(Interpolation, StrictLimitsAreThePointsOnAll)
   const auto expect_met = [](const Control_mesh& data, const auto& scheme) {
     Interpolated result = interpolated(data, scheme, strict());
     EXPECT_TRUE(result.report.is_within_tolerance()) << data.name << " " << result.report.residual;
-    EXPECT_LE(result.report.steps, 15u) << data.name;
+    EXPECT_LE(result.report.steps, most_steps) << data.name;
     const Limits all = limits(result.mesh, scheme, limit_cases::close(1e-14));
     for (std::size_t v = 0; v < data.points.size(); ++v)
       EXPECT_LE(double((limit_cases::to_vector(all.at[v].point) - point_of(data, v)).norm()), 1e-11)
