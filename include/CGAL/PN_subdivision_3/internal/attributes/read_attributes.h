@@ -18,7 +18,6 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
-#include <CGAL/PN_subdivision_3/internal/rows/Level_origins.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/parameters/Default_visitor.h>
 
@@ -322,37 +321,6 @@ bool has_seam(const Access&, const Level_connectivity& level, const Attribute_ar
                       array.values.begin() + std::ptrdiff_t(g * d));
   });
 }
-
-// The first control face at an origin, that is the one with the least number at an edge or a vertex. Where
-// faces come from faces only, nothing is stored.
-class Control_faces
-{
-public:
-  using Index = Level_connectivity::Index;
-
-  Control_faces() = default;
-  explicit Control_faces(const Level_connectivity& level)
-    : of_edge_(level.number_of_edges(), Level_connectivity::null)
-    , of_vertex_(level.number_of_vertices(), Level_connectivity::null)
-  {
-    for (Index h = 0; h < level.number_of_halfedges(); ++h) {
-      if (level.is_border(h)) continue;
-      const Index f = level.face(h);
-      for (Index* first : {&of_edge_[Level_connectivity::edge(h)], &of_vertex_[level.target(h)]})
-        *first = (std::min)(*first, f); // null is the largest
-    }
-  }
-
-  Index operator()(const Origin& origin) const
-  {
-    if (origin.kind == Origin::Kind::face) return origin.index;
-    const std::vector<Index>& faces = origin.kind == Origin::Kind::edge ? of_edge_ : of_vertex_;
-    return faces.empty() ? Level_connectivity::null : faces[origin.index];
-  }
-
-private:
-  std::vector<Index> of_edge_, of_vertex_;
-};
 
 } // namespace CGAL::PN_subdivision_3::internal
 
