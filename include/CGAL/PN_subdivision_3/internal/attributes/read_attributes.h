@@ -41,10 +41,6 @@ template <class T>
 using Sum_of = decltype(T(std::declval<const T&>() + std::declval<const T&>()));
 template <class T>
 using Has_sum = boost::is_detected<Sum_of, T>;
-template <class T>
-using Equality_of = decltype(bool(std::declval<const T&>() == std::declval<const T&>()));
-template <class T>
-using Has_equality = boost::is_detected<Equality_of, T>;
 
 // whether averages of values of an attribute can be computed in FT
 template <class T, class FT>
@@ -125,9 +121,8 @@ std::unique_ptr<Row_values<FT>> rows_of_map(const Access& access, const Level_co
     using Traits = Attribute_traits<T, FT>;
     using Kind =
       std::conditional_t<Traits::has_components, Number_values<FT>, Sum_values<FT, Traits>>;
-    using Conversion = Averaged<T, FT, std::is_same_v<Keys, Halfedge_of_mesh>>;
-    return std::make_unique<Rows<FT, Kind>>(column_of_map<Keys, Conversion>(access, level, map),
-                                            rule == Attribute_rule::direction);
+    return std::make_unique<Rows<FT, Kind>>(
+      column_of_map<Keys, Averaged<T, FT>>(access, level, map), rule == Attribute_rule::direction);
   }
 }
 
@@ -284,12 +279,12 @@ read_attributes(const Access& access, const Level_connectivity& level, Table& ta
         column(Copied<double>(), array, n, "vertices")));
     else
       c.vertices.push_back(
-        std::make_unique<Numbers>(column(Averaged<double, FT, false>(), array, n, "vertices"),
+        std::make_unique<Numbers>(column(Averaged<double, FT>(), array, n, "vertices"),
                                   array.rule_of_vertices == Attribute_rule::direction));
   }
   for (auto& array : table.corners) {
-    c.corners.push_back(std::make_unique<Numbers>(column(
-      Averaged<double, FT, true>(), array, level.number_of_halfedges(), corners_in_messages)));
+    c.corners.push_back(std::make_unique<Numbers>(
+      column(Averaged<double, FT>(), array, level.number_of_halfedges(), corners_in_messages)));
     c.corner_rules.push_back(array.rule);
   }
   for (auto& array : table.edges)

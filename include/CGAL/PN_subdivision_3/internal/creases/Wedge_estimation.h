@@ -288,7 +288,7 @@ private:
         return is_given_[slot] ? &values_[slot].normal : nullptr;
       },
       [&](Index slot, const Vector& n) { values_[slot].normal = n; },
-      Set_roundness_of_value<FT>{values_.data()});
+      [&](Index slot, double w) { values_[slot].roundness = w; });
   }
 
   using Normal_of = Function_ref<Vector&(Index)>;

@@ -22,14 +22,6 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// sets the roundness in the values of sectors
-template <class FT>
-struct Set_roundness_of_value
-{
-  void operator()(Level_connectivity::Index s, double w) const { values[s].roundness = w; }
-  Point_normal<FT, 3>* values;
-};
-
 // Calls set_normal(s, n) and set_roundness(s, w) for every sector that is not given, where point(v)
 // returns Coordinates<FT, 3>; given(s) points to the given normal of a sector, a unit vector or zero,
 // or is null. The roundness is in double, 1 if the estimate has no other.
@@ -72,7 +64,7 @@ void estimate_normals_of(const Level_connectivity& level, Control_normal_estimat
     [&](Index v) -> const Vector& { return values[v].point; },
     [&](Index v) { return is_given && (*is_given)[v] ? &values[v].normal : nullptr; },
     [&](Index v, const Vector& n) { values[v].normal = n; },
-    Set_roundness_of_value<FT>{values.data()});
+    [&](Index v, double w) { values[v].roundness = w; });
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -217,15 +217,15 @@ public:
     if (it == several_normals_.end() || *it != v) return &values_[v].normal;
     return &given_to_several_[std::size_t(it - several_normals_.begin())];
   }
-  void set_slots(const std::vector<Value>& slot_values, std::vector<bool> tell_of_tangents)
+  void set_slots(Given_slots slots)
   {
     is_estimated_ = false;
     is_given_.clear();
     for (Index v = 0; v < values_.size(); ++v) {
-      values_[v].normal = slot_values[v].normal;
-      values_[v].roundness = slot_values[v].roundness;
+      values_[v].normal = slots.values[v].normal;
+      values_[v].roundness = slots.values[v].roundness;
     }
-    slots_ = {slot_values, std::move(tell_of_tangents)};
+    slots_ = std::move(slots);
   }
   const Given_slots& given_slots() const { return slots_; }
   // of the mesh without edges whose sharpness is less than 1
