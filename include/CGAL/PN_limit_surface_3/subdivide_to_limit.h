@@ -208,7 +208,7 @@ private:
     const auto values = refiner.refined_values(last, rows);
     Level refined;
     refined.values.assign(values.begin(), values.end());
-    refined.level = refiner.child(last, last.refined_creases());
+    refined.level = child_level(last, last.refined_creases(), for_chunks_);
     return refined;
   }
 

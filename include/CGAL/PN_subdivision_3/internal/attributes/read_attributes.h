@@ -128,8 +128,8 @@ std::unique_ptr<Row_values<FT>> rows_of_map(const Access& access, const Level_co
 
 // What attributes() takes. Each adds itself to a list of the attributes of the call.
 
-template <class Map, class Rule>
-struct Vertex_attribute_by
+template <class Map, class Rule = Rule_of_type>
+struct Vertex_attribute
 {
   using Keys = Vertex_of_mesh;
 
@@ -146,15 +146,6 @@ struct Vertex_attribute_by
   }
   Map map;
 };
-template <class Map>
-struct Vertex_attribute : Vertex_attribute_by<Map, Rule_of_type>
-{};
-template <class Map>
-struct Nearest_attribute : Vertex_attribute_by<Map, Given_rule<Attribute_rule::nearest>>
-{};
-template <class Map>
-struct Direction_attribute : Vertex_attribute_by<Map, Given_rule<Attribute_rule::direction>>
-{};
 
 template <class Map>
 struct Corner_attribute
@@ -192,21 +183,16 @@ struct Item_without_rows
 };
 
 template <class Map>
-struct Edge_attribute : Item_without_rows<Map, Edge_of_mesh, Copied, &Columns_of_call::edges>
-{};
+using Edge_attribute = Item_without_rows<Map, Edge_of_mesh, Copied, &Columns_of_call::edges>;
 template <class Map>
-struct Face_attribute : Item_without_rows<Map, Face_of_mesh, Copied, &Columns_of_call::faces>
-{};
+using Face_attribute = Item_without_rows<Map, Face_of_mesh, Copied, &Columns_of_call::faces>;
 template <class Map>
-struct Face_parents : Item_without_rows<Map, Face_of_mesh, Parent, &Columns_of_call::face_origins>
-{};
+using Face_parents = Item_without_rows<Map, Face_of_mesh, Parent, &Columns_of_call::face_origins>;
 template <class Map>
-struct Vertex_parents
-  : Item_without_rows<Map, Vertex_of_mesh, Parent, &Columns_of_call::vertex_origins>
-{};
+using Vertex_parents =
+  Item_without_rows<Map, Vertex_of_mesh, Parent, &Columns_of_call::vertex_origins>;
 template <class Map>
-struct Edge_parents : Item_without_rows<Map, Edge_of_mesh, Parent, &Columns_of_call::edge_origins>
-{};
+using Edge_parents = Item_without_rows<Map, Edge_of_mesh, Parent, &Columns_of_call::edge_origins>;
 
 // the result of attributes()
 template <class... Items>

@@ -309,11 +309,6 @@ protected:
     : for_chunks_(for_chunks)
   {}
 
-  void in_chunks(Index n, For_chunks::Function f) const
-  {
-    for_chunks_.in_precision<typename Average::FT>(n, f);
-  }
-
   For_chunks for_chunks_;
 };
 
