@@ -74,6 +74,10 @@ void for_each_halfedge_of_face(const Level_connectivity& level, Level_connectivi
   for (const auto h : halfedges_around_face(level, level.halfedge_of_face(f))) function(h);
 }
 
+// the points of vertices, with normals that are given or estimated
+template <class FT>
+using Point_normals = std::vector<Point_normal<FT, 3>>;
+
 // The edges e of a fan inverted at its vertex, W = e/|e|^2, and the cross products of neighboring
 // ones: the corner normals, each of the length |sin| / (|e||e'|). In double. Edges of length zero are
 // left out. The fan is scaled by a power of two where squares would leave the range of double.
@@ -98,10 +102,9 @@ public:
     bool has_area; // more than the rounding of the points can make
   };
 
-  template <class Point_of>
-  void assign(const Level_connectivity& level, const Fan& fan, const Point_of& point)
+  void assign(const Level_connectivity& level, const Fan& fan, const Point_normals<FT>& values)
   {
-    collect(level, fan, point);
+    collect(level, fan, values);
     invert();
     make_corners(fan.closed);
   }
@@ -114,17 +117,16 @@ public:
 private:
   using T = At_least_double<FT>;
 
-  template <class Point_of>
-  void collect(const Level_connectivity& level, const Fan& fan, const Point_of& point)
+  void collect(const Level_connectivity& level, const Fan& fan, const Point_normals<FT>& values)
   {
     rays_.clear();
     shortest_ = std::numeric_limits<double>::infinity();
     longest_ = 0;
-    const auto& p = point(level.target(fan.first));
+    const auto& p = values[level.target(fan.first)].point;
     bool last_is_zero = false;
     has_ends_ = true;
     for_each_halfedge(level, fan, [&](Index h) {
-      const auto& q = point(level.source(h));
+      const auto& q = values[level.source(h)].point;
       const Vector e = to_double_3<T>({T(q[0]) - T(p[0]), T(q[1]) - T(p[1]), T(q[2]) - T(p[2])});
       const double size = largest_coordinate(e);
       last_is_zero = size == 0;
@@ -188,42 +190,18 @@ private:
   bool has_ends_ = true;
 };
 
-// Normals are estimated sector by sector. A sector is a vertex with one of its fans; here a whole
-// vertex. at_target(h) and at_source(h) are the sectors of the corners of face(h). Wedges are
-// sectors at creases; own_normal(s) is a normal of the wedge in which the neighbors have no part.
-class Vertex_sectors
-{
-public:
-  using Index = Level_connectivity::Index;
-
-  explicit Vertex_sectors(const Level_connectivity& level)
-    : level_(level)
-  {}
-
-  Index number_of_sectors() const { return level_.number_of_vertices(); }
-  bool is_empty(Index s) const { return level_.is_isolated(s); }
-  Fan fan(Index s) const { return fan_of_vertex(level_, s); }
-  Index at_target(Index h) const { return level_.target(h); }
-  Index at_source(Index h) const { return level_.source(h); }
-  static constexpr bool is_at_crease(Index) { return false; }
-  static constexpr Coordinates<double, 3> own_normal(Index) { return {0, 0, 0}; }
-
-private:
-  const Level_connectivity& level_;
-};
-
 // N. Max, Weights for computing vertex normals from facet normals, 1999: the sum of the cross
 // products of the inverted edges. Inversion at a point of a sphere maps the sphere to a plane; the
 // inverted edges are a polygon in it, whose area vector this is. An open fan is closed through the
 // vertex.
 
 // the sum in the number type T: exact in exact types. Zero if the number type cannot tell.
-template <class T, class Point_of>
+template <class T, class FT>
 Coordinates<T, 3> reciprocal_sum(const Level_connectivity& level, const Fan& fan,
-                                 const Point_of& point)
+                                 const Point_normals<FT>& values)
 {
   using Vector = Coordinates<T, 3>;
-  const auto& p = point(level.target(fan.first));
+  const auto& p = values[level.target(fan.first)].point;
   Vector sum{T(0), T(0), T(0)}, first = sum, before = sum;
   bool is_first = true, is_decided = true;
   const auto add = [&sum](const Vector& a, const Vector& b) {
@@ -231,7 +209,7 @@ Coordinates<T, 3> reciprocal_sum(const Level_connectivity& level, const Fan& fan
     for (int k = 0; k < 3; ++k) sum[k] += c[k];
   };
   for_each_halfedge(level, fan, [&](Level_connectivity::Index h) {
-    const auto& q = point(level.source(h));
+    const auto& q = values[level.source(h)].point;
     Vector w{T(q[0]) - T(p[0]), T(q[1]) - T(p[1]), T(q[2]) - T(p[2])};
     const T squared = dot(w, w);
     if (CGAL::certainly(squared == T(0))) return;
@@ -250,9 +228,10 @@ Coordinates<T, 3> reciprocal_sum(const Level_connectivity& level, const Fan& fan
 }
 
 // The unit reciprocal normal of a fan in double; zero if it vanishes.
-template <class FT, class Point_of>
+template <class FT>
 Coordinates<double, 3> reciprocal_normal(const Level_connectivity& level, const Fan& fan,
-                                         const Point_of& point, const Inverted_fan<FT>& inverted)
+                                         const Point_normals<FT>& values,
+                                         const Inverted_fan<FT>& inverted)
 {
   using T = At_least_double<FT>;
   Coordinates<double, 3> sum{0, 0, 0};
@@ -268,7 +247,7 @@ Coordinates<double, 3> reciprocal_normal(const Level_connectivity& level, const 
       size += std::sqrt(rays[i].squared * rays[i + 1 < rays.size() ? i + 1 : 0].squared);
     if constexpr (!std::is_same_v<T, double>) {
       if (!(sum_length > vanishing_tolerance<FT>() * size)) {
-        sum = to_double_3<T>(reciprocal_sum<T>(level, fan, point));
+        sum = to_double_3<T>(reciprocal_sum<T>(level, fan, values));
         sum_length = length(sum);
       }
     }
