@@ -72,12 +72,12 @@ private:
     if (is_zero(r)) return 0;
     Curvature_mismatch m;
     double unit = 0; // of length
-    for_each_halfedge(cut_, fan_of_vertex(cut_, slot), [&](Index h) {
+    for (const Index h : fan_of_vertex(cut_, slot)) {
       const Value &p = values_[slot], &q = values_[cut_.source(h)];
       const auto e = to_double_3<FT>(difference(q.point, p.point));
       const double e_length = length(e);
       const auto other = to_double_3<FT>(q.normal);
-      if (!(e_length > 0) || !std::isfinite(e_length) || is_zero(other)) return;
+      if (!(e_length > 0) || !std::isfinite(e_length) || is_zero(other)) continue;
       if (unit == 0) unit = e_length;
       const auto u = quotient(e, e_length);
       const auto of_other = dot(other, u);
@@ -85,7 +85,7 @@ private:
       const double second = dot(a, u) + of_other;
       const double curvature = unit / e_length;
       m.add(first * first, second * second, curvature * curvature);
-    });
+    }
     return m.share_of_first(vanishing_tolerance<FT>());
   }
 

@@ -130,7 +130,7 @@ private:
       open.push_back(s);
       values_[s].normal = n;
     };
-    reciprocal_.estimate(set_open, [&](Index s, const Fan&, const Inverted_fan<FT>& inverted) {
+    reciprocal_.estimate(set_open, [&](Index s, const Inverted_fan<FT>& inverted) {
       Estimate& e = estimates_[s];
       e.is_reciprocal = e.is_known;
       e.is_narrow = is_narrow(e.normal, inverted);
@@ -165,7 +165,6 @@ private:
     }
   }
 
-  Fan fan(Index s) const { return fan_of_vertex(level_, s); }
   Vector edge(Index h) const { return difference_(level_.target(h), level_.source(h)); }
 
   // edges too short for squares are left out
@@ -245,14 +244,14 @@ private:
     Estimate& e = estimates_[s];
     const double t = e.mismatch.share_of_first(vanishing_tolerance<FT>());
     if (t >= 1 && e.roundness >= 1 && e.is_reciprocal) {
-      values_[s].normal = reciprocal_.exact_normal(fan(s), e.normal);
+      values_[s].normal = reciprocal_.exact_normal(s, e.normal);
       return;
     }
     const bool was_narrow = e.is_narrow;
     double regular = was_narrow ? 1 : regularity_of(s);
     const double share = t * either(e.roundness, regular);
     if (share >= 1 && e.is_reciprocal) {
-      values_[s].normal = reciprocal_.exact_normal(fan(s), e.normal);
+      values_[s].normal = reciprocal_.exact_normal(s, e.normal);
       e.roundness = either(e.roundness, regular);
     } else {
       const Vector n = mixed(share, e.normal, e.area());
@@ -269,11 +268,11 @@ private:
   Dips dips(Index s) const
   {
     Dips result;
-    for_each_halfedge(level_, fan(s), [&](Index h) {
+    for (const Index h : fan_of_vertex(level_, s)) {
       const Vector e = edge(h);
       const double dip = dot(estimates_[s].normal, e), inverse = 1 / dot(e, e);
       if (std::isfinite(inverse)) result.add(dip * dip, inverse);
-    });
+    }
     return result;
   }
 
@@ -286,7 +285,7 @@ private:
 
   double regularity_of(Index s)
   {
-    inverted_.assign(level_, fan(s), values_);
+    inverted_.assign(level_, s, values_);
     Estimate& e = estimates_[s];
     return regularity(quick_length(difference(e.normal, e.area())),
                       std::sqrt(e.largest_squared_arc_error()), evenness(inverted_));
@@ -376,10 +375,10 @@ private:
   double share_of_lift(Index s)
   {
     lift_.clear();
-    for_each_halfedge(level_, fan(s), [&](Index h) {
+    for (const Index h : fan_of_vertex(level_, s)) {
       const Vector e = difference_(level_.source(h), level_.target(h));
       if (std::isfinite(1 / dot(e, e))) lift_.add(e, estimates_[level_.source(h)].normal);
-    });
+    }
     return lift_.share(estimates_[s].normal);
   }
 

@@ -57,18 +57,18 @@ public:
   void operator()()
   {
     const auto set_normal = [this](Index s, const Coordinates<FT, 3>& n) { values_[s].normal = n; };
-    estimate(set_normal, [&](Index s, const Fan& fan, const Inverted_fan<FT>& inverted) {
+    estimate(set_normal, [&](Index s, const Inverted_fan<FT>& inverted) {
       Estimate& e = estimates_[s];
       if (!e.is_known) return false;
       e.weight = blend_weight(e.normal, inverted, face_normal_);
-      if (e.weight >= 1) set_normal(s, exact_normal(fan, e.normal));
+      if (e.weight >= 1) set_normal(s, exact_normal(s, e.normal));
       return e.weight >= 1;
     });
   }
 
-  // The same, but that set_normal(v, n) gets all that are not given, and set_closed(v, fan, inverted_fan) may take over a vertex
+  // The same, but that set_normal(v, n) gets all that are not given, and set_closed(v, inverted_fan) may take over a vertex
   // with a closed fan: its normal is not set if it returns true.
-  using Set_closed = Function_ref<bool(Index, const Fan&, const Inverted_fan<FT>&)>;
+  using Set_closed = Function_ref<bool(Index, const Inverted_fan<FT>&)>;
   void estimate(Set_normal set_normal, Set_closed set_closed)
   {
     std::vector<Index> open;
@@ -77,8 +77,8 @@ public:
         take_given(s, values_[s].normal);
       else if (level_.is_isolated(s))
         finish(s, {FT(0), FT(0), FT(0)}, set_normal);
-      else if (const Fan fan = fan_of_vertex(level_, s); fan.closed)
-        estimate_closed(s, fan, set_closed);
+      else if (!level_.is_border_vertex(s))
+        estimate_closed(s, set_closed);
       else
         open.push_back(s);
     }
@@ -91,11 +91,11 @@ public:
   std::vector<Estimate>& estimates() { return estimates_; }
 
   // the reciprocal normal of a closed fan: in the number type, if that has more to tell than double
-  Coordinates<FT, 3> exact_normal(const Fan& fan, const Vector& normal) const
+  Coordinates<FT, 3> exact_normal([[maybe_unused]] Index s, const Vector& normal) const
   {
     using T = At_least_double<FT>;
     if constexpr (!std::is_same_v<T, double>) {
-      Coordinates<T, 3> n = reciprocal_sum<T>(level_, fan, values_);
+      Coordinates<T, 3> n = reciprocal_sum<T>(level_, s, values_);
       if (is_finite_number(T(n[0] + n[1] + n[2])) && length(to_double_3<T>(n)) > 0) {
         normalize_control_normal<T, 3>(n);
         return n;
@@ -126,13 +126,13 @@ private:
     set_normal(s, normal);
   }
 
-  void estimate_closed(Index s, const Fan& fan, Set_closed set_closed)
+  void estimate_closed(Index s, Set_closed set_closed)
   {
     Estimate& e = estimates_[s];
-    inverted_.assign(level_, fan, values_);
-    e.normal = reciprocal_normal(level_, fan, values_, inverted_);
+    inverted_.assign(level_, s, values_);
+    e.normal = reciprocal_normal(level_, s, values_, inverted_);
     e.is_known = !is_zero(e.normal);
-    e.is_done = set_closed(s, fan, inverted_);
+    e.is_done = set_closed(s, inverted_);
   }
 
   // estimates open fans by the arcs to known neighbors; returns the fans without known neighbors
@@ -140,14 +140,13 @@ private:
   {
     std::vector<Index> without_arcs, found;
     for (Index s : open) {
-      const Fan fan = fan_of_vertex(level_, s);
-      inverted_.assign(level_, fan, values_);
+      inverted_.assign(level_, s, values_);
       collect_arcs();
       if (arcs_.empty()) {
         without_arcs.push_back(s);
         continue;
       }
-      const Vector open_normal = reciprocal_normal(level_, fan, values_, inverted_);
+      const Vector open_normal = reciprocal_normal(level_, s, values_, inverted_);
       const std::optional<Vector> n = arc_border_normal(open_normal, border_tangent(), arcs_);
       if (n) found.push_back(s);
       set_open(s, n.value_or(open_normal), set_normal);
@@ -158,9 +157,8 @@ private:
 
   void take_open_normal(Index s, Set_normal set_normal)
   {
-    const Fan fan = fan_of_vertex(level_, s);
-    inverted_.assign(level_, fan, values_);
-    set_open(s, reciprocal_normal(level_, fan, values_, inverted_), set_normal);
+    inverted_.assign(level_, s, values_);
+    set_open(s, reciprocal_normal(level_, s, values_, inverted_), set_normal);
   }
 
   void set_open(Index s, const Vector& normal, Set_normal set_normal)
@@ -215,7 +213,7 @@ private:
   // corner of a fan has to be compared with its face.
   bool is_reflex(Index s, const Vector& angle_weighted)
   {
-    inverted_.assign(level_, fan_of_vertex(level_, s), values_);
+    inverted_.assign(level_, s, values_);
     return dot(inverted_.corners().front().normal, angle_weighted) < 0;
   }
 
@@ -233,8 +231,7 @@ private:
     const Vector other = to_double_3<FT>(angle_weighted);
     if (!(e.weight > 0) || (e.is_corner && is_reflex(s, other))) return angle_weighted;
     if constexpr (Angle_weighted_normals<FT>::has_own_angles)
-      if (const Fan fan = fan_of_vertex(level_, s); fan.closed)
-        return blended_in_number_type(fan, e, angle_weighted);
+      if (!level_.is_border_vertex(s)) return blended_in_number_type(s, e, angle_weighted);
     Vector n = multiple(e.weight, e.normal);
     add_multiple(n, 1 - e.weight, other);
     const double n_length = length(n);
@@ -242,10 +239,10 @@ private:
     return converted(quotient(n, n_length));
   }
 
-  Coordinates<FT, 3> blended_in_number_type(const Fan& fan, const Estimate& e,
+  Coordinates<FT, 3> blended_in_number_type(Index s, const Estimate& e,
                                             const Coordinates<FT, 3>& angle_weighted) const
   {
-    Coordinates<FT, 3> n = exact_normal(fan, e.normal);
+    Coordinates<FT, 3> n = exact_normal(s, e.normal);
     scale(n, FT(e.weight));
     add_multiple(n, FT(1 - e.weight), angle_weighted);
     const Coordinates<FT, 3> unit = unit_or_zero(n, FT(1));
