@@ -200,19 +200,6 @@ struct Creases
     stars.push_back(star);
   }
 
-  // Adds the star of other creases with another sharpness, and with the ends here that push_end(end) adds for the ends there.
-  // Returns the number of the star, or null if nothing is sharp there any more.
-  template <class Push_end>
-  Index add_star_of(const Creases& others, const Crease_star& star, double sharpness,
-                    const Push_end& push_end)
-  {
-    const auto first_end = static_cast<Index>(ends.size());
-    for (const Crease_halfedge& e : others.ends_of(star)) push_end(e);
-    if (ends.size() == first_end && !(sharpness > 0)) return Level_connectivity::null;
-    add_star({star.vertex, sharpness, star.is_border}, first_end);
-    return static_cast<Index>(stars.size() - 1);
-  }
-
 private:
   template <class T>
   static const T* find(const std::vector<T>& sorted, Index i, Index T::*number)

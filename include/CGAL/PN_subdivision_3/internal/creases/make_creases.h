@@ -132,6 +132,26 @@ Creases<FT> Make_creases<FT>::operator()(Sharpness edge_sharpness, Sharpness ver
   return std::move(creases_);
 }
 
+// The creases of a level among others: edge_of(e) and star_of(v) point to what is sharp there, or are null. The rim of a part, but not
+// the border of the whole, has the rules of a smooth border.
+template <class FT>
+Creases<FT> creases_among(const Creases<FT>& others, const Level_connectivity& level,
+                          Function_ref<const Crease_edge<FT>*(Level_connectivity::Index)> edge_of,
+                          Function_ref<const Crease_star*(Level_connectivity::Index)> star_of)
+{
+  using Index = Level_connectivity::Index;
+  const auto sharpness = [](const auto* s) { return s == nullptr ? 0 : s->sharpness; };
+  Creases<FT> result = Make_creases<FT>(level, Border::surface)(
+    [&](Index e) { return sharpness(edge_of(e)); }, [&](Index v) { return sharpness(star_of(v)); });
+  result.has_fixed_border = others.has_fixed_border;
+  for (Crease_edge<FT>& e : result.edges) {
+    const Crease_edge<FT>& other = *edge_of(e.edge);
+    e.control_edge = other.control_edge;
+    e.tangent_from = other.tangent_from;
+  }
+  return result;
+}
+
 // The creases of the refined level, without their tangents, and where the creases of the old level are among them.
 template <class FT>
 struct Refined_creases
@@ -178,11 +198,14 @@ private:
 
   void refine_star(const Creases<FT>& old, const Crease_star& s)
   {
-    star.push_back(
-      creases.add_star_of(old, s, refined_sharpness(s.sharpness), [&](const Crease_halfedge& e) {
-        if (rank[e.crease] != null)
-          creases.ends.push_back({second_half(rank[e.crease], e.side), e.side});
-      }));
+    const auto first_end = static_cast<Index>(creases.ends.size());
+    const double sharpness = refined_sharpness(s.sharpness);
+    for (const Crease_halfedge& e : old.ends_of(s))
+      if (rank[e.crease] != null)
+        creases.ends.push_back({second_half(rank[e.crease], e.side), e.side});
+    const bool is_sharp = creases.ends.size() != first_end || sharpness > 0;
+    star.push_back(is_sharp ? static_cast<Index>(creases.stars.size()) : null);
+    if (is_sharp) creases.add_star({s.vertex, sharpness, s.is_border}, first_end);
   }
 
   void add_edge_star(const Crease_edge<FT>& e, Index r, const Edge_split& split)
