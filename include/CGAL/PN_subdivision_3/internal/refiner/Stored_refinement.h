@@ -217,15 +217,15 @@ public:
     if (it == several_normals_.end() || *it != v) return &values_[v].normal;
     return &given_to_several_[std::size_t(it - several_normals_.begin())];
   }
-  void set_slots(Given_slots slots)
+  void set_slots(Given_slots given)
   {
     is_estimated_ = false;
     is_given_.clear();
     for (Index v = 0; v < values_.size(); ++v) {
-      values_[v].normal = slots.values[v].normal;
-      values_[v].roundness = slots.values[v].roundness;
+      values_[v].normal = given.values[v].normal;
+      values_[v].roundness = given.values[v].roundness;
     }
-    slots_ = std::move(slots);
+    slots_ = std::move(given);
   }
   const Given_slots& given_slots() const { return slots_; }
   // of the mesh without edges whose sharpness is less than 1
