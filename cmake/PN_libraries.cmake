@@ -1,5 +1,5 @@
 # Static libraries for programs that shall not compile everything themselves: CGAL::PN_subdivision_3_double has the usual calls of
-# subdivide() (internal/meshes/compiled_call.h) and, for every mesh and kernel of double, what is computed of levels
+# subdivide() (internal/calls/Mesh_subdivision.h) and, for every mesh and kernel of double, what is computed of levels
 # (internal/meshes/compiled_levels.h); CGAL::PN_subdivision_3_limits their limits and tessellation
 # (PN_limit_surface_3/internal/limit/limits_at_slots.h), CGAL::PN_subdivision_3_fitting interpolation,
 # CGAL::PN_subdivision_3_recognition recognition. They are made where they are used, by the compiler and with the options of that
@@ -8,7 +8,7 @@
 # leaves none behind.
 # What the sources of a library read takes as long as what they instantiate: it is read once.
 set(_pn_read_double <CGAL/Exact_predicates_inexact_constructions_kernel.h> <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h>
-    <CGAL/PN_subdivision_3/subdivide.h> <CGAL/PN_subdivision_3/internal/attributes/compiled_attributes.h>)
+    <CGAL/PN_subdivision_3/subdivide.h>)
 set(_pn_read_limits <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
     <CGAL/PN_limit_surface_3/internal/limit_surface/Surface_evaluation.h> <CGAL/PN_limit_surface_3/internal/tessellation/run_tessellation.h>)
 set(_pn_read_fitting <CGAL/PN_fitting_3/internal/Mesh_limit_functionals.h> <CGAL/PN_fitting_3/internal/find_control_net.h>)

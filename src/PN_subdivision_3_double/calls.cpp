@@ -6,11 +6,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// The usual calls of subdivide(), see internal/meshes/compiled_call.h.
+// The usual calls of subdivide(), see internal/calls/Mesh_subdivision.h.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/PN_subdivision_3/internal/calls/Mesh_subdivision.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/compiled_call.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>

@@ -30,7 +30,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
-#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -208,7 +208,7 @@ private:
     const auto values = refiner.refined_values(last, rows);
     Level refined;
     refined.values.assign(values.begin(), values.end());
-    refined.level = refiner.child(last, last.refined_creases());
+    refined.level = child_level(last, last.refined_creases(), for_chunks_);
     return refined;
   }
 

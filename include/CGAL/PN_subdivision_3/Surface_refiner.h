@@ -21,7 +21,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Stored_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/refiner/Stored_rounds.h>
-#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
@@ -324,82 +324,75 @@ public:
 private:
   using Coordinates = PN_subdivision_3::Coordinates<FT, 3>;
 
-  // the scheme has a host
+  // the scheme has a host; a linear one has no use for normals
   template <class Hosted_scheme, class NamedParameters>
   void read_mesh(const PolygonMesh& mesh, const Hosted_scheme& scheme, const NamedParameters& np)
   {
     if constexpr (internal::check_refiner_arguments<PolygonMesh, Hosted_scheme,
                                                     NamedParameters>() &&
                   internal::check_attributes<PolygonMesh, NamedParameters, false>()) {
-      using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-      const unsigned rounds = Parameters::number_of_iterations(np);
-      auto given = Parameters::attributes(np);
-      const auto& attributes = internal::unwrapped(given);
       internal::with_mesh_access(mesh, [&](const auto& access) {
-        read(access, scheme, Parameters::const_point_map(mesh, np), used_normals<Parameters>(np),
-             Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np), rounds,
-             internal::read_roundness<FT, Parameters>(access, np), attributes);
+        using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+        if constexpr (is_pn)
+          this->read(access, mesh, scheme, Parameters::normal_map(np), np);
+        else
+          this->read(access, mesh, scheme, internal::Not_given(), np);
       });
       update();
     }
   }
 
-  // a linear scheme has no use for normals
-  template <class Parameters, class NamedParameters>
-  static auto used_normals([[maybe_unused]] const NamedParameters& np)
+  template <class Access, class Hosted_scheme, class Normal_map, class NamedParameters>
+  void read(const Access& access, const PolygonMesh& mesh, const Hosted_scheme& scheme,
+            const Normal_map& normals, const NamedParameters& np)
   {
-    if constexpr (is_pn)
-      return Parameters::normal_map(np);
-    else
-      return internal::Not_given();
-  }
-
-  template <class Access, class Hosted_scheme, class Point_map, class Normal_map, class Edge_map,
-            class Vertex_map, class Attributes>
-  void read(const Access& access, const Hosted_scheme& scheme, Point_map points, Normal_map normals,
-            Edge_map edge_map, Vertex_map vertex_map, unsigned rounds,
-            const internal::Given_roundness<FT>& roundness, const Attributes& attributes)
-  {
+    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+    const auto roundness = internal::read_roundness<FT, Parameters>(access, np);
+    const auto edge_map = Parameters::edge_constraint_map(np);
+    const auto vertex_map = Parameters::vertex_constraint_map(np);
     internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
     internal::Control_mesh control(scheme, access, normals, edge_map, vertex_map, FT());
     using Level_creases = typename decltype(control)::Level_creases;
     Level_connectivity& level = control.level;
     auto& creases = control.creases;
-    rounds = internal::number_of_rounds(level, rounds);
+    const unsigned rounds = internal::number_of_rounds(level, Parameters::number_of_iterations(np));
     const Level_size size = internal::checked_refined_size<typename Hosted_scheme::Host>(
       level.size(), rounds, Level_connectivity::null);
     if (rounds == 0) creases = Level_creases(level.number_of_vertices());
     using Writers = internal::Normal_writers<Access, Normal_map>;
     constexpr bool takes_corners = Writers::Corner_writer::takes_corners;
-    control_ = std::make_unique<Control>(access, level, points, Writers::vertex_map(normals),
-                                         internal::normal_estimate(scheme),
-                                         takes_corners || !creases.empty());
-    if constexpr (takes_corners) {
-      std::vector<Value> slot_values;
-      const auto read = [&](const auto& creases_of_slots) {
-        slot_values.assign(creases_of_slots.number_of_slots, Value());
-        std::vector<bool> is_put(slot_values.size(), !internal::is_of_estimate_v<Normal_map>);
-        internal::read_corner_normals<FT>(access, level, creases_of_slots, normals, slot_values,
-                                          &is_put);
-        return is_put;
-      };
-      std::vector<bool> is_put = read(creases);
-      control_->set_slots(slot_values, std::move(is_put));
-      if constexpr (internal::are_creases_v<Level_creases>)
-        if (internal::has_fractions(creases)) {
-          is_put = read(internal::Creases_without_fractions<FT>(level, creases).creases);
-          control_->slots_without_fractions() = {slot_values, std::move(is_put)};
-        }
-    }
+    control_ = std::make_unique<Control>(
+      access, level, Parameters::const_point_map(mesh, np), Writers::vertex_map(normals),
+      internal::normal_estimate(scheme), takes_corners || !creases.empty());
+    if constexpr (takes_corners) read_corners(access, level, creases, normals);
     control_->set_roundness(roundness);
     const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
-    if constexpr (internal::is_there_v<Attributes>)
+    auto given = Parameters::attributes(np);
+    const auto& attributes = internal::unwrapped(given);
+    if constexpr (internal::is_there_v<std::decay_t<decltype(attributes)>>)
       attributes_.refine<FT>(scheme, access, level, creases, control.maps.sharpness(level), rounds,
                              attributes, for_chunks);
     points_.assign(size.vertices, Point_3(0, 0, 0));
     if (is_pn) normals_.assign(size.vertices, Vector_3(0, 0, 0));
     rounds_ = std::make_unique<internal::Stored_rounds<Hosted_scheme, Average, Level_creases>>(
       scheme, std::move(level), std::move(creases), rounds, *control_, for_chunks);
+  }
+
+  template <class Access, class Level_creases, class Normal_map>
+  void read_corners(const Access& access, const Level_connectivity& level,
+                    const Level_creases& creases, const Normal_map& normals)
+  {
+    const auto read = [&](const auto& creases_of_slots) {
+      std::vector<Value> values(creases_of_slots.number_of_slots);
+      std::vector<bool> is_put(values.size(), !internal::is_of_estimate_v<Normal_map>);
+      internal::read_corner_normals<FT>(access, level, creases_of_slots, normals, values, &is_put);
+      return typename Control::Given_slots{std::move(values), std::move(is_put)};
+    };
+    control_->set_slots(read(creases));
+    if constexpr (internal::are_creases_v<Level_creases>)
+      if (internal::has_fractions(creases))
+        control_->slots_without_fractions() =
+          read(internal::Creases_without_fractions<FT>(level, creases).creases);
   }
 
   template <class Access, class Map>

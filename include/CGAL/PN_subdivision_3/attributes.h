@@ -31,24 +31,26 @@ namespace parameters {
 template <class Map>
 internal::Vertex_attribute<Map> vertex_attribute(Map map)
 {
-  return {{map}};
+  return {map};
 }
 
 /// \ingroup PkgPNSubdivision3Attributes
 /// a map of labels: each vertex gets the value of the nearest control vertex, see `Attribute_rule`. Keys are vertices, values of any
 /// type that can be copied.
 template <class Map>
-internal::Nearest_attribute<Map> nearest_attribute(Map map)
+auto nearest_attribute(Map map)
 {
-  return {{map}};
+  using Rule = internal::Given_rule<Attribute_rule::nearest>;
+  return internal::Vertex_attribute<Map, Rule>{map};
 }
 
 /// \ingroup PkgPNSubdivision3Attributes
 /// a map of unit vectors, which are unit vectors again when they have been averaged. Keys are vertices.
 template <class Map>
-internal::Direction_attribute<Map> direction_attribute(Map map)
+auto direction_attribute(Map map)
 {
-  return {{map}};
+  using Rule = internal::Given_rule<Attribute_rule::direction>;
+  return internal::Vertex_attribute<Map, Rule>{map};
 }
 
 /// \ingroup PkgPNSubdivision3Attributes
@@ -66,7 +68,7 @@ internal::Corner_attribute<Map> corner_attribute(Map map,
 template <class Map>
 internal::Edge_attribute<Map> edge_attribute(Map map)
 {
-  return {{map}};
+  return {map};
 }
 
 /// \ingroup PkgPNSubdivision3Attributes
@@ -75,7 +77,7 @@ internal::Edge_attribute<Map> edge_attribute(Map map)
 template <class Map>
 internal::Face_attribute<Map> face_attribute(Map map)
 {
-  return {{map}};
+  return {map};
 }
 
 /// \ingroup PkgPNSubdivision3Attributes
@@ -85,7 +87,7 @@ internal::Face_attribute<Map> face_attribute(Map map)
 template <class Map>
 internal::Face_parents<Map> face_parents(Map map)
 {
-  return {{map}};
+  return {map};
 }
 
 /// \ingroup PkgPNSubdivision3Attributes
@@ -94,7 +96,7 @@ internal::Face_parents<Map> face_parents(Map map)
 template <class Map>
 internal::Vertex_parents<Map> vertex_parents(Map map)
 {
-  return {{map}};
+  return {map};
 }
 
 /// \ingroup PkgPNSubdivision3Attributes
@@ -103,7 +105,7 @@ internal::Vertex_parents<Map> vertex_parents(Map map)
 template <class Map>
 internal::Edge_parents<Map> edge_parents(Map map)
 {
-  return {{map}};
+  return {map};
 }
 
 } // namespace parameters

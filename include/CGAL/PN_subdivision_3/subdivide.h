@@ -13,7 +13,6 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/Call_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/calls/Mesh_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/compiled_call.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>

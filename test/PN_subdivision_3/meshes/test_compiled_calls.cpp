@@ -309,7 +309,6 @@ std::vector<double> control_values(const mesh_cases::Soup& soup, const Make& mak
 TEST(Compiled_levels, ControlValuesAreThoseOfTheHeaders)
 {
   using namespace PN::internal;
-  using Index = PN::Level_connectivity::Index;
   for (const mesh_cases::Soup& soup : {mesh_cases::cube(), mesh_cases::mixed_with_border()})
     for (const auto estimate :
          {PN::Control_normal_estimate::coherent, PN::Control_normal_estimate::reciprocal,
@@ -330,12 +329,7 @@ TEST(Compiled_levels, ControlValuesAreThoseOfTheHeaders)
                                }),
                 control_values(soup, [&](const auto& level, auto&, auto& values) {
                   values.resize(level.number_of_vertices());
-                  estimate_normals<double>(
-                    level, estimate,
-                    Vertex_sectors(level), [&](Index v) -> const auto& { return values[v].point; },
-                    [](Index) -> const mesh_cases::Triple* { return nullptr; },
-                    [&](Index v, const mesh_cases::Triple& n) { values[v].normal = n; },
-                    [&](Index v, double w) { values[v].roundness = w; });
+                  estimate_normals(level, estimate, values);
                 }));
     }
 }

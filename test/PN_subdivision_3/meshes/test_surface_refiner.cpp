@@ -123,6 +123,26 @@ TEST(Surface_refiner, EstimatesNormalsAgainWherePointsMove)
   EXPECT_EQ(round.points(), std::vector<Point>(mesh.points().begin(), mesh.points().end()));
 }
 
+TEST(Surface_refiner, NormalsOnTheBorderFollowTheOneThatIsSet)
+{
+  for (const auto estimate :
+       {PN::Control_normal_estimate::coherent, PN::Control_normal_estimate::reciprocal}) {
+    Mesh mesh = grid(2);
+    for (Vertex v : mesh.vertices()) mesh.point(v) = Point(mesh.point(v).x(), mesh.point(v).y(), 0);
+    PN::Surface_refiner refiner(mesh, PN::CatmullClark_scheme(),
+                                PN::parameters::control_normal_estimate(estimate));
+    const Vertex center(4), beside(5); // in the direction of x
+    EXPECT_EQ(refiner.control_normal(beside), Vector(0, 0, 1));
+    refiner.set_normal(center, Vector(0.3, 0, 1));
+    refiner.update();
+    // an arc joins two points if the sum of their normals is perpendicular to the chord
+    const Vector n = refiner.control_normal(center), m = refiner.control_normal(beside);
+    EXPECT_NEAR(m.x(), -n.x(), 1e-15);
+    EXPECT_NEAR(m.y(), 0, 1e-15);
+    EXPECT_NEAR(m.z(), n.z(), 1e-15);
+  }
+}
+
 TEST(Surface_refiner, NoRoundsNoFacesNoVertices)
 {
   Mesh mesh;

@@ -18,6 +18,7 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
+#include <algorithm>
 #include <set>
 
 using namespace estimated_normals;
@@ -669,25 +670,21 @@ TEST(Coherent_normals, GivenNormalsAreRound)
   const auto mesh = to_mesh<CGAL::Simple_cartesian<double>>(control);
   PN::internal::with_mesh_access(mesh, [&](const auto& access) {
     const auto level = PN::internal::checked_level(access);
-    const PN::internal::Vertex_sectors sectors(level);
-    const Triple between = test_meshes::unit({-1, 0, -1});
-    const auto is_given = [](unsigned v) { return v % 9 == 4; }; // the bend
-    std::size_t normals = 0, others = 0;
-    PN::internal::estimate_normals<double>(
-      level, Control_normal_estimate::coherent, sectors,
-      [&](unsigned v) -> const Triple& { return control.points[v]; },
-      [&](unsigned v) { return is_given(v) ? &between : nullptr; },
-      [&](unsigned v, const Triple&) {
-        EXPECT_FALSE(is_given(v));
-        ++normals;
-      },
-      [&](unsigned v, double w) {
-        EXPECT_FALSE(is_given(v));
-        EXPECT_EQ(w, 1) << v;
-        ++others;
-      });
-    EXPECT_EQ(normals, 40u);
-    EXPECT_EQ(others, 40u);
+    const Triple between = test_meshes::unit({-1, 0, -1}), none{0, 0, 0};
+    constexpr double nobodys = 0.25;
+    std::vector<PN::Point_normal<double, 3>> values;
+    std::vector<bool> is_given; // along the bend
+    for (unsigned v = 0; v < control.points.size(); ++v) {
+      is_given.push_back(v % 9 == 4);
+      values.push_back({control.points[v], is_given[v] ? between : none, nobodys});
+    }
+    EXPECT_EQ(std::count(is_given.begin(), is_given.end(), false), 40);
+    PN::internal::estimate_normals_of(level, Control_normal_estimate::coherent, values, &is_given);
+    for (unsigned v = 0; v < values.size(); ++v) {
+      EXPECT_EQ(values[v].normal == between, is_given[v]) << v;
+      EXPECT_NE(values[v].normal, none) << v;
+      EXPECT_EQ(values[v].roundness, is_given[v] ? nobodys : 1) << v;
+    }
   });
 }
 

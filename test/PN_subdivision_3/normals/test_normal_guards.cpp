@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -437,19 +438,20 @@ TEST(Normal_guards, GivenNormalsAreTakenAsTheyAre)
   const auto mesh = to_mesh<CGAL::Simple_cartesian<double>>(control);
   PN::internal::with_mesh_access(mesh, [&](const auto& access) {
     const auto level = PN::internal::checked_level(access);
-    const PN::internal::Vertex_sectors sectors(level);
-    const auto point = [&](unsigned v) -> const Triple& { return control.points[v]; };
     // inside, where estimates are exact, nothing changes at the border if the exact ones are given
-    std::size_t set = 0;
-    PN::internal::estimate_normals<double>(
-      level, Control_normal_estimate::reciprocal, sectors, point,
-      [&](unsigned v) { return level.is_border_vertex(v) ? nullptr : &control.normals[v]; },
-      [&](unsigned v, const Triple& n) {
-        ++set;
-        EXPECT_TRUE(level.is_border_vertex(v));
-        EXPECT_LE(distance(n, control.normals[v]), 16 * ulp);
-      },
-      [](unsigned, double) {});
-    EXPECT_EQ(set, 22u);
+    std::vector<PN::Point_normal<double, 3>> values;
+    std::vector<bool> is_given;
+    for (unsigned v = 0; v < control.points.size(); ++v) {
+      is_given.push_back(!level.is_border_vertex(v));
+      values.push_back({control.points[v], is_given[v] ? control.normals[v] : Triple{0, 0, 0}});
+    }
+    EXPECT_EQ(std::count(is_given.begin(), is_given.end(), false), 22);
+    PN::internal::estimate_normals_of(level, Control_normal_estimate::reciprocal, values,
+                                      &is_given);
+    for (unsigned v = 0; v < values.size(); ++v)
+      if (is_given[v])
+        EXPECT_EQ(values[v].normal, control.normals[v]);
+      else
+        EXPECT_LE(distance(values[v].normal, control.normals[v]), 16 * ulp);
   });
 }

@@ -91,8 +91,8 @@ CGAL_PN_RECOGNITION_3_INLINE bool Surface_tags::is_corner(Index v) const
 {
   bool result = false;
   if (!level_.is_isolated(v))
-    for_each_halfedge(level_, fan_of_vertex(level_, v),
-                      [&](Index h) { result = result || (!level_.is_border(h) && is_apex(h)); });
+    for (const Index h : fan_of_vertex(level_, v))
+      result = result || (!level_.is_border(h) && is_apex(h));
   return result;
 }
 
@@ -100,9 +100,8 @@ CGAL_PN_RECOGNITION_3_INLINE bool Surface_tags::is_unknown(Index v) const
 {
   bool has_unknown = false, has_known = false;
   if (!level_.is_isolated(v))
-    for_each_halfedge(level_, fan_of_vertex(level_, v), [&](Index h) {
+    for (const Index h : fan_of_vertex(level_, v))
       if (!level_.is_border(h)) (is_known(level_.face(h)) ? has_known : has_unknown) = true;
-    });
   return has_unknown && !has_known;
 }
 

@@ -15,8 +15,6 @@
 
 namespace CGAL::PN_subdivision_3 {
 
-struct Attribute_table;
-
 /// \ingroup PkgPNSubdivision3Schemes
 /// what becomes of the border of a surface.
 enum class Border {
@@ -39,13 +37,6 @@ enum class Control_normal_estimate {
   angle       ///< the normals of the faces weighted by their angles
 };
 
-namespace internal {
-
-template <class... Items>
-struct Attributes;
-
-} // namespace internal
-
 /// \ingroup PkgPNSubdivision3Functions
 /// The named parameters of \cgal, and those of this package. Each of the latter begins a pack, to which others of them and
 /// those of \cgal can be appended; `join()` joins packs.
@@ -56,8 +47,10 @@ namespace parameters {
 
 using namespace CGAL::parameters;
 
+/// \addtogroup PkgPNSubdivision3Functions
+/// @{
+
 /*!
-\ingroup PkgPNSubdivision3Functions
 the roundness of all control vertices: 1 is the point-normal scheme, 0 gives the points of the linear one, with a
 continuous transition, see `PN_average`.
 \param x a number from 0 to 1
@@ -66,7 +59,6 @@ template <class FT>
 auto roundness(const FT& x);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 the roundness of each control vertex. A map that can be written gets that of the refined vertices, so that further calls continue
 from there.
 \param map a model of `ReadablePropertyMap` or `ReadWritePropertyMap` with the vertices of the mesh as keys and
@@ -77,7 +69,6 @@ template <class VertexRoundnessMap>
 auto vertex_roundness_map(const VertexRoundnessMap& map);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 how control normals are estimated where none are given, by default `Control_normal_estimate::coherent`.
 \param estimate a `Control_normal_estimate`
 */
@@ -85,7 +76,6 @@ template <class Estimate>
 auto control_normal_estimate(const Estimate& estimate);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 how the border of the surface is treated, by default `Border::surface`. Anything else needs a scheme with rules for creases.
 \param rule a `Border`
 */
@@ -93,7 +83,6 @@ template <class BorderRule>
 auto border(const BorderRule& rule);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 a map of the tangents of creases. The map has zero vectors but for both half-edges of a sharp edge, also for the one
 on the border. It holds the unit tangent of the crease at the source of the half-edge, in the direction of the
 half-edge.
@@ -120,7 +109,6 @@ template <class HalfedgeVectorMap>
 auto crease_tangent_map(const HalfedgeVectorMap& map);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 into how many pieces `Surface_pieces` divides a surface, by default 1.
 \param n at least 1
 */
@@ -128,7 +116,6 @@ template <class Number>
 auto number_of_pieces(const Number& n);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 the largest error of a limit point, as a part of the largest side of the bounding box of the points. The default is
 10<sup>-9</sup> for limits, where it is estimated, and 10<sup>-12</sup> for interpolation and prescribed data.
 \param x a `double` that is not negative
@@ -137,7 +124,6 @@ template <class Real>
 auto tolerance(const Real& x);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 the largest estimated error of a surface normal or of the tangent of a curve, in radians, by default 10<sup>-3</sup>.
 \param x a `double` that is not negative
 */
@@ -145,7 +131,6 @@ template <class Real>
 auto normal_tolerance(const Real& x);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 the most rounds of refinement about a vertex that a limit takes, by default 12.
 \param n an `unsigned`
 */
@@ -153,7 +138,6 @@ template <class Number>
 auto max_depth(const Number& n);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 a map that gets the limit points that `limit_points()` computes.
 \param map a model of `WritablePropertyMap` from vertices (of a dual scheme, faces) to points
 */
@@ -161,7 +145,6 @@ template <class Map>
 auto limit_point_map(const Map& map);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 a map that gets the normals that `limit_points()` computes: `Limit_point::surface_normal`, which are the limits of the control normals
 unless `surface_normals()` asks for others.
 \param map a model of `WritablePropertyMap` from vertices (of a dual scheme, faces) to vectors
@@ -170,7 +153,6 @@ template <class Map>
 auto limit_normal_map(const Map& map);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 a map that gets the estimated errors of the limit points that `limit_points()` computes.
 \param map a model of `WritablePropertyMap` from vertices (of a dual scheme, faces) to `double`
 */
@@ -178,7 +160,6 @@ template <class Map>
 auto limit_error_map(const Map& map);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 whether limit points of surfaces are computed, by default `true`. Without them, surface normals take much less time. A
 vertex with a surface normal may then have the first averages of the limit mask as `Limit_point::point` and
 `Limit_point::control_normal`. Its `Limit_point::error` is infinite, and neither counts in the report. The normal is
@@ -189,7 +170,6 @@ template <class Yes>
 auto points(const Yes& yes);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 whether limits have the normals of the surface; by default they have the limits of the control normals.
 \param yes a `bool`
 */
@@ -197,7 +177,6 @@ template <class Yes>
 auto surface_normals(const Yes& yes);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 whether the limits of a curve have its tangents and normals; by default they have not.
 \param yes a `bool`
 */
@@ -205,7 +184,6 @@ template <class Yes>
 auto curve_normals(const Yes& yes);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 whether limits have curvatures, where they exist; by default they have not.
 \param yes a `bool`
 */
@@ -213,7 +191,6 @@ template <class Yes>
 auto curvatures(const Yes& yes);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 how many rounds the call that made the mesh has done, by default 0. The borders of \f$ \sqrt{3} \f$ depend on whether
 that is even, and modified schemes on whether it is before their first round; others do not.
 \param n an `unsigned`
@@ -222,7 +199,6 @@ template <class Number>
 auto rounds_done(const Number& n);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 whether the vertices of `Surface_pieces` are moved to the limit surface, as by `subdivide_to_limit()`, by default not. Then
 `points`, `surface_normals`, `tolerance`, `normal_tolerance` and `max_depth` say what is computed, and how accurately.
 \param yes a `bool`; what limits need is compiled if the parameter is given
@@ -231,7 +207,6 @@ template <class Yes>
 auto to_limit(const Yes& yes);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 whether the distance of the triangles of `tessellate()` from the surface is proved, by default not.
 \param yes a `bool`; code for proofs is compiled if the parameter is given
 */
@@ -239,7 +214,6 @@ template <class Yes>
 auto proven_bound(const Yes& yes);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 how vertices are interpolated, by default `Limit_interpolation::Mode::slide`.
 \param mode a `Limit_interpolation::Mode`
 */
@@ -247,7 +221,6 @@ template <class Mode>
 auto interpolation_mode(const Mode& mode);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 where the control normals of an interpolating surface or curve come from, by default `Limit_interpolation::Normals::given`.
 \param normals a `Limit_interpolation::Normals`
 */
@@ -255,7 +228,6 @@ template <class Normals>
 auto interpolation_normals(const Normals& normals);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 what becomes of vertices that are not interpolated, by default `Limit_interpolation::Free::fixed`.
 \param free a `Limit_interpolation::Free`
 */
@@ -263,7 +235,6 @@ template <class Free>
 auto free_vertices(const Free& free);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 which vertices `interpolate_limit_points()` interpolates; by default all.
 \param map a model of `ReadablePropertyMap` from vertices to `bool`
 */
@@ -271,7 +242,6 @@ template <class VertexMap>
 auto vertex_is_interpolated_map(const VertexMap& map);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 the most steps of an interpolation, of which each moves the points once, by default 100.
 \param n an `unsigned`
 */
@@ -279,7 +249,6 @@ template <class Number>
 auto max_steps(const Number& n);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 the limit points that `prescribe_limit_data()` prescribes; by default none.
 \param map a model of `ReadablePropertyMap` from vertices to `std::optional` of a point
 */
@@ -287,7 +256,6 @@ template <class VertexMap>
 auto prescribed_point_map(const VertexMap& map);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 the surface normals that `prescribe_limit_data()` prescribes; by default none.
 \param map a model of `ReadablePropertyMap` from vertices to `std::optional` of a vector of any length
 */
@@ -295,7 +263,6 @@ template <class VertexMap>
 auto prescribed_normal_map(const VertexMap& map);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 the curvatures that `prescribe_limit_data()` prescribes; by default none.
 \param map a model of `ReadablePropertyMap` from vertices to `std::optional` of a `Prescribed_curvature`
 */
@@ -303,7 +270,6 @@ template <class VertexMap>
 auto prescribed_curvature_map(const VertexMap& map);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 within how many rings of faces about the vertices with prescribed data control points move, by default 2.
 \param n an `unsigned`
 */
@@ -311,7 +277,6 @@ template <class Number>
 auto rings(const Number& n);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 by how much curvatures may miss the prescribed ones, times the largest side of the bounding box of the points, by
 default 10<sup>-6</sup>.
 \param x a `double` that is not negative
@@ -320,7 +285,6 @@ template <class Real>
 auto curvature_tolerance(const Real& x);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 the most steps towards prescribed curvatures, by default 12.
 \param n an `unsigned`
 */
@@ -328,7 +292,6 @@ template <class Number>
 auto max_curvature_steps(const Number& n);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 whether `CatmullClark_subdivision()` and `Loop_subdivision()` are the modified schemes, with other eigenvalues at separated extraordinary vertices,
 where curvature is then bounded. By default they are not.
 \param yes a `bool`
@@ -337,7 +300,6 @@ template <class Yes>
 auto tuned(const Yes& yes);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 whether `CatmullClark_subdivision()` and `Loop_subdivision()` transfer curvature to the normals at extraordinary vertices, on top of what
 `tuned()` does. By default they do not.
 \param yes a `bool`
@@ -346,7 +308,6 @@ template <class Yes>
 auto curvature_transfer(const Yes& yes);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 the least number of facets a full turn for which `recognize_surfaces()` takes a prism for round if nothing else in the
 part indicates it, by default 8.
 \param n at least 3
@@ -355,7 +316,6 @@ template <class Number>
 auto min_facets(const Number& n);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 how far vertices may be from the surface that `recognize_surfaces()` takes them to be on, by default what the rounding of the
 coordinates and the size of the mesh make of it, see there.
 \param x a positive length
@@ -364,12 +324,13 @@ template <class FT>
 auto surface_tolerance(const FT& x);
 
 /*!
-\ingroup PkgPNSubdivision3Functions
 the angle in degrees from which on `surface_creases()` makes edges between facets of no recognized surface sharp, by default 30.
 \param degrees from 0 to 180
 */
 template <class FT>
 auto sharp_angle(const FT& degrees);
+
+/// @}
 
 // all of the above
 #define CGAL_PN_SUBDIVISION_3_FUNCTION(X)                                                          \

@@ -30,7 +30,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
-#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #ifdef CGAL_PN_SUBDIVISION_3_LIMITS
 #  include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>

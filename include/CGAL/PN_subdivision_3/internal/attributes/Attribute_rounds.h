@@ -10,10 +10,10 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_ATTRIBUTE_ROUNDS_H
 
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Attribute_origins.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Crease_rows.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Linear_corners.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
@@ -24,12 +24,9 @@
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -91,7 +88,7 @@ public:
   auto rules(const Plain_round& last, const Level_connectivity& level) const
   {
     using Host = typename Plain_round::Host;
-    return Origin_rules<Host>(last.host(), level, origins_, last.number());
+    return Origin_rules<Host>(last.host(), level, origins_.origins(), last.number());
   }
 
   // puts everything for the elements of the refined mesh, which has been made large enough
@@ -103,7 +100,7 @@ public:
   // puts the attributes of a part after all rounds
   Control_attributes<FT>& put_part(const Level_part& part)
   {
-    put(part.level.size(), &part.level, origins_);
+    put(part.level.size(), &part.level, origins_.origins());
     return attributes_;
   }
   // whether charts are cut, so that their rules look at more faces than the rules of the scheme
@@ -136,20 +133,6 @@ private:
         for (Smooth_corners<FT>& corners : self.smooth_) corners.evaluate(first, rows);
     }
     Attribute_rounds& self;
-  };
-
-  struct Origins_of_part final : Origin_source
-  {
-    Origins_of_part(const Level_origins& origins_of_whole, const Level_part& part_of_level)
-      : whole(origins_of_whole)
-      , part(part_of_level)
-    {}
-    Origin vertex(Index v) const override { return whole.vertex(part.vertices[v]); }
-    Origin edge(Index e) const override { return whole.edge(part.edges[e]); }
-    Origin face(Index f) const override { return whole.face(part.faces[f]); }
-
-    const Level_origins& whole;
-    const Level_part& part;
   };
 
   // `kept` is sorted
@@ -257,37 +240,12 @@ private:
     return values;
   }
 
-  // puts the values of copies or the origins of the elements of a kind; of(origin) is what the columns take
-  template <class Columns, class Origin_of, class Function>
-  static void put_columns(const Columns& columns, std::uint64_t number, const Origin_of& origin_of,
-                          const Function& of)
-  {
-    if (columns.empty()) return;
-    constexpr Index most = 64; // at once
-    std::array<decltype(of(Origin())), most> values;
-    const auto end = static_cast<Index>(number);
-    for (auto& column : columns) column->begin(end);
-    for (Index first = 0; first < end; first += most) {
-      const Index n = (std::min)(most, end - first);
-      for (Index i = 0; i < n; ++i) values[i] = of(origin_of(first + i));
-      for (auto& column : columns) column->put(first, n, values.data());
-    }
-  }
-
-  Index control_face(const Origin& origin) const
-  {
-    return control_faces_ == nullptr ? Control_faces()(origin) : (*control_faces_)(origin);
-  }
-
   enum class Corner_kind { by_rows, smooth, linear };
 
   Control_attributes<FT> attributes_;
   const For_chunks for_chunks_;
   Kept_elements kept_;
-  Kinds wanted_;
-  std::shared_ptr<const Control_faces> control_faces_; // where faces do not come from faces alone
-  Level_origins origins_;
-  std::optional<Level_origins> refined_origins_;
+  Origin_rounds origins_;
   std::vector<By_rows> by_rows_;
   std::vector<Smooth_corners<FT>> smooth_;
   std::vector<Row_values<FT>*> linear_;
@@ -310,6 +268,7 @@ Attribute_rounds<FT>::Attribute_rounds(Control_attributes<FT>&& attributes, Kept
   : attributes_(std::move(attributes))
   , for_chunks_(for_chunks)
   , kept_(kept)
+  , origins_(level, attributes_.needed_origins(visited), kept.edges)
 {
   std::vector<Index> slot_vertices = first_indices(level.number_of_vertices());
   slot_vertices.insert(slot_vertices.end(), extra_slots.begin(), extra_slots.end());
@@ -320,14 +279,7 @@ Attribute_rounds<FT>::Attribute_rounds(Control_attributes<FT>&& attributes, Kept
   for (std::size_t i = 0; i < attributes_.corners.size(); ++i)
     begin_corners(*attributes_.corners[i], attributes_.corner_rules[i], level, slot_vertices,
                   sharpness, names);
-  wanted_ = attributes_.needed_origins();
-  wanted_.vertices = wanted_.vertices || visited.vertices;
-  wanted_.edges = wanted_.edges || visited.edges;
-  wanted_.faces = wanted_.faces || visited.faces;
-  if (!kept_.edges) {
-    if (!attributes_.edges.empty()) refuse("there is an attribute of edges, but the");
-    if (wanted_.faces) control_faces_ = std::make_shared<Control_faces>(level);
-  }
+  if (!kept_.edges && !attributes_.edges.empty()) refuse("there is an attribute of edges, but the");
 }
 
 template <class FT>
@@ -335,8 +287,7 @@ Attribute_rounds<FT>::Attribute_rounds(const Attribute_rounds& whole, const Leve
                                        const Indices& slot_ids, const Chart_slots& chart_slots)
   : for_chunks_(whole.for_chunks_)
   , kept_(whole.kept_)
-  , wanted_(whole.wanted_)
-  , control_faces_(whole.control_faces_)
+  , origins_(whole.origins_, part, whole.for_chunks_)
 {
   for (const auto& values : whole.attributes_.vertices) {
     attributes_.vertices.push_back(values->part(slot_ids));
@@ -363,9 +314,6 @@ Attribute_rounds<FT>::Attribute_rounds(const Attribute_rounds& whole, const Leve
     }
   }
   attributes_.take_parts_of_columns(whole.attributes_);
-  if (wanted_.any())
-    origins_ = Level_origins::of_child(Origins_of_part(whole.origins_, part), part.level.size(),
-                                       Level_origins::needed(wanted_, kept_.edges), for_chunks_);
 }
 
 template <class FT>
@@ -397,10 +345,8 @@ void Attribute_rounds<FT>::begin_round(const Scheme& scheme, const Level_round& 
       by_rows.values->begin_round(number_of_values);
   if constexpr (Splits_edges<typename Plain_round::Host>::value)
     begin_corners_of_round(scheme, plain, level, smooth_mask);
-  if (kind == Kind_of_round::inner && wanted_.any())
-    refined_origins_ =
-      Level_origins::of_child(rules(plain, level), plain.refined_size(),
-                              Level_origins::needed(wanted_, kept_.edges), for_chunks_);
+  if (kind == Kind_of_round::inner)
+    origins_.begin_round(rules(plain, level), plain.refined_size(), for_chunks_);
 }
 
 template <class FT>
@@ -414,8 +360,7 @@ void Attribute_rounds<FT>::end_round()
     by_rows.values->end_round();
   }
   for (Row_values<FT>* values : linear_) values->end_round();
-  if (refined_origins_) origins_ = std::move(*refined_origins_);
-  refined_origins_.reset();
+  origins_.end_round();
 }
 
 template <class FT>
@@ -426,19 +371,7 @@ void Attribute_rounds<FT>::put(const Level_size& size, const Level_connectivity*
     if (!values->is_put()) values->put(first_indices(size.vertices));
   for (std::size_t i = 0; i < attributes_.corners.size(); ++i)
     attributes_.corners[i]->put(values_of_corners(i, *refined));
-  const auto edge = [](const Origin& o) { return o.kind == Origin::Kind::edge ? o.index : null; };
-  const auto face = [this](const Origin& o) { return control_face(o); };
-  const auto both = [this](const Origin& o) {
-    return Origin_and_face{control_element(o), control_face(o)};
-  };
-  const auto vertices = [&](Index v) { return rules.vertex(v); };
-  const auto edges = [&](Index e) { return rules.edge(e); };
-  const auto faces = [&](Index f) { return rules.face(f); };
-  put_columns(attributes_.edges, size.edges, edges, edge);
-  put_columns(attributes_.faces, size.faces, faces, face);
-  put_columns(attributes_.vertex_origins, size.vertices, vertices, both);
-  put_columns(attributes_.edge_origins, size.edges, edges, both);
-  put_columns(attributes_.face_origins, size.faces, faces, both);
+  origins_.put(attributes_, size, rules);
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

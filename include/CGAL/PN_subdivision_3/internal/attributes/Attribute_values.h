@@ -10,20 +10,19 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_ATTRIBUTE_VALUES_H
 
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Attribute_averages.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Attribute_origins.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Columns.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
-#include <CGAL/PN_subdivision_3/internal/rows/Level_origins.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
-#include <CGAL/number_type_basic.h>
 
 #include <boost/container/small_vector.hpp>
 #include <boost/container/vector.hpp>
 
 #include <algorithm>
 #include <any>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <numeric>
@@ -81,215 +80,6 @@ inline std::vector<Level_connectivity::Index> first_indices(std::size_t n)
   std::iota(result.begin(), result.end(), 0u);
   return result;
 }
-
-// Divides a vector by its length; zero stays zero.
-template <class FT>
-void make_unit(FT* begin, FT* end)
-{
-  FT largest(0);
-  for (const FT* x = begin; x != end; ++x)
-    if (const FT size = absolute_value(*x); size > largest) largest = size;
-  if (!(largest > FT(0))) return;
-  FT square(0);
-  for (FT* x = begin; x != end; ++x) {
-    *x /= largest; // whose square may be out of range
-    square += *x * *x;
-  }
-  const FT inverse = Unit_normal_traits<FT>::inverse_length(square);
-  for (FT* x = begin; x != end; ++x) *x *= inverse;
-}
-
-// divides the vectors of elements with so many numbers each by their lengths
-template <class Numbers>
-void make_units(std::size_t dimension, Numbers& numbers)
-{
-  for (std::size_t i = 0; i + dimension <= numbers.size(); i += dimension)
-    make_unit(numbers.data() + i, numbers.data() + i + dimension);
-}
-
-// origin + sum, where sum = sum w_j (v_j - origin), or plain_sum() if the sum leaves the range of the numbers (infinite or
-// huge values, NaN).
-template <class FT, class Plain_sum>
-FT average_from(const FT& origin, const FT& sum, [[maybe_unused]] const Plain_sum& plain_sum)
-{
-  if constexpr (std::is_floating_point_v<FT>) {
-    if (sum == FT(0)) return origin; // a zero of either sign, too
-    const FT result = origin + sum;
-    return std::isfinite(result) ? result : plain_sum();
-  } else
-    return origin + sum;
-}
-
-// the average without differences, where these leave the range of the numbers
-template <class FT, class Entry, class Value>
-FT plain_average(const Entry* begin, const Entry* end, const Value& value)
-{
-  const FT& origin = value(begin->vertex);
-  FT sum(0);
-  bool are_equal = true;
-  for (const Entry* e = begin; e != end; ++e) {
-    const FT& x = value(e->vertex);
-    are_equal = are_equal && x == origin;
-    if (e->weight != FT(0)) sum += e->weight * x;
-  }
-  return are_equal ? origin : sum;
-}
-
-// The average of a row for values of n components, which follow one another.
-template <class FT, class Entry, class Size>
-void component_average(const Entry* begin, const Entry* end, Size n, const FT* old, FT* result)
-{
-  for (std::size_t c = 0; c < n; ++c) {
-    const auto component = [&](auto v) -> const FT& { return old[v * std::size_t(n) + c]; };
-    const FT& origin = component(begin->vertex);
-    FT sum(0);
-    for (const Entry* e = begin + 1; e != end; ++e)
-      sum += e->weight * FT(component(e->vertex) - origin);
-    result[c] =
-      average_from<FT>(origin, sum, [&] { return plain_average<FT>(begin, end, component); });
-  }
-}
-
-// The averages of rows of the same length of single numbers, as component_average() gives them: a few at once, since one is a
-// chain of additions that waits for each.
-template <class FT, class Entry>
-void scalar_averages(const Entry* first, std::size_t length, std::size_t number, const FT* old,
-                     FT* result)
-{
-  constexpr std::size_t together = 8;
-  for (std::size_t begin = 0; begin < number; begin += together) {
-    const std::size_t n = (std::min)(together, number - begin);
-    const Entry* const rows = first + begin * length;
-    FT origin[together], sum[together];
-    for (std::size_t r = 0; r < together; ++r) {
-      origin[r] = old[rows[(r < n ? r : 0) * length].vertex];
-      sum[r] = FT(0);
-    }
-    for (std::size_t j = 1; j < length; ++j)
-      for (std::size_t r = 0; r < together; ++r) {
-        const Entry& e = rows[(r < n ? r : 0) * length + j];
-        sum[r] += e.weight * FT(old[e.vertex] - origin[r]);
-      }
-    for (std::size_t r = 0; r < n; ++r)
-      result[begin + r] = average_from<FT>(origin[r], sum[r], [&] {
-        return plain_average<FT>(rows + r * length, rows + (r + 1) * length,
-                                 [&](auto v) -> const FT& { return old[v]; });
-      });
-  }
-}
-
-// \name Kinds of values
-// A value has n numbers. The average of a row that is a single entry is a copy.
-
-// Numbers; directions become unit vectors when they are put.
-template <class FT>
-struct Number_values
-{
-  using Number = FT;
-  using Of_column = FT;
-
-  template <class Entry>
-  static void average(const Entry* begin, const Entry* end, std::size_t n, const FT* old, FT* to)
-  {
-    using std::integral_constant;
-    if (end - begin == 1)
-      std::copy_n(old + begin->vertex * n, n, to);
-    else if (n == 1)
-      component_average(begin, end, integral_constant<std::size_t, 1>(), old, to);
-    else if (n == 2)
-      component_average(begin, end, integral_constant<std::size_t, 2>(), old, to);
-    else if (n == 3)
-      component_average(begin, end, integral_constant<std::size_t, 3>(), old, to);
-    else
-      component_average(begin, end, n, old, to);
-  }
-};
-
-// Values of another type, one for each element.
-template <class FT, class Traits>
-struct Sum_values
-{
-  using Number = typename Traits::Sum;
-  using Of_column = Number;
-
-  template <class Entry>
-  static void average(const Entry* begin, const Entry* end, std::size_t, const Number* old,
-                      Number* to)
-  {
-    const Number& origin = old[begin->vertex];
-    *to = origin;
-    if (end - begin == 1) return;
-    Number sum = Traits::difference(begin[1].weight, old[begin[1].vertex], origin);
-    for (const Entry* e = begin + 2; e != end; ++e)
-      sum = Number(sum + Traits::difference(e->weight, old[e->vertex], origin));
-    *to = Number(origin + sum);
-  }
-};
-
-// The shares that control vertices have in a place of the control mesh, by linear interpolation: one at a control vertex,
-// two on an edge, as many as it has corners in a face.
-class Control_shares
-{
-public:
-  using Index = Level_connectivity::Index;
-
-  Control_shares() = default;
-  explicit Control_shares(Index v)
-    : shares_(1, {v, 1})
-  {}
-
-  void add(const Control_shares& other, float weight)
-  {
-    for (const Share& added : other.shares_) {
-      const auto own = std::find_if(shares_.begin(), shares_.end(),
-                                    [&](const Share& s) { return s.first == added.first; });
-      if (own != shares_.end())
-        own->second += weight * added.second;
-      else
-        shares_.push_back({added.first, weight * added.second});
-    }
-  }
-
-  // the control vertex with the largest share; of several the first
-  Index nearest() const
-  {
-    constexpr float rounding = 1e-5f;
-    float largest = 0;
-    for (const Share& s : shares_) largest = (std::max)(largest, s.second);
-    Index result = Level_connectivity::null;
-    for (const auto& [v, share] : shares_)
-      if (share >= largest - rounding) result = (std::min)(result, v); // null is the largest
-    return result;
-  }
-
-private:
-  using Share = std::pair<Index, float>;
-
-  std::vector<Share> shares_;
-};
-
-// Labels: a new vertex is in the middle of the vertices with the main weights in its row, which are an old vertex, the ends of an
-// edge, or the corners of a face.
-template <class FT>
-struct Label_values
-{
-  using Number = Control_shares;
-  using Of_column = Level_connectivity::Index;
-
-  template <class Entry>
-  static void average(const Entry* begin, const Entry* end, std::size_t, const Control_shares* old,
-                      Control_shares* to)
-  {
-    const auto weight = [](const FT& w) { return double(CGAL::to_double(w)); };
-    double largest = 0;
-    for (const Entry* e = begin; e != end; ++e) largest = (std::max)(largest, weight(e->weight));
-    const auto is_main = [&](const Entry& e) { return weight(e.weight) > largest / 2; };
-    const auto number = std::count_if(begin, end, is_main);
-    *to = {};
-    for (const Entry* e = begin; e != end; ++e)
-      if (is_main(*e)) to->add(old[e->vertex], 1 / float(number));
-  }
-};
 
 template <class FT, class Kind>
 class Rows final : public Row_values<FT>
@@ -415,33 +205,95 @@ private:
   bool puts_at_once_ = false;
 };
 
-// \name The attributes of a call
-
-// Those that are copied without rows.
-struct Columns_of_call
+// A round of the values of corners linearly inside faces, in a host that splits edges: old corners keep their values,
+// new corners get the mean of an edge or a face. Values belong to half-edges.
+template <class FT, class Host>
+class Linear_corners
 {
-  template <class Number>
-  using List = std::vector<std::unique_ptr<Column<Number>>>;
+public:
+  using Index = Level_connectivity::Index;
 
-  List<Level_connectivity::Index> edges, faces;
-  List<Origin_and_face> vertex_origins, edge_origins, face_origins;
+  Linear_corners(const Host& host, const Level_connectivity& level, const Level_connectivity& child,
+                 Row_values<FT>& values)
+    : host_(host)
+    , level_(level)
+    , child_(child)
+    , split_(level)
+    , values_(values)
+  {}
 
-  void take_parts_of_columns(const Columns_of_call& whole)
+  void operator()(const For_chunks& for_chunks) const
   {
-    const auto take = [](auto& parts, const auto& columns) {
-      for (const auto& column : columns) parts.push_back(column->part());
-    };
-    take(edges, whole.edges);
-    take(faces, whole.faces);
-    take(vertex_origins, whole.vertex_origins);
-    take(edge_origins, whole.edge_origins);
-    take(face_origins, whole.face_origins);
+    for_chunks.in_precision<FT>(level_.number_of_faces(), [&](Index begin, Index end) {
+      Entry_row<FT> row;
+      for (Index f = begin; f < end; ++f) face(f, row);
+    });
   }
-  Level_origins::Kinds needed_origins() const
+
+private:
+  static constexpr Index null = Level_connectivity::null;
+  using Kind = Element_parent::Kind;
+
+  void face(Index f, Entry_row<FT>& row) const
   {
-    return {!vertex_origins.empty(), !edge_origins.empty() || !edges.empty(),
-            !face_origins.empty() || !faces.empty()};
+    Index in_middle = null; // a new half-edge that leads to the middle of the face
+    for (const Index h : halfedges_around_face(level_, level_.halfedge_of_face(f))) {
+      const Index n = level_.next(h), begin = split_.second_half(h);
+      row.clear();
+      row.add(h, FT(1));
+      set(begin, row);
+      for (Index g = child_.next(begin); g != begin; g = child_.next(g)) {
+        const Element_parent parent = host_.parent_of_vertex(child_.target(g));
+        if (parent.kind == Kind::face) {
+          set_middle(g, h, in_middle, row);
+          continue;
+        }
+        const bool is_behind = parent.index == Level_connectivity::edge(n);
+        if (is_behind) // the other edge is behind the corner before
+          set_behind(g, h, n, row);
+      }
+    }
   }
+
+  void set(Index value, const Entry_row<FT>& row) const
+  {
+    values_.evaluate(value, row.begin(), row.end());
+  }
+
+  // g leads to the new vertex of the edge of n = next(h); so do other new half-edges inside the face
+  void set_behind(Index g, Index h, Index n, Entry_row<FT>& row) const
+  {
+    const bool is_first =
+      (n & 1u) == 0; // in one order on both sides of the edge, for the same bits
+    row.clear();
+    row.add(is_first ? h : n, FT(1) / FT(2));
+    row.add(is_first ? n : h, FT(1) / FT(2));
+    set(g, row);
+    // round the new vertex, to the other half of the edge
+    for (Index x = child_.next_around_target(g);
+         x != g && child_.face(x) != null && is_inside(x, g); x = child_.next_around_target(x))
+      values_.copy(g, x);
+  }
+  bool is_inside(Index x, Index g) const
+  {
+    return host_.parent_of_face(child_.face(x)).index == host_.parent_of_face(child_.face(g)).index;
+  }
+
+  void set_middle(Index g, Index h, Index& in_middle, Entry_row<FT>& row) const
+  {
+    if (in_middle != null) return values_.copy(in_middle, g);
+    in_middle = g;
+    const FT weight = FT(1) / FT(int(level_.degree(h)));
+    row.clear();
+    for (const Index x : halfedges_around_face(level_, h)) row.add(x, weight);
+    set(g, row);
+  }
+
+  const Host& host_;
+  const Level_connectivity& level_;
+  const Level_connectivity& child_;
+  const Edge_split split_;
+  Row_values<FT>& values_;
 };
 
 // The attributes of a call, read from the mesh and its maps before the first round.

@@ -18,6 +18,7 @@
 #include <CGAL/assertions.h>
 
 #include <boost/property_map/property_map.hpp>
+#include <boost/type_traits/is_detected.hpp>
 
 #include <any>
 #include <cstddef>
@@ -140,8 +141,13 @@ private:
 // \name Conversions
 // between the numbers of an element and its values in the store, which are one, or several next to each other
 
+template <class T>
+using Equality_of = decltype(bool(std::declval<const T&>() == std::declval<const T&>()));
+template <class T>
+using Has_equality = boost::is_detected<Equality_of, T>;
+
 // the components of each value as numbers FT, or one sum of the type that the traits say
-template <class T, class FT, bool is_of_corners>
+template <class T, class FT>
 struct Averaged
 {
   using Traits = Attribute_traits<T, FT>;
@@ -157,7 +163,7 @@ struct Averaged
   }
   static bool are_equal([[maybe_unused]] const T& a, [[maybe_unused]] const T& b)
   {
-    if constexpr (is_of_corners)
+    if constexpr (Has_equality<T>::value) // of corners
       return a == b;
     else
       return false;

@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CREASE_ROWS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CREASE_ROWS_H
 
+#include <CGAL/PN_subdivision_3/internal/attributes/Attribute_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_rules.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
@@ -22,8 +23,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
 
@@ -220,6 +223,99 @@ private:
   std::optional<Corner_slots<FT>> slots_;
   std::optional<Slot_shares<FT, Mask>> shares_;
   Row row_, blended_;
+};
+
+// The values of corners in charts that are cut: a value for every slot, by the rows of the level cut open.
+template <class FT>
+class Smooth_corners
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  Smooth_corners(Row_values<FT>& values, Charts<FT>&& charts)
+    : values_(values)
+    , creases_(std::move(charts.creases()))
+    , rules_(std::make_shared<const Chart_rules>(std::move(charts.rules())))
+  {}
+  // the corners of a part, whose creases are given
+  Smooth_corners(Row_values<FT>& values, Creases<FT>&& creases, const Smooth_corners& whole)
+    : values_(values)
+    , creases_(std::move(creases))
+    , rules_(whole.rules_)
+  {}
+
+  const Creases<FT>& creases() const { return creases_; }
+
+  // Takes the rows of the vertices of the level, and finds out where the charts need other rows: where a row reads a
+  // vertex on a seam or crease.
+  void begin_round(const Level_connectivity& level, Index number_of_new_vertices, bool takes_rows)
+  {
+    is_special_.assign(level.number_of_vertices(), takes_rows ? 0 : 1);
+    for (const Crease_star& star : creases_.stars) is_special_[star.vertex] = 1;
+    needs_own_row_.assign(number_of_new_vertices, takes_rows ? 0 : 1);
+    refined_.emplace(creases_, level, number_of_new_vertices);
+    values_.begin_round(refined_->creases.number_of_slots);
+  }
+  void evaluate(Index first, const Stencil_block<FT>& rows)
+  {
+    values_.evaluate(first, rows);
+    for (std::size_t r = 0; r < rows.number_of_rows(); ++r) {
+      char special = 0;
+      for (const auto* e = rows.begin(r); e != rows.end(r); ++e) special |= is_special_[e->vertex];
+      needs_own_row_[first + r] = special;
+    }
+  }
+
+  // Ends a round. `smooth_mask` is the mask of the uncut level; null if nothing there is less than infinitely sharp.
+  template <class Scheme, class Plain_round, class Mask>
+  void end_round(const Scheme& scheme, const Plain_round& round, const Level_connectivity& level,
+                 const Mask* smooth_mask, const For_chunks& for_chunks)
+  {
+    const Cut_copy<FT> cut(level, creases_);
+    const Mask mask = scheme.template mask<FT>(cut.connectivity(), round.number());
+    evaluate_own_rows(round.host(), mask, for_chunks);
+    Crease_rows<FT, Mask> rows(level, cut, creases_, *refined_, mask, smooth_mask, rules_.get());
+    rows.for_each([&](Index slot, const Entry_row<FT>& row) {
+      values_.evaluate(slot, row.begin(), row.end());
+    });
+    values_.end_round();
+    creases_ = std::move(refined_->creases);
+  }
+
+  static void keep_values(Row_values<FT>& values, const std::vector<Index>& vertices)
+  {
+    Entry_row<FT> row;
+    for (const Index v : vertices) {
+      row.clear();
+      row.add(v, FT(1));
+      values.evaluate(v, row.begin(), row.end());
+    }
+  }
+
+private:
+  template <class Host, class Mask>
+  void evaluate_own_rows(const Host& host, const Mask& mask, const For_chunks& for_chunks) const
+  {
+    for_chunks.in_precision<FT>(static_cast<Index>(needs_own_row_.size()),
+                                [&](Index begin, Index end) {
+                                  Stencil_block<FT> row;
+                                  for (Index v = begin; v < end; ++v) {
+                                    if (needs_own_row_[v] == 0) continue;
+                                    row.clear();
+                                    host.stencil(mask, v, row.row());
+                                    row.close_row();
+                                    values_.evaluate(v, row);
+                                  }
+                                });
+  }
+
+  Row_values<FT>& values_;
+  Creases<FT> creases_;
+  std::shared_ptr<const Chart_rules> rules_;
+  // of a round
+  std::vector<char> is_special_;    // old vertices on seams and creases
+  std::vector<char> needs_own_row_; // new vertices whose row reads a special one
+  std::optional<Refined_creases<FT>> refined_;
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

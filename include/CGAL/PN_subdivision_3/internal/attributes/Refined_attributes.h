@@ -19,12 +19,13 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
-#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Level_origins.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
 #ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
-#  include <CGAL/PN_subdivision_3/internal/attributes/compiled_attributes.h>
+#  include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
+#  include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
 #endif
 
 #include <any>
@@ -351,6 +352,33 @@ private:
   std::vector<std::any> lists_; // of the values of each attribute, or a table
   std::size_t memory_ = 0;
 };
+
+// The rounds of attributes of double, see meshes/compiled_levels.h.
+#ifdef CGAL_PN_SUBDIVISION_3_DOUBLE
+#  define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, SCHEME, CREASES)                      \
+    EXTERN template void Attribute_rounds<double>::begin_round(                                    \
+      const compiled_once::SCHEME&,                                                                \
+      const Crease_round<compiled_once::SCHEME, compiled_once::Average<compiled_once::SCHEME>,     \
+                         CREASES>&,                                                                \
+      const Level_connectivity&, const CREASES&, Kind_of_round);
+#  define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, SCHEME)                              \
+    CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, SCHEME, No_creases)                         \
+    CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, SCHEME, Creases<double>)
+#  define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_OF_ALL(EXTERN)                                          \
+    EXTERN template class Rows<double, Number_values<double>>;                                     \
+    EXTERN template class Rows<double, Label_values<double>>;                                      \
+    EXTERN template class Attribute_rounds<double>;                                                \
+    CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, Any_of_quads)                              \
+    CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, Any_of_triangles)                          \
+    CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, Linear_of_quads)                           \
+    CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ON_CREASES(EXTERN, Linear_of_triangles)                       \
+    CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, Any_of_corners, No_creases)                 \
+    CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, Any_of_sqrt3, No_creases)                   \
+    CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, Linear_of_corners, No_creases)              \
+    CGAL_PN_SUBDIVISION_3_ATTRIBUTES_IN_ROUNDS(EXTERN, Linear_of_sqrt3, No_creases)
+
+CGAL_PN_SUBDIVISION_3_ATTRIBUTES_OF_ALL(extern)
+#endif
 
 } // namespace CGAL::PN_subdivision_3::internal
 

@@ -18,7 +18,6 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
-#include <CGAL/PN_subdivision_3/internal/rows/Level_origins.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/parameters/Default_visitor.h>
 
@@ -42,10 +41,6 @@ template <class T>
 using Sum_of = decltype(T(std::declval<const T&>() + std::declval<const T&>()));
 template <class T>
 using Has_sum = boost::is_detected<Sum_of, T>;
-template <class T>
-using Equality_of = decltype(bool(std::declval<const T&>() == std::declval<const T&>()));
-template <class T>
-using Has_equality = boost::is_detected<Equality_of, T>;
 
 // whether averages of values of an attribute can be computed in FT
 template <class T, class FT>
@@ -126,16 +121,15 @@ std::unique_ptr<Row_values<FT>> rows_of_map(const Access& access, const Level_co
     using Traits = Attribute_traits<T, FT>;
     using Kind =
       std::conditional_t<Traits::has_components, Number_values<FT>, Sum_values<FT, Traits>>;
-    using Conversion = Averaged<T, FT, std::is_same_v<Keys, Halfedge_of_mesh>>;
-    return std::make_unique<Rows<FT, Kind>>(column_of_map<Keys, Conversion>(access, level, map),
-                                            rule == Attribute_rule::direction);
+    return std::make_unique<Rows<FT, Kind>>(
+      column_of_map<Keys, Averaged<T, FT>>(access, level, map), rule == Attribute_rule::direction);
   }
 }
 
 // What attributes() takes. Each adds itself to a list of the attributes of the call.
 
-template <class Map, class Rule>
-struct Vertex_attribute_by
+template <class Map, class Rule = Rule_of_type>
+struct Vertex_attribute
 {
   using Keys = Vertex_of_mesh;
 
@@ -152,15 +146,6 @@ struct Vertex_attribute_by
   }
   Map map;
 };
-template <class Map>
-struct Vertex_attribute : Vertex_attribute_by<Map, Rule_of_type>
-{};
-template <class Map>
-struct Nearest_attribute : Vertex_attribute_by<Map, Given_rule<Attribute_rule::nearest>>
-{};
-template <class Map>
-struct Direction_attribute : Vertex_attribute_by<Map, Given_rule<Attribute_rule::direction>>
-{};
 
 template <class Map>
 struct Corner_attribute
@@ -198,21 +183,16 @@ struct Item_without_rows
 };
 
 template <class Map>
-struct Edge_attribute : Item_without_rows<Map, Edge_of_mesh, Copied, &Columns_of_call::edges>
-{};
+using Edge_attribute = Item_without_rows<Map, Edge_of_mesh, Copied, &Columns_of_call::edges>;
 template <class Map>
-struct Face_attribute : Item_without_rows<Map, Face_of_mesh, Copied, &Columns_of_call::faces>
-{};
+using Face_attribute = Item_without_rows<Map, Face_of_mesh, Copied, &Columns_of_call::faces>;
 template <class Map>
-struct Face_parents : Item_without_rows<Map, Face_of_mesh, Parent, &Columns_of_call::face_origins>
-{};
+using Face_parents = Item_without_rows<Map, Face_of_mesh, Parent, &Columns_of_call::face_origins>;
 template <class Map>
-struct Vertex_parents
-  : Item_without_rows<Map, Vertex_of_mesh, Parent, &Columns_of_call::vertex_origins>
-{};
+using Vertex_parents =
+  Item_without_rows<Map, Vertex_of_mesh, Parent, &Columns_of_call::vertex_origins>;
 template <class Map>
-struct Edge_parents : Item_without_rows<Map, Edge_of_mesh, Parent, &Columns_of_call::edge_origins>
-{};
+using Edge_parents = Item_without_rows<Map, Edge_of_mesh, Parent, &Columns_of_call::edge_origins>;
 
 // the result of attributes()
 template <class... Items>
@@ -285,12 +265,12 @@ read_attributes(const Access& access, const Level_connectivity& level, Table& ta
         column(Copied<double>(), array, n, "vertices")));
     else
       c.vertices.push_back(
-        std::make_unique<Numbers>(column(Averaged<double, FT, false>(), array, n, "vertices"),
+        std::make_unique<Numbers>(column(Averaged<double, FT>(), array, n, "vertices"),
                                   array.rule_of_vertices == Attribute_rule::direction));
   }
   for (auto& array : table.corners) {
-    c.corners.push_back(std::make_unique<Numbers>(column(
-      Averaged<double, FT, true>(), array, level.number_of_halfedges(), corners_in_messages)));
+    c.corners.push_back(std::make_unique<Numbers>(
+      column(Averaged<double, FT>(), array, level.number_of_halfedges(), corners_in_messages)));
     c.corner_rules.push_back(array.rule);
   }
   for (auto& array : table.edges)
@@ -322,37 +302,6 @@ bool has_seam(const Access&, const Level_connectivity& level, const Attribute_ar
                       array.values.begin() + std::ptrdiff_t(g * d));
   });
 }
-
-// The first control face at an origin, that is the one with the least number at an edge or a vertex. Where
-// faces come from faces only, nothing is stored.
-class Control_faces
-{
-public:
-  using Index = Level_connectivity::Index;
-
-  Control_faces() = default;
-  explicit Control_faces(const Level_connectivity& level)
-    : of_edge_(level.number_of_edges(), Level_connectivity::null)
-    , of_vertex_(level.number_of_vertices(), Level_connectivity::null)
-  {
-    for (Index h = 0; h < level.number_of_halfedges(); ++h) {
-      if (level.is_border(h)) continue;
-      const Index f = level.face(h);
-      for (Index* first : {&of_edge_[Level_connectivity::edge(h)], &of_vertex_[level.target(h)]})
-        *first = (std::min)(*first, f); // null is the largest
-    }
-  }
-
-  Index operator()(const Origin& origin) const
-  {
-    if (origin.kind == Origin::Kind::face) return origin.index;
-    const std::vector<Index>& faces = origin.kind == Origin::Kind::edge ? of_edge_ : of_vertex_;
-    return faces.empty() ? Level_connectivity::null : faces[origin.index];
-  }
-
-private:
-  std::vector<Index> of_edge_, of_vertex_;
-};
 
 } // namespace CGAL::PN_subdivision_3::internal
 

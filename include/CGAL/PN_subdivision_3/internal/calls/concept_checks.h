@@ -243,11 +243,11 @@ using Geom_traits_of_call = typename Surface_parameters<
   Mesh, std::conditional_t<are_named_parameters_v<NamedParameters>, NamedParameters,
                            parameters::Default_named_parameters>>::Geom_traits;
 
-template <class Mesh, class Item>
+template <class Mesh, class Item, class = void>
 constexpr bool is_attribute_of_v = false;
-template <class Mesh, template <class> class Item, class Map>
-inline constexpr bool is_attribute_of_v<Mesh, Item<Map>> =
-  is_property_map_of_v<Map, typename Item<Map>::Keys::template Descriptor<Mesh>>;
+template <class Mesh, class Item>
+inline constexpr bool is_attribute_of_v<Mesh, Item, std::void_t<typename Item::Keys>> =
+  is_property_map_of_v<decltype(Item::map), typename Item::Keys::template Descriptor<Mesh>>;
 
 template <class Mesh, class Attributes>
 constexpr bool are_attributes_of_v = true;

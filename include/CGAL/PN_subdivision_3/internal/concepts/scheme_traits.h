@@ -59,6 +59,9 @@ template <class Scheme>
 using Linearity_of = std::bool_constant<Scheme::is_linear>;
 template <class Scheme>
 using Is_linear = boost::detected_or_t<std::false_type, Linearity_of, Scheme>;
+// whether points are averaged together with normals
+template <class Scheme>
+constexpr bool is_pn_v = !Is_linear<Scheme>::value;
 
 // whether the scheme says that the normals have a mask of their own
 template <class Scheme>

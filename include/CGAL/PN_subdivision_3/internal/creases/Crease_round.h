@@ -45,6 +45,31 @@ values_of_rows(const Plain_round& round, const std::vector<Level_connectivity::I
   return values;
 }
 
+// Calls f(position, vertex, value) for the vertices of slots with values; the slots of a vertex follow one
+// another. A vertex of several slots has their mean normal.
+template <class Average, class Function>
+void for_each_crease_vertex(
+  const std::vector<std::pair<Level_connectivity::Index, typename Average::Value>>& slot_values,
+  Level_connectivity::Index number_of_vertices, const Function& f)
+{
+  using FT = typename Average::FT;
+  using Value = typename Average::Value;
+  constexpr bool has_normals = has_normal_v<Value>;
+  for (std::size_t i = 0; i < slot_values.size();) {
+    const std::size_t first = i;
+    const auto v = slot_values[i].first;
+    Value value = slot_values[i].second;
+    int wedges = 1;
+    for (++i; i < slot_values.size() && slot_values[i].first >= number_of_vertices; ++i, ++wedges)
+      if constexpr (has_normals) add_multiple(value.normal, FT(1), slot_values[i].second.normal);
+    if constexpr (has_normals)
+      if (wedges > 1)
+        name_undecided<FT>([&] { value.normal = unit_or_zero(value.normal, FT(wedges)); },
+                           [&] { return "the mean normal of vertex " + std::to_string(v); });
+    f(first, v, value);
+  }
+}
+
 template <class Scheme, class Average>
 class Round_without_fractions;
 

@@ -12,7 +12,6 @@
 #include <CGAL/Iterator_range.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
-#include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
@@ -201,19 +200,6 @@ struct Creases
     stars.push_back(star);
   }
 
-  // Adds the star of other creases with another sharpness, and with the ends here that push_end(end) adds for the ends there.
-  // Returns the number of the star, or null if nothing is sharp there any more.
-  template <class Push_end>
-  Index add_star_of(const Creases& others, const Crease_star& star, double sharpness,
-                    const Push_end& push_end)
-  {
-    const auto first_end = static_cast<Index>(ends.size());
-    for (const Crease_halfedge& e : others.ends_of(star)) push_end(e);
-    if (ends.size() == first_end && !(sharpness > 0)) return Level_connectivity::null;
-    add_star({star.vertex, sharpness, star.is_border}, first_end);
-    return static_cast<Index>(stars.size() - 1);
-  }
-
 private:
   template <class T>
   static const T* find(const std::vector<T>& sorted, Index i, Index T::*number)
@@ -322,98 +308,6 @@ void for_each_extra_corner(const Level_connectivity& level, const Creases<FT>& c
                            const Function& f)
 {
   for (const Crease_star& star : creases.stars) for_each_extra_corner(level, creases, star, f);
-}
-
-// The creases of the refined level, without their tangents, and where the creases of the old level are among them.
-template <class FT>
-struct Refined_creases
-{
-  using Index = Level_connectivity::Index;
-  static constexpr Index null = Level_connectivity::null;
-
-  Creases<FT> creases;
-  std::vector<Index> rank;   // of an old crease edge among the edges that remain, or null
-  std::vector<Index> star;   // the new star of an old star, or null where nothing is sharp any more
-  Index number_of_edges = 0; // old crease edges that remain
-  Index first_edge_star = 0; // from here on the stars of new vertices on edges, by the edges' rank
-
-  Refined_creases(const Creases<FT>& old, const Level_connectivity& level, Index refined_vertices)
-    : creases(refined_vertices)
-  {
-    const Edge_split split(level);
-    creases.has_fixed_border = old.has_fixed_border;
-    for (const Crease_edge<FT>& e : old.edges)
-      rank.push_back(refined_sharpness(e.sharpness) > 0 ? number_of_edges++ : null);
-    creases.edges.resize(2 * std::size_t(number_of_edges));
-    for (std::size_t i = 0; i < rank.size(); ++i)
-      if (rank[i] != null) set_halves(old.edges[i], rank[i], split);
-    for (const Crease_star& s : old.stars) refine_star(old, s);
-    first_edge_star = static_cast<Index>(creases.stars.size());
-    for (std::size_t i = 0; i < rank.size(); ++i)
-      if (rank[i] != null) add_edge_star(old.edges[i], rank[i], split);
-  }
-
-  // the halves of the edge of rank r: at the source of its half-edge of this side, and at the target
-  Index first_half(Index r, Index side) const { return side == 0 ? r : number_of_edges + r; }
-  Index second_half(Index r, Index side) const { return first_half(r, 1 - side); }
-
-private:
-  void set_halves(const Crease_edge<FT>& old, Index r, const Edge_split& split)
-  {
-    Crease_edge<FT> half = old;
-    half.sharpness = refined_sharpness(old.sharpness);
-    for (const Index h : {split.first_half(2 * old.edge), split.second_half(2 * old.edge)}) {
-      half.edge = Level_connectivity::edge(h);
-      creases.edges[half.edge == old.edge ? r : number_of_edges + r] = half;
-    }
-  }
-
-  void refine_star(const Creases<FT>& old, const Crease_star& s)
-  {
-    star.push_back(
-      creases.add_star_of(old, s, refined_sharpness(s.sharpness), [&](const Crease_halfedge& e) {
-        if (rank[e.crease] != null)
-          creases.ends.push_back({second_half(rank[e.crease], e.side), e.side});
-      }));
-  }
-
-  void add_edge_star(const Crease_edge<FT>& e, Index r, const Edge_split& split)
-  {
-    const auto first_end = static_cast<Index>(creases.ends.size());
-    const bool is_border = e.is_border();
-    // the end that has no face before it comes first
-    const Index first_side = is_border ? 1 - e.border_side : 0;
-    for (const Index side : {first_side, 1 - first_side})
-      creases.ends.push_back({first_half(r, side), side});
-    const bool is_corner = is_border && creases.has_fixed_border;
-    creases.add_star({split.edge_vertex(2 * e.edge), is_corner ? infinite_sharpness : 0, is_border},
-                     first_end);
-  }
-};
-
-// Calls f(position, vertex, value) for the vertices of slots with values; the slots of a vertex follow one
-// another. A vertex of several slots has their mean normal.
-template <class Average, class Function>
-void for_each_crease_vertex(
-  const std::vector<std::pair<Level_connectivity::Index, typename Average::Value>>& slot_values,
-  Level_connectivity::Index number_of_vertices, const Function& f)
-{
-  using FT = typename Average::FT;
-  using Value = typename Average::Value;
-  constexpr bool has_normals = has_normal_v<Value>;
-  for (std::size_t i = 0; i < slot_values.size();) {
-    const std::size_t first = i;
-    const auto v = slot_values[i].first;
-    Value value = slot_values[i].second;
-    int wedges = 1;
-    for (++i; i < slot_values.size() && slot_values[i].first >= number_of_vertices; ++i, ++wedges)
-      if constexpr (has_normals) add_multiple(value.normal, FT(1), slot_values[i].second.normal);
-    if constexpr (has_normals)
-      if (wedges > 1)
-        name_undecided<FT>([&] { value.normal = unit_or_zero(value.normal, FT(wedges)); },
-                           [&] { return "the mean normal of vertex " + std::to_string(v); });
-    f(first, v, value);
-  }
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

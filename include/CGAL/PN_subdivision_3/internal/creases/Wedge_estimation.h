@@ -31,43 +31,6 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// The wedges of a level, with area normals: sectors that are whole vertices of the level cut open.
-template <class FT>
-class Wedge_sectors : public Vertex_sectors
-{
-public:
-  using Vector = Coordinates<FT, 3>;
-
-  Wedge_sectors(const Level_connectivity& level, std::vector<bool> is_at_crease)
-    : Vertex_sectors(level)
-    , is_at_crease_(std::move(is_at_crease))
-  {}
-
-  template <class Point_of>
-  void add_area_normals(const Level_connectivity& level, const Point_of& point)
-  {
-    std::vector<Area_sum> sums(is_at_crease_.size());
-    const Scaled_differences<FT, Point_of> difference(level, point);
-    add_areas(level, *this, difference, [&](Index slot) -> Area_sum& { return sums[slot]; });
-    for (const Area_sum& sum : sums) {
-      const auto n = sum.unit();
-      area_normals_.push_back({FT(n[0]), FT(n[1]), FT(n[2])});
-    }
-  }
-
-  bool is_at_crease(Index slot) const { return is_at_crease_[slot]; }
-  Vector& area_normal(Index slot) { return area_normals_[slot]; }
-  const Vector& area_normal(Index slot) const { return area_normals_[slot]; }
-  Coordinates<double, 3> own_normal(Index slot) const
-  {
-    return to_double_3<FT>(area_normals_[slot]);
-  }
-
-private:
-  const std::vector<bool> is_at_crease_;
-  std::vector<Vector> area_normals_;
-};
-
 // Where a plane joins a bend beside a crease the wedge has the area normal, as whole vertices have it
 // in Coherent_estimation. Wedge normals and area normals are orthogonal to the tangents of the creases.
 template <class FT>
@@ -79,10 +42,9 @@ public:
   using Vector = Coordinates<FT, 3>;
 
   // values[slot] has the point and, when joints are made, the normal that arcs ask for
-  Wedge_joints(const Level_connectivity& cut, const Wedge_sectors<FT>& sectors,
-               std::vector<Value>& values)
+  Wedge_joints(const Level_connectivity& cut, const Wedges<FT>& wedges, std::vector<Value>& values)
     : cut_(cut)
-    , sectors_(sectors)
+    , wedges_(wedges)
     , values_(values)
   {}
 
@@ -90,8 +52,8 @@ public:
   {
     std::vector<std::pair<Index, Vector>> changed;
     for (Index slot = 0; slot < values_.size(); ++slot) {
-      if (is_given[slot] || !sectors_.is_at_crease(slot) || sectors_.is_empty(slot)) continue;
-      Vector n = sectors_.area_normal(slot);
+      if (is_given[slot] || !wedges_.is_at_crease[slot] || cut_.is_isolated(slot)) continue;
+      Vector n = wedges_.area_normals[slot];
       if (is_zero_not_unit(n)) continue;
       const double share = share_of_reciprocal(slot);
       if (share >= 1) continue;
@@ -105,16 +67,17 @@ public:
 private:
   double share_of_reciprocal(Index slot) const
   {
-    const auto r = to_double_3<FT>(values_[slot].normal), a = sectors_.own_normal(slot);
+    const auto r = to_double_3<FT>(values_[slot].normal),
+               a = to_double_3<FT>(wedges_.area_normals[slot]);
     if (is_zero(r)) return 0;
     Curvature_mismatch m;
     double unit = 0; // of length
-    for_each_halfedge(cut_, fan_of_vertex(cut_, slot), [&](Index h) {
+    for (const Index h : fan_of_vertex(cut_, slot)) {
       const Value &p = values_[slot], &q = values_[cut_.source(h)];
       const auto e = to_double_3<FT>(difference(q.point, p.point));
       const double e_length = length(e);
       const auto other = to_double_3<FT>(q.normal);
-      if (!(e_length > 0) || !std::isfinite(e_length) || is_zero(other)) return;
+      if (!(e_length > 0) || !std::isfinite(e_length) || is_zero(other)) continue;
       if (unit == 0) unit = e_length;
       const auto u = quotient(e, e_length);
       const auto of_other = dot(other, u);
@@ -122,12 +85,12 @@ private:
       const double second = dot(a, u) + of_other;
       const double curvature = unit / e_length;
       m.add(first * first, second * second, curvature * curvature);
-    });
+    }
     return m.share_of_first(vanishing_tolerance<FT>());
   }
 
   const Level_connectivity& cut_;
-  const Wedge_sectors<FT>& sectors_;
+  const Wedges<FT>& wedges_;
   std::vector<Value>& values_;
 };
 
@@ -263,32 +226,33 @@ public:
     make_control_tangents(level_, creases_, values_, is_given_, has_joints);
     if (std::find(is_given_.begin(), is_given_.end(), false) == is_given_.end()) return;
     const Cut_copy<FT> cut(level_, creases_);
-    Wedge_sectors<FT> sectors(cut.connectivity(), slots_at_creases());
+    Wedges<FT> wedges{slots_at_creases(), {}};
     if (has_joints) {
-      sectors.add_area_normals(cut.connectivity(),
-                               [&](Index v) -> const Vector& { return values_[v].point; });
-      strip_all([&](Index slot) -> Vector& { return sectors.area_normal(slot); });
+      wedges.area_normals = area_normals(cut.connectivity());
+      strip_all([&](Index slot) -> Vector& { return wedges.area_normals[slot]; });
     }
-    estimate_normals(cut.connectivity(), sectors);
+    estimate_normals(cut.connectivity(), estimate_, values_, &is_given_, &wedges);
     strip_all([&](Index slot) -> Vector& { return values_[slot].normal; });
     if (!has_joints) return;
-    Wedge_joints<FT>(cut.connectivity(), sectors, values_)(is_given_);
+    Wedge_joints<FT>(cut.connectivity(), wedges, values_)(is_given_);
     const std::vector<double> shares = Crease_roundness<FT>(level_, creases_, values_)();
     for (Index slot = 0; slot < values_.size(); ++slot)
       if (!is_given_[slot]) values_[slot].roundness *= FT(shares[slot]);
   }
 
 private:
-  // in the level cut open every wedge is a vertex, and so a sector
-  void estimate_normals(const Level_connectivity& cut, const Wedge_sectors<FT>& sectors)
+  // in the level cut open every wedge is a vertex
+  std::vector<Vector> area_normals(const Level_connectivity& cut) const
   {
-    internal::estimate_normals<FT>(
-      cut, estimate_, sectors, [&](Index slot) -> const Vector& { return values_[slot].point; },
-      [&](Index slot) -> const Vector* {
-        return is_given_[slot] ? &values_[slot].normal : nullptr;
-      },
-      [&](Index slot, const Vector& n) { values_[slot].normal = n; },
-      Set_roundness_of_value<FT>{values_.data()});
+    std::vector<Area_sum> sums(values_.size());
+    add_areas(cut, Scaled_differences<FT>(cut, values_),
+              [&](Index slot) -> Area_sum& { return sums[slot]; });
+    std::vector<Vector> normals;
+    for (const Area_sum& sum : sums) {
+      const auto n = sum.unit();
+      normals.push_back({FT(n[0]), FT(n[1]), FT(n[2])});
+    }
+    return normals;
   }
 
   using Normal_of = Function_ref<Vector&(Index)>;

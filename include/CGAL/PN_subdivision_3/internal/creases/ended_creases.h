@@ -13,8 +13,8 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
+#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <boost/container/small_vector.hpp>
@@ -247,15 +247,19 @@ struct Creases_without_fractions
 
   // `level` is whole
   Creases_without_fractions(const Level_connectivity& level, const Creases<FT>& old)
-    : creases(level.number_of_vertices())
-    , number_of_vertices_(level.number_of_vertices())
+    : number_of_vertices_(level.number_of_vertices())
   {
-    creases.has_fixed_border = old.has_fixed_border;
-    for (const Crease_edge<FT>& e : old.edges) {
-      rank_.push_back(static_cast<Index>(creases.edges.size()));
-      if (!is_fraction(e.sharpness)) creases.edges.push_back(e);
+    const auto lasting = [](const auto* s) {
+      return s == nullptr || is_fraction(s->sharpness) ? nullptr : s;
+    };
+    creases = creases_among<FT>(
+      old, level, [&](Index e) { return lasting(old.edge_at(e)); },
+      [&](Index v) { return lasting(old.star_at(v)); });
+    for (const Crease_star& star : old.stars) {
+      const Crease_star* const lasts = creases.star_at(star.vertex);
+      star_.push_back(lasts == nullptr ? Level_connectivity::null
+                                       : static_cast<Index>(lasts - creases.stars.data()));
     }
-    for (const Crease_star& star : old.stars) add_star(old, star);
     take_tangents(old);
     find_reach(level, old);
   }
@@ -312,14 +316,6 @@ private:
     return star_[i] == Level_connectivity::null ? star.vertex : creases.stars[star_[i]].slot(wedge);
   }
 
-  void add_star(const Creases<FT>& old, const Crease_star& star)
-  {
-    const double sharpness = is_fraction(star.sharpness) ? 0 : star.sharpness;
-    star_.push_back(creases.add_star_of(old, star, sharpness, [&](const Crease_halfedge& e) {
-      if (!is_fraction(old.edge(e).sharpness)) creases.ends.push_back({rank_[e.crease], e.side});
-    }));
-  }
-
   void find_reach(const Level_connectivity& level, const Creases<FT>& old)
   {
     reach.assign(creases.number_of_slots, 1);
@@ -334,7 +330,6 @@ private:
   }
 
   Index number_of_vertices_;
-  std::vector<Index> rank_; // of the old edges among the remaining edges
   std::vector<Index> star_; // of the old stars, or null
 };
 

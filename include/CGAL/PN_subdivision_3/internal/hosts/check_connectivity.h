@@ -200,9 +200,8 @@ extern template void check_connectivity(Level_connectivity&, const Element_names
 
 // What a scheme refuses in a control mesh, by the name of the element.
 
-template <class Element_names>
-void check_face_degrees(const Level_connectivity& level, const Element_names& names,
-                        Level_connectivity::Index degree, const char* advice)
+inline void check_face_degrees(const Level_connectivity& level, const Element_names& names,
+                               Level_connectivity::Index degree, const char* advice)
 {
   if (level.uniform_degree() == degree) return;
   for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f) {
@@ -214,14 +213,12 @@ void check_face_degrees(const Level_connectivity& level, const Element_names& na
   }
 }
 
-template <class Element_names>
-void check_triangles(const Level_connectivity& level, const Element_names& names)
+inline void check_triangles(const Level_connectivity& level, const Element_names& names)
 {
   check_face_degrees(level, names, 3, "triangles only; triangulate the mesh");
 }
 
-template <class Element_names>
-void check_quadrilaterals(const Level_connectivity& level, const Element_names& names)
+inline void check_quadrilaterals(const Level_connectivity& level, const Element_names& names)
 {
   check_face_degrees(level, names, 4,
                      "quadrilaterals only; apply one round of Catmull-Clark first");
@@ -229,8 +226,7 @@ void check_quadrilaterals(const Level_connectivity& level, const Element_names& 
 
 // The interpolatory schemes have no rule for an interior vertex of valence 2, and Doo-Sabin would make a face
 // with two corners of it, which is no face of a polygon mesh.
-template <class Element_names>
-void check_interior_valences(const Level_connectivity& level, const Element_names& names)
+inline void check_interior_valences(const Level_connectivity& level, const Element_names& names)
 {
   for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v) {
     const auto h = level.halfedge_of_vertex(v);

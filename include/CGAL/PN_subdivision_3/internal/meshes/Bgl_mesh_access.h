@@ -85,6 +85,63 @@ struct Recycling_pause
   bool recycles = false;
 };
 
+// Copies the connectivity of a mesh, the elements of which have the numbers that the access gives
+// them, and the functions give back. Those that do not belong to the mesh have invalid numbers.
+template <class Access, class Graph, class Vertex_number, class Halfedge_number, class Face_number>
+void read_connectivity(const Access& access, const Graph& graph, const Vertex_number& vertex_number,
+                       const Halfedge_number& halfedge_number, const Face_number& face_number,
+                       Level_connectivity& level)
+{
+  using Traits = boost::graph_traits<Graph>;
+  using Index = Level_connectivity::Index;
+  const Index vertices = static_cast<Index>(access.size().vertices);
+  const Index halfedges = static_cast<Index>(2 * access.size().edges);
+  const Index faces = static_cast<Index>(access.size().faces);
+  for (Index h = 0; h < halfedges; ++h) {
+    const auto d = access.halfedge_at(h);
+    level.set_target(h, vertex_number(target(d, graph)));
+    level.set_next(h, halfedge_number(next(d, graph)));
+    const auto f = face(d, graph);
+    if (f == Traits::null_face())
+      level.set_border(h);
+    else // null would be the border
+      level.set_face(h, (std::min)(face_number(f), faces));
+  }
+  for (Index v = 0; v < vertices; ++v) {
+    const auto h = halfedge(access.vertex(v), graph);
+    if (h == Traits::null_halfedge())
+      level.set_isolated(v);
+    else // null would be a vertex without edges
+      level.set_halfedge_of_vertex(v, (std::min)(halfedge_number(h), halfedges));
+  }
+  for (Index f = 0; f < faces; ++f)
+    level.set_halfedge_of_face(f, halfedge_number(halfedge(access.face_at(f), graph)));
+}
+
+// gives a mesh that has grown the connectivity of the level
+template <class Access, class Graph, class For_chunks>
+void write_connectivity(const Access& access, Graph& graph, const Level_connectivity& level,
+                        const For_chunks& for_chunks)
+{
+  using Traits = boost::graph_traits<Graph>;
+  using Index = Level_connectivity::Index;
+  for_each_index(for_chunks, level.number_of_edges(), [&](Index e) {
+    for (const Index h : {2 * e, 2 * e + 1}) {
+      const auto d = access.halfedge_at(h);
+      set_target(d, access.vertex(level.target(h)), graph);
+      set_next(d, access.halfedge_at(level.next(h)), graph);
+      set_face(d, level.is_border(h) ? Traits::null_face() : access.face_at(level.face(h)), graph);
+    }
+  });
+  for_each_index(for_chunks, level.number_of_vertices(), [&](Index v) {
+    if (!level.is_isolated(v))
+      set_halfedge(access.vertex(v), access.halfedge_at(level.halfedge_of_vertex(v)), graph);
+  });
+  for_each_index(for_chunks, level.number_of_faces(), [&](Index f) {
+    set_halfedge(access.face_at(f), access.halfedge_at(level.halfedge_of_face(f)), graph);
+  });
+}
+
 // Any MutableFaceGraph through BGL. Elements are numbered in the order of iteration; the elements
 // that grow() adds follow.
 template <class Graph>
@@ -124,7 +181,10 @@ public:
 
   Level_size size() const { return old_size_; }
   Vertex vertex(Index v) const { return vertices_[v]; }
-  Halfedge halfedge_at(Index h) const { return halfedge_descriptor(h); }
+  Halfedge halfedge_at(Index h) const
+  {
+    return (h & 1u) == 0 ? edges_[h >> 1] : opposite(edges_[h >> 1], graph_);
+  }
   typename Traits::edge_descriptor edge_at(Index e) const { return edge(edges_[e], graph_); }
   Face face_at(Index f) const { return faces_[f]; }
 
@@ -134,32 +194,23 @@ public:
   }
   std::string halfedge_name(Index h) const override
   {
-    return element_name("half-edge", halfedge_descriptor(h), h);
+    return element_name("half-edge", halfedge_at(h), h);
   }
   std::string face_name(Index f) const override { return element_name("face", faces_[f], f); }
 
-  // copies the connectivity; an element that does not belong to the mesh becomes an invalid index
+  // an element that does not belong to the mesh becomes an invalid index
   void read(Level_connectivity& level) const
   {
     std::unordered_map<Vertex, Index> vertex_index;
     std::unordered_map<Halfedge, Index> halfedge_index;
     std::unordered_map<Face, Index> face_index;
     fill_index(vertex_index, vertices_.size(), [&](Index v) { return vertices_[v]; });
-    fill_index(halfedge_index, 2 * edges_.size(), [&](Index h) { return halfedge_descriptor(h); });
+    fill_index(halfedge_index, 2 * edges_.size(), [&](Index h) { return halfedge_at(h); });
     fill_index(face_index, faces_.size(), [&](Index f) { return faces_[f]; });
-    for (Index h = 0; h < 2 * edges_.size(); ++h) {
-      const Halfedge d = halfedge_descriptor(h);
-      level.set_target(h, find(vertex_index, target(d, graph_)));
-      level.set_next(h, find(halfedge_index, next(d, graph_)));
-      const Face f = face(d, graph_);
-      if (f == Traits::null_face())
-        level.set_border(h);
-      else // null would be the border
-        level.set_face(h, (std::min)(find(face_index, f), static_cast<Index>(faces_.size())));
-    }
-    for (Index v = 0; v < vertices_.size(); ++v) read_halfedge_of_vertex(v, halfedge_index, level);
-    for (Index f = 0; f < faces_.size(); ++f)
-      level.set_halfedge_of_face(f, find(halfedge_index, halfedge(faces_[f], graph_)));
+    read_connectivity(
+      *this, graph_, [&](Vertex v) { return find(vertex_index, v); },
+      [&](Halfedge h) { return find(halfedge_index, h); },
+      [&](Face f) { return find(face_index, f); }, level);
   }
 
   // adds unconnected elements behind all others, removed ones included; what was added before an
@@ -207,38 +258,13 @@ public:
   template <class For_chunks>
   void write(const Level_connectivity& level, const For_chunks& for_chunks)
   {
-    for_chunks(level.number_of_edges(), [&](Index begin, Index end) {
-      for (Index h = 2 * begin; h < 2 * end; ++h) {
-        const Halfedge d = halfedge_descriptor(h);
-        set_target(d, vertices_[level.target(h)], graph_);
-        set_next(d, halfedge_descriptor(level.next(h)), graph_);
-        set_face(d, level.is_border(h) ? Traits::null_face() : faces_[level.face(h)], graph_);
-      }
-    });
-    for_each_index(for_chunks, level.number_of_vertices(), [&](Index v) {
-      if (!level.is_isolated(v))
-        set_halfedge(vertices_[v], halfedge_descriptor(level.halfedge_of_vertex(v)), graph_);
-    });
-    for_each_index(for_chunks, level.number_of_faces(), [&](Index f) {
-      set_halfedge(faces_[f], halfedge_descriptor(level.halfedge_of_face(f)), graph_);
-    });
+    write_connectivity(*this, graph_, level, for_chunks);
     if constexpr (Mesh_traits::has_adjust_outgoing_halfedge)
       for (Vertex v : vertices_)
         if (halfedge(v, graph_) != Traits::null_halfedge()) graph_.adjust_outgoing_halfedge(v);
   }
 
 private:
-  template <class Map>
-  void read_halfedge_of_vertex(Index v, const Map& halfedge_index, Level_connectivity& level) const
-  {
-    const Halfedge h = halfedge(vertices_[v], graph_);
-    if (h == Traits::null_halfedge())
-      level.set_isolated(v);
-    else // null would be a vertex without edges
-      level.set_halfedge_of_vertex(
-        v, (std::min)(find(halfedge_index, h), static_cast<Index>(2 * edges_.size())));
-  }
-
   // A mesh that keeps its elements in arrays (Surface_mesh, those of OpenMesh) loses the last ones
   // again without a trace and without an exception. Removing them would leave removed places.
   void resize(const Level_size& size)
@@ -254,11 +280,6 @@ private:
       remove_edge(edge(edges_.back(), graph_), graph_);
     for (; vertices_.size() > size.vertices; vertices_.pop_back())
       remove_vertex(vertices_.back(), graph_);
-  }
-
-  Halfedge halfedge_descriptor(Index h) const
-  {
-    return (h & 1u) == 0 ? edges_[h >> 1] : opposite(edges_[h >> 1], graph_);
   }
 
   template <class Map, class Descriptor_of>

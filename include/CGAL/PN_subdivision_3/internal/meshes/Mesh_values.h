@@ -19,7 +19,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
-#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
@@ -120,25 +120,30 @@ public:
   using Index = Level_connectivity::Index;
   using Average = Average_of_scheme<Scheme, FT>;
   using Value = typename Average::Value;
+  using Level_creases = std::conditional_t<may_have_any, Creases<FT>, No_creases>;
 
   Mesh_values(const Scheme& scheme, const Access& access, const Level_connectivity& level,
               Edge_map edge_map, Vertex_map vertex_map)
     : scheme_(scheme)
     , access_(access)
-    , edges_(access, edge_map, level.number_of_edges())
-    , vertices_(access, vertex_map, level.number_of_vertices())
+    , edges_(access, used(edge_map), level.number_of_edges())
+    , vertices_(access, used(vertex_map), level.number_of_vertices())
     , tangents_(access, level, tangent_map(scheme))
   {}
 
   // the creases of a level, without their tangents
-  Creases<FT> creases(const Level_connectivity& level) const
+  Level_creases creases(const Level_connectivity& level) const
   {
-    return Make_creases<FT>(level, Border_of<Scheme>::get(scheme_))(
-      [&](Index e) { return edges_.sharpness(e); },
-      [&](Index v) { return vertices_.sharpness(v); });
+    if constexpr (may_have_any)
+      return Make_creases<FT>(level, Border_of<Scheme>::get(scheme_))(
+        [&](Index e) { return edges_.sharpness(e); },
+        [&](Index v) { return vertices_.sharpness(v); });
+    else
+      return No_creases(level.number_of_vertices());
   }
   // the given tangents
   void read_tangents(Creases<FT>& creases) const { tangents_.read(creases); }
+  void read_tangents(No_creases) const {}
 
   // the values of the slots, and the tangents that are missing
   template <class Point_map, class Normal_map>
@@ -152,11 +157,20 @@ public:
         });
     return values_of_slots(level, points, normals, creases);
   }
+  template <class Point_map, class Normal_map>
+  std::vector<Value> values(const Level_connectivity& level, Point_map points, Normal_map normals,
+                            No_creases) const
+  {
+    auto values = read_values<Average>(access_, level, points, normals, normal_estimate(scheme_));
+    put_given_roundness(scheme_, level.number_of_vertices(), values);
+    return values;
+  }
 
   // the sharpness besides the seams of attributes
   Control_sharpness sharpness(const Level_connectivity& level) const
   {
     Control_sharpness result;
+    if constexpr (!may_have_any) return result;
     result.border = Border_of<Scheme>::get(scheme_);
     for (Index e = 0; e < level.number_of_edges(); ++e) result.edges.push_back(edges_.sharpness(e));
     for (Index v = 0; v < level.number_of_vertices(); ++v)
@@ -183,10 +197,12 @@ public:
     }
     vertices_.put_refined(static_cast<Index>(size.vertices), tagged);
   }
+  void put_sharpness(No_creases, const Level_size&, unsigned) const {}
   void put_tangents(const Creases<FT>& creases, const Level_size& size)
   {
     tangents_.put_refined(creases, static_cast<Index>(size.edges));
   }
+  void put_tangents(No_creases, const Level_size&) const {}
   void commit()
   {
     edges_.commit();
@@ -195,12 +211,24 @@ public:
   }
 
 private:
-  using Tangent_map = std::conditional_t<is_pn_v<Scheme>, Crease_tangent_map<Scheme>, Not_given>;
+  // without creases no map is read
+  template <class Map>
+  using Used_map = std::conditional_t<may_have_any, Map, Not_given>;
+  template <class Map>
+  static Used_map<Map> used([[maybe_unused]] const Map& map)
+  {
+    if constexpr (may_have_any)
+      return map;
+    else
+      return {};
+  }
 
   // a linear scheme has no use for tangents
+  static constexpr bool has_tangents = may_have_any && is_pn_v<Scheme>;
+  using Tangent_map = std::conditional_t<has_tangents, Crease_tangent_map<Scheme>, Not_given>;
   static Tangent_map tangent_map([[maybe_unused]] const Scheme& scheme)
   {
-    if constexpr (is_pn_v<Scheme>)
+    if constexpr (has_tangents)
       return crease_tangents(scheme);
     else
       return {};
@@ -257,45 +285,9 @@ private:
 
   const Scheme& scheme_;
   const Access& access_;
-  Edge_constraints<Access, Edge_map> edges_;
-  Vertex_constraints<Access, Vertex_map> vertices_;
+  Edge_constraints<Access, Used_map<Edge_map>> edges_;
+  Vertex_constraints<Access, Used_map<Vertex_map>> vertices_;
   Crease_tangents<FT, Access, Tangent_map> tangents_;
-};
-
-template <class Scheme, class FT, class Access, class Edge_map, class Vertex_map>
-class Mesh_values<Scheme, FT, Access, Edge_map, Vertex_map, false>
-{
-public:
-  using Index = Level_connectivity::Index;
-  using Average = Average_of_scheme<Scheme, FT>;
-
-  Mesh_values(const Scheme& scheme, const Access& access, const Level_connectivity&, Edge_map,
-              Vertex_map)
-    : scheme_(scheme)
-    , access_(access)
-  {}
-
-  No_creases creases(const Level_connectivity& level) const
-  {
-    return No_creases(level.number_of_vertices());
-  }
-  void read_tangents(No_creases) const {}
-  template <class Point_map, class Normal_map>
-  std::vector<typename Average::Value> values(const Level_connectivity& level, Point_map points,
-                                              Normal_map normals, No_creases) const
-  {
-    auto values = read_values<Average>(access_, level, points, normals, normal_estimate(scheme_));
-    put_given_roundness(scheme_, level.number_of_vertices(), values);
-    return values;
-  }
-  Control_sharpness sharpness(const Level_connectivity&) const { return {}; }
-  void put_sharpness(No_creases, const Level_size&, unsigned) {}
-  void put_tangents(No_creases, const Level_size&) {}
-  void commit() {}
-
-private:
-  const Scheme& scheme_;
-  const Access& access_;
 };
 
 // What functions read of a mesh: its level, checked, what its maps tell, and its creases, which lack their tangents.
@@ -312,8 +304,7 @@ struct Control_mesh
 
   using Maps = Mesh_values<Scheme, FT, Access, Edge_map, Vertex_map,
                            may_have_creases_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>>;
-  using Level_creases =
-    decltype(std::declval<const Maps&>().creases(std::declval<const Level_connectivity&>()));
+  using Level_creases = typename Maps::Level_creases;
 
   Level_connectivity level;
   Maps maps;

@@ -133,23 +133,14 @@ public:
   void read(Level_connectivity& level) const
   {
     const Place_numbers::Inverse vertices(vertices_), edges(edges_), faces(faces_);
-    const auto halfedge = [&](Halfedge h) {
-      const Index e = edges(static_cast<Index>(h) >> 1);
-      return e < edges_.number() ? 2 * e + (static_cast<Index>(h) & 1u) : invalid(h);
-    };
-    for (Index h = 0; h < 2 * edges_.number(); ++h) {
-      const Halfedge d = halfedge_at(h);
-      level.set_target(h, vertices(mesh_.target(d)));
-      level.set_next(h, halfedge(mesh_.next(d)));
-      const Face f = mesh_.face(d);
-      level.set_face(h, f == Mesh::null_face()
-                          ? Level_connectivity::null
-                          : (std::min)(faces(f), static_cast<Index>(faces_.number())));
-    }
-    for (Index v = 0; v < vertices_.number(); ++v)
-      level.set_halfedge_of_vertex(v, halfedge(mesh_.halfedge(vertex(v))));
-    for (Index f = 0; f < faces_.number(); ++f)
-      level.set_halfedge_of_face(f, halfedge(mesh_.halfedge(face_at(f))));
+    read_connectivity(
+      *this, mesh_, vertices,
+      [&](Halfedge h) {
+        const Index e = edges(static_cast<Index>(h) >> 1);
+        return e < edges_.number() ? 2 * e + (static_cast<Index>(h) & 1u)
+                                   : Level_connectivity::null;
+      },
+      faces, level);
   }
 
   // never smaller than before: what the user holds must be there to be put back
@@ -192,19 +183,7 @@ public:
   template <class For_chunks>
   void write(const Level_connectivity& level, const For_chunks& for_chunks)
   {
-    for_each_index(for_chunks, level.number_of_halfedges(), [&](Index h) {
-      const Halfedge d = halfedge_at(h);
-      mesh_.set_target(d, vertex(level.target(h)));
-      mesh_.set_next(d, halfedge_at(level.next(h)));
-      mesh_.set_face(d, level.is_border(h) ? Mesh::null_face() : face_at(level.face(h)));
-    });
-    for_each_index(for_chunks, level.number_of_vertices(), [&](Index v) {
-      if (!level.is_isolated(v))
-        mesh_.set_halfedge(vertex(v), halfedge_at(level.halfedge_of_vertex(v)));
-    });
-    for_each_index(for_chunks, level.number_of_faces(), [&](Index f) {
-      mesh_.set_halfedge(face_at(f), halfedge_at(level.halfedge_of_face(f)));
-    });
+    write_connectivity(*this, mesh_, level, for_chunks);
   }
 
 private:
@@ -222,11 +201,6 @@ private:
     }
   }
 
-  // null stays null, and others are beyond all that are there
-  Index invalid(Halfedge h) const
-  {
-    return h == Mesh::null_halfedge() ? Level_connectivity::null : 2 * edges_.number();
-  }
   // how many numbers have places in the mesh as it is
   static Index number_of_places(std::uint64_t place_count, const Place_numbers& numbers)
   {

@@ -24,47 +24,52 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// Estimates normals and roundness of sectors. A closed fan has the reciprocal normal where this agrees with
+// What is known of the vertices of a level that is cut open along creases.
+template <class FT>
+struct Wedges
+{
+  std::vector<bool> is_at_crease;
+  std::vector<Coordinates<FT, 3>> area_normals; // in which neighbors have no part
+};
+
+// Estimates normals and roundness of vertices. A closed fan has the reciprocal normal where this agrees with
 // the neighbors and the fan is not wide, the area normal elsewhere; an open fan has the normal of
-// Reciprocal_estimation. A sector is round if its fan is not wide, or is regular. Where arcs miss each other it
-// is so only if its edges do not dip far, it is not at a bend beside a sector that is not round, is not
+// Reciprocal_estimation. A vertex is round if its fan is not wide, or is regular. Where arcs miss each other it
+// is so only if its edges do not dip far, it is not at a bend beside a vertex that is not round, is not
 // lifted off a plane, and has no faces over which arcs differ.
-template <class FT, class Sectors, class Point_of>
+template <class FT>
 class Coherent_estimation
 {
 public:
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<double, 3>;
 
-  Coherent_estimation(const Level_connectivity& level, const Sectors& sectors,
-                      const Point_of& point)
+  // normals that are given stay, with their roundness; null: none are given, or there are no creases
+  Coherent_estimation(const Level_connectivity& level, Point_normals<FT>& values,
+                      const std::vector<bool>* is_given, const Wedges<FT>* wedges)
     : level_(level)
-    , sectors_(sectors)
-    , point_(point)
-    , difference_(level, point)
-    , reciprocal_(level, sectors, point)
+    , values_(values)
+    , wedges_(wedges)
+    , difference_(level, values)
+    , reciprocal_(level, values, is_given)
     , estimates_(reciprocal_.estimates())
   {}
 
-  // given(s) points to the given normal of a sector or is null; set_normal(s, n) and set_roundness(s, w)
-  // are called for all other sectors, where the last call of set_roundness() for a sector counts
-  template <class Given, class Set_normal, class Set_roundness>
-  void operator()(const Given& given, const Set_normal& set_normal,
-                  const Set_roundness& set_roundness)
+  void operator()()
   {
-    estimate_separately(given, set_normal);
+    estimate_separately();
     add_area_normals();
     compare_neighbors();
     bool are_round = true;
     for (Index s = 0; s < estimates_.size(); ++s) {
       Estimate& e = estimates_[s];
       if (e.kind == Kind::closed)
-        estimate_closed(s, set_normal);
+        estimate_closed(s);
       else if (e.kind == Kind::open)
         e.roundness = roundness_of(e, regularity_of(s));
       are_round = are_round && e.roundness == 1 && !(e.is_estimated() && e.dips.share() < 1) &&
                   share_of_arcs(s, std::sqrt(e.largest_squared_arc_error())) == 1;
-      if (e.is_estimated()) set_roundness(s, e.roundness);
+      if (e.is_estimated()) values_[s].roundness = e.roundness;
     }
     if (are_round && !is_uneven_) return;
     const std::vector<double> misses = largest_misses();
@@ -83,18 +88,18 @@ public:
       compare_arcs_of_faces(shares);
     }
     for (Index s = 0; s < estimates_.size(); ++s)
-      if (shares[s] < 1 && estimates_[s].is_estimated()) set_roundness(s, roundness(s));
+      if (shares[s] < 1 && estimates_[s].is_estimated()) values_[s].roundness = roundness(s);
   }
 
 private:
   enum class Kind : char { given, empty, open, closed };
 
 public:
-  // What is kept of a sector beside its normal, which is first the reciprocal normal. Members serve for
+  // What is kept of a vertex beside its normal, which is first the reciprocal normal. Members serve for
   // one number after the other: new memory costs more than what is computed here.
   struct More
   {
-    Area_sum area_sum; // the normal of an open sector, then the area, then of length 1 or zero
+    Area_sum area_sum; // the normal of an open vertex, then the area, then of length 1 or zero
     Curvature_mismatch mismatch;
     Dips dips;            // of the edges, below the tangent plane of the normal
     double roundness = 1; // without regard to neighbors
@@ -111,30 +116,28 @@ public:
       return area_sum.rounding;
     } // once the area is of length 1
   };
-  using Reciprocal = Reciprocal_estimation<FT, Sectors, Point_of, More>;
+  using Reciprocal = Reciprocal_estimation<FT, More>;
 
 private:
   using Estimate = typename Reciprocal::Estimate;
 
-  template <class Given, class Set_normal>
-  void estimate_separately(const Given& given, const Set_normal& set_normal)
+  void estimate_separately()
   {
     std::vector<Index> open;
     const auto set_open = [&](Index s, const Coordinates<FT, 3>& n) {
       estimates_[s].area() = to_double_3<FT>(n);
-      estimates_[s].kind = sectors_.is_empty(s) ? Kind::empty : Kind::open;
+      estimates_[s].kind = level_.is_isolated(s) ? Kind::empty : Kind::open;
       open.push_back(s);
-      set_normal(s, n);
+      values_[s].normal = n;
     };
-    reciprocal_.estimate(given, set_open,
-                         [&](Index s, const Fan&, const Inverted_fan<FT>& inverted) {
-                           Estimate& e = estimates_[s];
-                           e.is_reciprocal = e.is_known;
-                           e.is_narrow = is_narrow(e.normal, inverted);
-                           e.roundness = e.is_narrow ? 1 : roundness_of_turn(e.normal, inverted);
-                           e.kind = Kind::closed;
-                           return true;
-                         });
+    reciprocal_.estimate(set_open, [&](Index s, const Inverted_fan<FT>& inverted) {
+      Estimate& e = estimates_[s];
+      e.is_reciprocal = e.is_known;
+      e.is_narrow = is_narrow(e.normal, inverted);
+      e.roundness = e.is_narrow ? 1 : roundness_of_turn(e.normal, inverted);
+      e.kind = Kind::closed;
+      return true;
+    });
     for (Index s : open)
       estimates_[s].normal = std::exchange(estimates_[s].area(), Vector{0, 0, 0});
   }
@@ -142,8 +145,7 @@ private:
   // where the normal or the area normal vanishes, the other one takes its place
   void add_area_normals()
   {
-    add_areas(level_, sectors_, difference_,
-              [&](Index s) -> Area_sum& { return estimates_[s].area_sum; });
+    add_areas(level_, difference_, [&](Index s) -> Area_sum& { return estimates_[s].area_sum; });
     for (Estimate& e : estimates_) {
       e.area() = e.area_sum.unit();
       e.largest_squared_arc_error() = 0;
@@ -153,13 +155,13 @@ private:
     }
   }
 
-  // calls f(s, t, h) for the sectors s and t at the ends of every edge; the half-edge h leads from s to t
+  // calls f(s, t, h) for the vertices s and t at the ends of every edge; the half-edge h leads from s to t
   template <class Function>
   void for_each_edge(const Function& f) const
   {
     for (Index e = 0; e < level_.number_of_edges(); ++e) {
       const Index h = level_.is_border(2 * e) ? 2 * e + 1 : 2 * e;
-      if (!level_.is_border(h)) f(sectors_.at_source(h), sectors_.at_target(h), h);
+      if (!level_.is_border(h)) f(level_.source(h), level_.target(h), h);
     }
   }
 
@@ -191,11 +193,11 @@ private:
   // The normal of a wedge is made to meet arcs: that it meets them proves nothing.
   bool has_arc_normal(Index s) const
   {
-    return sectors_.is_at_crease(s) && estimates_[s].kind == Kind::open;
+    return wedges_ != nullptr && wedges_->is_at_crease[s] && estimates_[s].kind == Kind::open;
   }
   Vector evidence(Index s) const
   {
-    return has_arc_normal(s) ? sectors_.own_normal(s) : estimates_[s].normal;
+    return has_arc_normal(s) ? to_double_3<FT>(wedges_->area_normals[s]) : estimates_[s].normal;
   }
 
   double share_of_arcs(Index s, double miss) const
@@ -203,7 +205,7 @@ private:
     return has_arc_normal(s) ? share_of_wedge(miss) : 1;
   }
 
-  // The largest miss of the arcs of each sector, relative to their lengths; where points coincide, the difference of normals.
+  // The largest miss of the arcs of each vertex, relative to their lengths; where points coincide, the difference of normals.
   // Wedges of a plane meet all arcs to normals that are orthogonal to creases: the misses of their neighbors count, too.
   std::vector<double> largest_misses() const
   {
@@ -237,45 +239,44 @@ private:
     largest = (std::max)(largest, arc_error);
   }
 
-  template <class Set_normal>
-  void estimate_closed(Index s, const Set_normal& set_normal)
+  void estimate_closed(Index s)
   {
     Estimate& e = estimates_[s];
     const double t = e.mismatch.share_of_first(vanishing_tolerance<FT>());
     if (t >= 1 && e.roundness >= 1 && e.is_reciprocal) {
-      set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
+      values_[s].normal = reciprocal_.exact_normal(s, e.normal);
       return;
     }
     const bool was_narrow = e.is_narrow;
     double regular = was_narrow ? 1 : regularity_of(s);
     const double share = t * either(e.roundness, regular);
     if (share >= 1 && e.is_reciprocal) {
-      set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
+      values_[s].normal = reciprocal_.exact_normal(s, e.normal);
       e.roundness = either(e.roundness, regular);
     } else {
       const Vector n = mixed(share, e.normal, e.area());
       e.is_narrow = was_narrow && is_close(n, e.normal);
       if (was_narrow && !e.is_narrow) regular = regularity_of(s);
       e.normal = n;
-      set_normal(s, reciprocal_.converted(n));
+      values_[s].normal = reciprocal_.converted(n);
       e.roundness = roundness_of(e, regular);
       e.dips = dips(s);
     }
   }
 
-  // the dips of a closed sector whose normal is no longer the reciprocal one
+  // the dips of a closed vertex whose normal is no longer the reciprocal one
   Dips dips(Index s) const
   {
     Dips result;
-    for_each_halfedge(level_, sectors_.fan(s), [&](Index h) {
+    for (const Index h : fan_of_vertex(level_, s)) {
       const Vector e = edge(h);
       const double dip = dot(estimates_[s].normal, e), inverse = 1 / dot(e, e);
       if (std::isfinite(inverse)) result.add(dip * dip, inverse);
-    });
+    }
     return result;
   }
 
-  // the roundness of the sector whose fan is inverted_
+  // the roundness of the vertex whose fan is inverted_
   double roundness_of(const Estimate& e, double regular) const
   {
     if (is_zero(e.normal)) return 0;
@@ -284,7 +285,7 @@ private:
 
   double regularity_of(Index s)
   {
-    inverted_.assign(level_, sectors_.fan(s), point_);
+    inverted_.assign(level_, s, values_);
     Estimate& e = estimates_[s];
     return regularity(quick_length(difference(e.normal, e.area())),
                       std::sqrt(e.largest_squared_arc_error()), evenness(inverted_));
@@ -302,7 +303,7 @@ private:
   {
     const auto is_round = [&](Index s) { return alone[s] == 1; };
     if (std::all_of(alone.begin(), alone.end(), [](double w) { return w == 1; })) return;
-    std::vector<double> uneven, least(shares.size(), 1); // no sector is uneven
+    std::vector<double> uneven, least(shares.size(), 1); // no vertex is uneven
     if (is_uneven_) uneven = shares_of_uneven();
     for_each_edge([&](Index i, Index j, Index h) {
       const Estimate &s = estimates_[i], &t = estimates_[j];
@@ -322,7 +323,7 @@ private:
     for (Index s = 0; s < shares.size(); ++s) shares[s] *= least[s];
   }
 
-  // one over the width for the miss of an arc to a sector: the arc's length, or where the sector is uneven its shortest edge
+  // one over the width for the miss of an arc to a vertex: the arc's length, or where the vertex is uneven its shortest edge
   double inverse_width(Index s, double uneven, double length) const
   {
     return (1 - uneven) / length + uneven * std::sqrt(estimates_[s].dips.of_shortest);
@@ -357,14 +358,14 @@ private:
       bool are_linear = true;
       const auto halfedges = halfedges_around_face(level_, level_.halfedge_of_face(f));
       for (const Index h : halfedges) {
-        const Index s = sectors_.at_target(h);
+        const Index s = level_.target(h);
         are_linear = are_linear && !(estimates_[s].roundness * shares[s] > 0);
         arcs_.add(edge(h), estimates_[s].normal);
       }
       const double share = are_linear ? 1 : arcs_.share();
       if (share < 1)
         for (const Index h : halfedges) {
-          double& of_corner = of_faces[sectors_.at_target(h)];
+          double& of_corner = of_faces[level_.target(h)];
           of_corner = (std::min)(of_corner, share);
         }
     }
@@ -374,21 +375,21 @@ private:
   double share_of_lift(Index s)
   {
     lift_.clear();
-    for_each_halfedge(level_, sectors_.fan(s), [&](Index h) {
+    for (const Index h : fan_of_vertex(level_, s)) {
       const Vector e = difference_(level_.source(h), level_.target(h));
-      if (std::isfinite(1 / dot(e, e))) lift_.add(e, estimates_[sectors_.at_source(h)].normal);
-    });
+      if (std::isfinite(1 / dot(e, e))) lift_.add(e, estimates_[level_.source(h)].normal);
+    }
     return lift_.share(estimates_[s].normal);
   }
 
   const Level_connectivity& level_;
-  const Sectors& sectors_;
-  const Point_of& point_;
-  const Scaled_differences<FT, Point_of> difference_;
+  Point_normals<FT>& values_;
+  const Wedges<FT>* const wedges_;
+  const Scaled_differences<FT> difference_;
   Reciprocal reciprocal_;
   std::vector<Estimate>& estimates_; // of reciprocal_
-  Inverted_fan<FT> inverted_;        // of the sector at hand
-  Lift_above_neighbors lift_;        // of the sector at hand
+  Inverted_fan<FT> inverted_;        // of the vertex at hand
+  Lift_above_neighbors lift_;        // of the vertex at hand
   Spread_of_arcs arcs_;              // of the face at hand
   double longest_squared_ = 0;       // of all edges
   bool is_uneven_ = false;           // some vertex may be lifted

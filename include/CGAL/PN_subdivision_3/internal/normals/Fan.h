@@ -26,36 +26,12 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// The half-edges with the same target v, one after the other clockwise. A closed fan has all these
-// half-edges, an open fan the half-edges from `first` to `last`. The faces of a fan are the faces of its
-// half-edges, but for `last` in an open fan. An open fan may have the same first and
-// last half-edge: then it goes once round v.
-struct Fan
-{
-  using Index = Level_connectivity::Index;
-
-  Index first, last;
-  bool closed;
-};
-
-// all half-edges at v. \pre v is not isolated
-inline Fan fan_of_vertex(const Level_connectivity& level, Level_connectivity::Index v)
+// The fan of a vertex: the half-edges to it, clockwise, of which the one on the border comes last; their faces are those of the
+// vertex. \pre v is not isolated
+inline auto fan_of_vertex(const Level_connectivity& level, Level_connectivity::Index v)
 {
   const Level_connectivity::Index h = level.halfedge_of_vertex(v);
-  if (!level.is_border(h)) return {h, h, true};
-  return {level.next_around_target(h), h, false};
-}
-
-// calls f(h) for the half-edges of a fan
-template <class Function>
-void for_each_halfedge(const Level_connectivity& level, const Fan& fan, const Function& f)
-{
-  Level_connectivity::Index h = fan.first;
-  do {
-    f(h);
-    h = level.next_around_target(h);
-  } while (h != (fan.closed ? fan.first : fan.last));
-  if (!fan.closed) f(h);
+  return halfedges_around_target(level, level.is_border(h) ? level.next_around_target(h) : h);
 }
 
 // calls function(half-edge) for the half-edges to a vertex, clockwise. \pre v is not isolated
@@ -73,6 +49,10 @@ void for_each_halfedge_of_face(const Level_connectivity& level, Level_connectivi
 {
   for (const auto h : halfedges_around_face(level, level.halfedge_of_face(f))) function(h);
 }
+
+// the points of vertices, with normals that are given or estimated
+template <class FT>
+using Point_normals = std::vector<Point_normal<FT, 3>>;
 
 // The edges e of a fan inverted at its vertex, W = e/|e|^2, and the cross products of neighboring
 // ones: the corner normals, each of the length |sin| / (|e||e'|). In double. Edges of length zero are
@@ -98,12 +78,11 @@ public:
     bool has_area; // more than the rounding of the points can make
   };
 
-  template <class Point_of>
-  void assign(const Level_connectivity& level, const Fan& fan, const Point_of& point)
+  void assign(const Level_connectivity& level, Index v, const Point_normals<FT>& values)
   {
-    collect(level, fan, point);
+    collect(level, v, values);
     invert();
-    make_corners(fan.closed);
+    make_corners(!level.is_border_vertex(v));
   }
 
   const std::vector<Ray>& rays() const { return rays_; }
@@ -114,26 +93,25 @@ public:
 private:
   using T = At_least_double<FT>;
 
-  template <class Point_of>
-  void collect(const Level_connectivity& level, const Fan& fan, const Point_of& point)
+  void collect(const Level_connectivity& level, Index v, const Point_normals<FT>& values)
   {
     rays_.clear();
     shortest_ = std::numeric_limits<double>::infinity();
     longest_ = 0;
-    const auto& p = point(level.target(fan.first));
+    const auto& p = values[v].point;
     bool last_is_zero = false;
     has_ends_ = true;
-    for_each_halfedge(level, fan, [&](Index h) {
-      const auto& q = point(level.source(h));
+    for (const Index h : fan_of_vertex(level, v)) {
+      const auto& q = values[level.source(h)].point;
       const Vector e = to_double_3<T>({T(q[0]) - T(p[0]), T(q[1]) - T(p[1]), T(q[2]) - T(p[2])});
       const double size = largest_coordinate(e);
       last_is_zero = size == 0;
       if (last_is_zero && rays_.empty()) has_ends_ = false;
-      if (last_is_zero) return;
+      if (last_is_zero) continue;
       shortest_ = (std::min)(shortest_, size);
       longest_ = (std::max)(longest_, size);
       rays_.push_back({h, e, 0});
-    });
+    }
     if (last_is_zero) has_ends_ = false;
     if (!std::isfinite(longest_)) rays_.clear();
     if constexpr (!is_exact_v<FT>)
@@ -188,53 +166,29 @@ private:
   bool has_ends_ = true;
 };
 
-// Normals are estimated sector by sector. A sector is a vertex with one of its fans; here a whole
-// vertex. at_target(h) and at_source(h) are the sectors of the corners of face(h). Wedges are
-// sectors at creases; own_normal(s) is a normal of the wedge in which the neighbors have no part.
-class Vertex_sectors
-{
-public:
-  using Index = Level_connectivity::Index;
-
-  explicit Vertex_sectors(const Level_connectivity& level)
-    : level_(level)
-  {}
-
-  Index number_of_sectors() const { return level_.number_of_vertices(); }
-  bool is_empty(Index s) const { return level_.is_isolated(s); }
-  Fan fan(Index s) const { return fan_of_vertex(level_, s); }
-  Index at_target(Index h) const { return level_.target(h); }
-  Index at_source(Index h) const { return level_.source(h); }
-  static constexpr bool is_at_crease(Index) { return false; }
-  static constexpr Coordinates<double, 3> own_normal(Index) { return {0, 0, 0}; }
-
-private:
-  const Level_connectivity& level_;
-};
-
 // N. Max, Weights for computing vertex normals from facet normals, 1999: the sum of the cross
 // products of the inverted edges. Inversion at a point of a sphere maps the sphere to a plane; the
 // inverted edges are a polygon in it, whose area vector this is. An open fan is closed through the
 // vertex.
 
 // the sum in the number type T: exact in exact types. Zero if the number type cannot tell.
-template <class T, class Point_of>
-Coordinates<T, 3> reciprocal_sum(const Level_connectivity& level, const Fan& fan,
-                                 const Point_of& point)
+template <class T, class FT>
+Coordinates<T, 3> reciprocal_sum(const Level_connectivity& level, Level_connectivity::Index v,
+                                 const Point_normals<FT>& values)
 {
   using Vector = Coordinates<T, 3>;
-  const auto& p = point(level.target(fan.first));
+  const auto& p = values[v].point;
   Vector sum{T(0), T(0), T(0)}, first = sum, before = sum;
   bool is_first = true, is_decided = true;
   const auto add = [&sum](const Vector& a, const Vector& b) {
     const Vector c = cross(b, a);
     for (int k = 0; k < 3; ++k) sum[k] += c[k];
   };
-  for_each_halfedge(level, fan, [&](Level_connectivity::Index h) {
-    const auto& q = point(level.source(h));
+  for (const auto h : fan_of_vertex(level, v)) {
+    const auto& q = values[level.source(h)].point;
     Vector w{T(q[0]) - T(p[0]), T(q[1]) - T(p[1]), T(q[2]) - T(p[2])};
     const T squared = dot(w, w);
-    if (CGAL::certainly(squared == T(0))) return;
+    if (CGAL::certainly(squared == T(0))) continue;
     if (!CGAL::certainly(is_greater(squared, T(0)))) is_decided = false;
     for (T& x : w) x /= squared;
     if (is_first)
@@ -243,16 +197,17 @@ Coordinates<T, 3> reciprocal_sum(const Level_connectivity& level, const Fan& fan
       add(before, w);
     is_first = false;
     before = w;
-  });
-  if (fan.closed) add(before, first);
+  }
+  if (!level.is_border_vertex(v)) add(before, first);
   if (!is_decided) return {T(0), T(0), T(0)};
   return sum;
 }
 
 // The unit reciprocal normal of a fan in double; zero if it vanishes.
-template <class FT, class Point_of>
-Coordinates<double, 3> reciprocal_normal(const Level_connectivity& level, const Fan& fan,
-                                         const Point_of& point, const Inverted_fan<FT>& inverted)
+template <class FT>
+Coordinates<double, 3>
+reciprocal_normal(const Level_connectivity& level, Level_connectivity::Index v,
+                  const Point_normals<FT>& values, const Inverted_fan<FT>& inverted)
 {
   using T = At_least_double<FT>;
   Coordinates<double, 3> sum{0, 0, 0};
@@ -268,7 +223,7 @@ Coordinates<double, 3> reciprocal_normal(const Level_connectivity& level, const 
       size += std::sqrt(rays[i].squared * rays[i + 1 < rays.size() ? i + 1 : 0].squared);
     if constexpr (!std::is_same_v<T, double>) {
       if (!(sum_length > vanishing_tolerance<FT>() * size)) {
-        sum = to_double_3<T>(reciprocal_sum<T>(level, fan, point));
+        sum = to_double_3<T>(reciprocal_sum<T>(level, v, values));
         sum_length = length(sum);
       }
     }

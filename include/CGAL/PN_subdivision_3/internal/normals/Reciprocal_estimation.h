@@ -24,10 +24,10 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// Estimates the normals of sectors: closed fans by reciprocal weights, then open fans by the arcs to closed fans, then
+// Estimates the normals of vertices: closed fans by reciprocal weights, then open fans by the arcs to closed fans, then
 // open fans whose neighbors are all open by the arcs to open fans with a normal, and last mixes in the angle-weighted
-// normals of wide fans. Coherent_estimation, which goes on from there, keeps More at each sector.
-template <class FT, class Sectors, class Point_of, class More>
+// normals of wide fans. Coherent_estimation, which goes on from there, keeps More at each vertex.
+template <class FT, class More>
 class Reciprocal_estimation
 {
 public:
@@ -43,43 +43,42 @@ public:
     Vector normal{0, 0, 0}; // a unit vector, without the angle-weighted share; zero if unknown
   };
 
-  Reciprocal_estimation(const Level_connectivity& level, const Sectors& sectors,
-                        const Point_of& point)
+  // normals that are given stay; null: none are given
+  Reciprocal_estimation(const Level_connectivity& level, Point_normals<FT>& values,
+                        const std::vector<bool>* is_given)
     : level_(level)
-    , sectors_(sectors)
-    , point_(point)
-    , face_normal_(level, point)
-    , estimates_(sectors.number_of_sectors())
+    , values_(values)
+    , is_given_(is_given)
+    , face_normal_(level, values)
+    , estimates_(level.number_of_vertices())
   {}
 
-  // given(s) points to the given normal of a sector or is null, set_normal(s, n) gets all others
-  using Given = Function_ref<const Coordinates<FT, 3>*(Index)>;
   using Set_normal = Function_ref<void(Index, const Coordinates<FT, 3>&)>;
-  void operator()(Given given, Set_normal set_normal)
+  void operator()()
   {
-    estimate(given, set_normal, [&](Index s, const Fan& fan, const Inverted_fan<FT>& inverted) {
+    const auto set_normal = [this](Index s, const Coordinates<FT, 3>& n) { values_[s].normal = n; };
+    estimate(set_normal, [&](Index s, const Inverted_fan<FT>& inverted) {
       Estimate& e = estimates_[s];
       if (!e.is_known) return false;
       e.weight = blend_weight(e.normal, inverted, face_normal_);
-      if (e.weight >= 1) set_normal(s, exact_normal(fan, e.normal));
+      if (e.weight >= 1) set_normal(s, exact_normal(s, e.normal));
       return e.weight >= 1;
     });
   }
 
-  // The same, but that set_closed(s, fan, inverted_fan) may take over a closed sector: its normal is
-  // not set if it returns true.
-  using Set_closed = Function_ref<bool(Index, const Fan&, const Inverted_fan<FT>&)>;
-  void estimate(Given given, Set_normal set_normal, Set_closed set_closed)
+  // The same, but that set_normal(v, n) gets all that are not given, and set_closed(v, inverted_fan) may take over a vertex
+  // with a closed fan: its normal is not set if it returns true.
+  using Set_closed = Function_ref<bool(Index, const Inverted_fan<FT>&)>;
+  void estimate(Set_normal set_normal, Set_closed set_closed)
   {
-    const Index n = sectors_.number_of_sectors();
     std::vector<Index> open;
-    for (Index s = 0; s < n; ++s) {
-      if (const Coordinates<FT, 3>* normal = given(s))
-        take_given(s, *normal);
-      else if (sectors_.is_empty(s))
+    for (Index s = 0; s < estimates_.size(); ++s) {
+      if (is_given_ != nullptr && (*is_given_)[s])
+        take_given(s, values_[s].normal);
+      else if (level_.is_isolated(s))
         finish(s, {FT(0), FT(0), FT(0)}, set_normal);
-      else if (const Fan fan = sectors_.fan(s); fan.closed)
-        estimate_closed(s, fan, set_closed);
+      else if (!level_.is_border_vertex(s))
+        estimate_closed(s, set_closed);
       else
         open.push_back(s);
     }
@@ -92,11 +91,11 @@ public:
   std::vector<Estimate>& estimates() { return estimates_; }
 
   // the reciprocal normal of a closed fan: in the number type, if that has more to tell than double
-  Coordinates<FT, 3> exact_normal(const Fan& fan, const Vector& normal) const
+  Coordinates<FT, 3> exact_normal([[maybe_unused]] Index s, const Vector& normal) const
   {
     using T = At_least_double<FT>;
     if constexpr (!std::is_same_v<T, double>) {
-      Coordinates<T, 3> n = reciprocal_sum<T>(level_, fan, point_);
+      Coordinates<T, 3> n = reciprocal_sum<T>(level_, s, values_);
       if (is_finite_number(T(n[0] + n[1] + n[2])) && length(to_double_3<T>(n)) > 0) {
         normalize_control_normal<T, 3>(n);
         return n;
@@ -127,13 +126,13 @@ private:
     set_normal(s, normal);
   }
 
-  void estimate_closed(Index s, const Fan& fan, Set_closed set_closed)
+  void estimate_closed(Index s, Set_closed set_closed)
   {
     Estimate& e = estimates_[s];
-    inverted_.assign(level_, fan, point_);
-    e.normal = reciprocal_normal(level_, fan, point_, inverted_);
+    inverted_.assign(level_, s, values_);
+    e.normal = reciprocal_normal(level_, s, values_, inverted_);
     e.is_known = !is_zero(e.normal);
-    e.is_done = set_closed(s, fan, inverted_);
+    e.is_done = set_closed(s, inverted_);
   }
 
   // estimates open fans by the arcs to known neighbors; returns the fans without known neighbors
@@ -141,14 +140,13 @@ private:
   {
     std::vector<Index> without_arcs, found;
     for (Index s : open) {
-      const Fan fan = sectors_.fan(s);
-      inverted_.assign(level_, fan, point_);
-      collect_arcs(fan);
+      inverted_.assign(level_, s, values_);
+      collect_arcs();
       if (arcs_.empty()) {
         without_arcs.push_back(s);
         continue;
       }
-      const Vector open_normal = reciprocal_normal(level_, fan, point_, inverted_);
+      const Vector open_normal = reciprocal_normal(level_, s, values_, inverted_);
       const std::optional<Vector> n = arc_border_normal(open_normal, border_tangent(), arcs_);
       if (n) found.push_back(s);
       set_open(s, n.value_or(open_normal), set_normal);
@@ -159,9 +157,8 @@ private:
 
   void take_open_normal(Index s, Set_normal set_normal)
   {
-    const Fan fan = sectors_.fan(s);
-    inverted_.assign(level_, fan, point_);
-    set_open(s, reciprocal_normal(level_, fan, point_, inverted_), set_normal);
+    inverted_.assign(level_, s, values_);
+    set_open(s, reciprocal_normal(level_, s, values_, inverted_), set_normal);
   }
 
   void set_open(Index s, const Vector& normal, Set_normal set_normal)
@@ -174,17 +171,12 @@ private:
     if (e.weight >= 1 && !e.is_corner) finish(s, converted(normal), set_normal);
   }
 
-  // an arc to each neighbor whose normal in the same run of faces is known
-  void collect_arcs(const Fan& fan)
+  // an arc to each neighbor whose normal is known
+  void collect_arcs()
   {
     arcs_.clear();
-    bool is_first = true;
     for (const auto& ray : inverted_.rays()) {
-      const Index neighbor = is_first && ray.halfedge == fan.first
-                               ? sectors_.at_source(ray.halfedge)
-                               : sectors_.at_target(level_.opposite(ray.halfedge));
-      is_first = false;
-      const Estimate& e = estimates_[neighbor];
+      const Estimate& e = estimates_[level_.source(ray.halfedge)];
       if (e.is_known && ray.squared > 0)
         arcs_.push_back({multiple(1 / std::sqrt(ray.squared), ray.inverted), e.normal});
     }
@@ -210,10 +202,10 @@ private:
     bool all_done = true;
     for (const Estimate& e : estimates_) all_done = all_done && e.is_done;
     if (all_done) return;
-    Angle_weighted_normals<FT, Sectors> angle_weighted(level_, sectors_);
+    Angle_weighted_normals<FT> angle_weighted(level_, values_);
     for (Index f = 0; f < level_.number_of_faces(); ++f)
-      if (!all_corners(f, is_done)) angle_weighted.add_face(f, point_);
-    for (Index s = 0; s < sectors_.number_of_sectors(); ++s)
+      if (!all_corners(f, is_done)) angle_weighted.add_face(f);
+    for (Index s = 0; s < estimates_.size(); ++s)
       if (!is_done(s)) set_normal(s, blended(s, angle_weighted.normal(s)));
   }
 
@@ -221,7 +213,7 @@ private:
   // corner of a fan has to be compared with its face.
   bool is_reflex(Index s, const Vector& angle_weighted)
   {
-    inverted_.assign(level_, sectors_.fan(s), point_);
+    inverted_.assign(level_, s, values_);
     return dot(inverted_.corners().front().normal, angle_weighted) < 0;
   }
 
@@ -229,7 +221,7 @@ private:
   bool all_corners(Index f, const Predicate& predicate) const
   {
     for (const Index h : halfedges_around_face(level_, level_.halfedge_of_face(f)))
-      if (!predicate(sectors_.at_target(h))) return false;
+      if (!predicate(level_.target(h))) return false;
     return true;
   }
 
@@ -238,9 +230,8 @@ private:
     const Estimate& e = estimates_[s];
     const Vector other = to_double_3<FT>(angle_weighted);
     if (!(e.weight > 0) || (e.is_corner && is_reflex(s, other))) return angle_weighted;
-    if constexpr (Angle_weighted_normals<FT, Sectors>::has_own_angles)
-      if (const Fan fan = sectors_.fan(s); fan.closed)
-        return blended_in_number_type(fan, e, angle_weighted);
+    if constexpr (Angle_weighted_normals<FT>::has_own_angles)
+      if (!level_.is_border_vertex(s)) return blended_in_number_type(s, e, angle_weighted);
     Vector n = multiple(e.weight, e.normal);
     add_multiple(n, 1 - e.weight, other);
     const double n_length = length(n);
@@ -248,10 +239,10 @@ private:
     return converted(quotient(n, n_length));
   }
 
-  Coordinates<FT, 3> blended_in_number_type(const Fan& fan, const Estimate& e,
+  Coordinates<FT, 3> blended_in_number_type(Index s, const Estimate& e,
                                             const Coordinates<FT, 3>& angle_weighted) const
   {
-    Coordinates<FT, 3> n = exact_normal(fan, e.normal);
+    Coordinates<FT, 3> n = exact_normal(s, e.normal);
     scale(n, FT(e.weight));
     add_multiple(n, FT(1 - e.weight), angle_weighted);
     const Coordinates<FT, 3> unit = unit_or_zero(n, FT(1));
@@ -259,11 +250,11 @@ private:
   }
 
   const Level_connectivity& level_;
-  const Sectors& sectors_;
-  const Point_of& point_;
-  Face_normals<FT, Point_of> face_normal_;
+  Point_normals<FT>& values_;
+  const std::vector<bool>* const is_given_;
+  Face_normals<FT> face_normal_;
   std::vector<Estimate> estimates_;
-  Inverted_fan<FT> inverted_; // of the sector at hand
+  Inverted_fan<FT> inverted_; // of the vertex at hand
   std::vector<Border_arc> arcs_;
 };
 

@@ -22,57 +22,39 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// sets the roundness in the values of sectors
+// Estimates normals and roundness of the vertices of a level from the points in their values, 1 where the estimate has no other
+// roundness. Vertices with is_given, whose normals are unit vectors or zero, stay; `wedges` are those of a level cut open.
 template <class FT>
-struct Set_roundness_of_value
-{
-  void operator()(Level_connectivity::Index s, double w) const { values[s].roundness = w; }
-  Point_normal<FT, 3>* values;
-};
-
-// Calls set_normal(s, n) and set_roundness(s, w) for every sector that is not given, where point(v)
-// returns Coordinates<FT, 3>; given(s) points to the given normal of a sector, a unit vector or zero,
-// or is null. The roundness is in double, 1 if the estimate has no other.
-template <class FT, class Sectors, class Point_of, class Given, class Set_normal,
-          class Set_roundness>
 void estimate_normals(const Level_connectivity& level, Control_normal_estimate estimate,
-                      const Sectors& sectors, const Point_of& point, const Given& given,
-                      const Set_normal& set_normal, const Set_roundness& set_roundness)
+                      Point_normals<FT>& values, const std::vector<bool>* is_given = nullptr,
+                      const Wedges<FT>* wedges = nullptr)
 {
   using Index = Level_connectivity::Index;
-  using Coherent = Coherent_estimation<FT, Sectors, Point_of>;
+  using Coherent = Coherent_estimation<FT>;
+  const auto is_estimated = [&](Index v) { return is_given == nullptr || !(*is_given)[v]; };
   const auto estimate_all = [&] {
     if (estimate == Control_normal_estimate::coherent)
-      return Coherent(level, sectors, point)(given, set_normal, set_roundness);
+      return Coherent(level, values, is_given, wedges)();
     if (estimate == Control_normal_estimate::reciprocal)
-      typename Coherent::Reciprocal(level, sectors, point)(given, set_normal);
+      typename Coherent::Reciprocal(level, values, is_given)();
     else {
-      Angle_weighted_normals<FT, Sectors> normals(level, sectors);
-      for (Index f = 0; f < level.number_of_faces(); ++f) normals.add_face(f, point);
-      for (Index s = 0; s < sectors.number_of_sectors(); ++s)
-        if (given(s) == nullptr) set_normal(s, normals.normal(s));
+      Angle_weighted_normals<FT> normals(level, values);
+      for (Index f = 0; f < level.number_of_faces(); ++f) normals.add_face(f);
+      for (Index v = 0; v < level.number_of_vertices(); ++v)
+        if (is_estimated(v)) values[v].normal = normals.normal(v);
     }
-    for (Index s = 0; s < sectors.number_of_sectors(); ++s)
-      if (given(s) == nullptr) set_roundness(s, 1.);
+    for (Index v = 0; v < level.number_of_vertices(); ++v)
+      if (is_estimated(v)) values[v].roundness = FT(1);
   };
   name_undecided<FT>(estimate_all, [] { return "whether an estimated control normal vanishes"; });
 }
 
-// Estimates normals and roundness of the vertices of a level from the points in their values; the normals of vertices
-// with is_given stay.
+// the same of vertices, which libraries have
 template <class FT>
 void estimate_normals_of(const Level_connectivity& level, Control_normal_estimate estimate,
-                         std::vector<Point_normal<FT, 3>>& values,
-                         const std::vector<bool>* is_given = nullptr)
+                         Point_normals<FT>& values, const std::vector<bool>* is_given = nullptr)
 {
-  using Index = Level_connectivity::Index;
-  using Vector = Coordinates<FT, 3>;
-  estimate_normals<FT>(
-    level, estimate, Vertex_sectors(level),
-    [&](Index v) -> const Vector& { return values[v].point; },
-    [&](Index v) { return is_given && (*is_given)[v] ? &values[v].normal : nullptr; },
-    [&](Index v, const Vector& n) { values[v].normal = n; },
-    Set_roundness_of_value<FT>{values.data()});
+  estimate_normals(level, estimate, values, is_given);
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

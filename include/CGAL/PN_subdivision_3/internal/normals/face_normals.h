@@ -31,15 +31,15 @@ namespace CGAL::PN_subdivision_3::internal {
 
 // Differences of points in double. Where squares of the size of the mesh would leave the range of
 // double, all is scaled by a power of two.
-template <class FT, class Point_of>
+template <class FT>
 class Scaled_differences
 {
 public:
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<double, 3>;
 
-  Scaled_differences(const Level_connectivity& level, const Point_of& point)
-    : point_(point)
+  Scaled_differences(const Level_connectivity& level, const Point_normals<FT>& values)
+    : values_(values)
   {
     constexpr double most = 0x1p200;
     double largest = 0;
@@ -52,7 +52,7 @@ public:
   Vector operator()(Index v, Index origin) const
   {
     using T = At_least_double<FT>;
-    const auto &p = point_(v), &q = point_(origin);
+    const auto &p = values_[v].point, &q = values_[origin].point;
     Vector d = to_double_3<T>({T(p[0]) - T(q[0]), T(p[1]) - T(q[1]), T(p[2]) - T(q[2])});
     if (exponent_ != 0)
       for (double& x : d) x = std::ldexp(x, exponent_);
@@ -67,18 +67,18 @@ public:
       return of_double * size;
     else {
       const auto epsilon = static_cast<double>(CGAL::to_double(machine_epsilon<FT>()));
-      double coordinate = largest_coordinate(to_double_3<FT>(point_(origin)));
+      double coordinate = largest_coordinate(to_double_3<FT>(values_[origin].point));
       if (exponent_ != 0) coordinate = std::ldexp(coordinate, exponent_);
       return (std::max)(epsilon * (coordinate + size), of_double * size);
     }
   }
 
 private:
-  const Point_of& point_;
+  const Point_normals<FT>& values_;
   int exponent_ = 0;
 };
 
-// The sum of the area vectors of the faces of a sector.
+// The sum of the area vectors of the faces of a vertex.
 struct Area_sum
 {
   using Vector = Coordinates<double, 3>;
@@ -100,10 +100,10 @@ struct Area_sum
   double rounding = 0;
 };
 
-// adds the areas of all faces to sum_of(s) of the sectors s at their corners
-template <class FT, class Point_of, class Sectors, class Sum_of>
-void add_areas(const Level_connectivity& level, const Sectors& sectors,
-               const Scaled_differences<FT, Point_of>& difference, const Sum_of& sum_of)
+// adds the areas of all faces to sum_of(v) of the vertices v at their corners
+template <class FT, class Sum_of>
+void add_areas(const Level_connectivity& level, const Scaled_differences<FT>& difference,
+               const Sum_of& sum_of)
 {
   using Index = Level_connectivity::Index;
   for (Index f = 0; f < level.number_of_faces(); ++f) {
@@ -120,14 +120,14 @@ void add_areas(const Level_connectivity& level, const Sectors& sectors,
     const double rounding = 16 * size * difference.rounding(origin, size) +
                             3 * vanishing_tolerance<FT>() * largest_coordinate(area);
     for (const Index g : halfedges_around_face(level, first))
-      sum_of(sectors.at_target(g)).add(area, rounding);
+      sum_of(level.target(g)).add(area, rounding);
   }
 }
 
-// Sums, over the faces of each sector, of the corner's angle times the unit face normal. The area
+// Sums, over the faces of each vertex, of the corner's angle times the unit face normal. The area
 // vectors are computed in the number type (float is widened); the factor angle/area, irrational
 // anyway, is a double, but in number types that round and have angles themselves.
-template <class FT, class Sectors>
+template <class FT>
 class Angle_weighted_normals
 {
 public:
@@ -138,17 +138,16 @@ public:
     !std::is_floating_point_v<T> && std::is_same_v<Rooted_number<T>, T> && Has_own_angle<T>::value;
   using Angle = std::conditional_t<has_own_angles, T, double>;
 
-  Angle_weighted_normals(const Level_connectivity& level, const Sectors& sectors)
+  Angle_weighted_normals(const Level_connectivity& level, const Point_normals<FT>& values)
     : level_(level)
-    , sectors_of_(sectors)
-    , sums_(sectors.number_of_sectors(), Coordinates<T, 3>{T(0), T(0), T(0)})
-    , angles_(sectors.number_of_sectors(), 0.)
+    , values_(values)
+    , sums_(level.number_of_vertices(), Coordinates<T, 3>{T(0), T(0), T(0)})
+    , angles_(level.number_of_vertices(), 0.)
   {}
 
-  template <class Point_of>
-  void add_face(Index f, const Point_of& point)
+  void add_face(Index f)
   {
-    collect_corners(f, point);
+    collect_corners(f);
     Coordinates<T, 3> area{T(0), T(0), T(0)};
     for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
       const auto c = cross(corners_[i], corners_[i + 1]);
@@ -162,17 +161,17 @@ public:
     for (std::size_t i = 0; i < n; ++i) {
       const Angle angle = corner_angle(edge_at(i, n - 1), edge_at(i, 1));
       const T weight(angle / length_of_area);
-      for (int k = 0; k < 3; ++k) sums_[sectors_[i]][k] += weight * area[k];
-      angles_[sectors_[i]] += close_double(angle);
+      for (int k = 0; k < 3; ++k) sums_[vertices_[i]][k] += weight * area[k];
+      angles_[vertices_[i]] += close_double(angle);
     }
   }
 
-  // the unit sum of a sector whose faces have been added; zero if it vanishes
-  Coordinates<FT, 3> normal(Index s) const
+  // the unit sum of a vertex whose faces have been added; zero if it vanishes
+  Coordinates<FT, 3> normal(Index v) const
   {
-    const double vanishing = 4096 * std::numeric_limits<double>::epsilon() * angles_[s];
-    if (!(length(to_double_3(sums_[s])) > vanishing)) return {FT(0), FT(0), FT(0)};
-    Coordinates<T, 3> n = sums_[s];
+    const double vanishing = 4096 * std::numeric_limits<double>::epsilon() * angles_[v];
+    if (!(length(to_double_3(sums_[v])) > vanishing)) return {FT(0), FT(0), FT(0)};
+    Coordinates<T, 3> n = sums_[v];
     normalize_control_normal<T, 3>(n);
     return {FT(n[0]), FT(n[1]), FT(n[2])};
   }
@@ -181,17 +180,16 @@ private:
   // The corners relative to the first one, scaled to a size of about 1 by a power of two. What the
   // rounding of the coordinates alone can make of a face without area counts as no area: its
   // direction is arbitrary, and its angles are the largest there are.
-  template <class Point_of>
-  void collect_corners(Index f, const Point_of& point)
+  void collect_corners(Index f)
   {
-    sectors_.clear();
+    vertices_.clear();
     corners_.clear();
     const Index first = level_.halfedge_of_face(f);
-    const auto& origin = point(level_.target(first));
+    const auto& origin = values_[level_.target(first)].point;
     double largest = 0, largest_coordinate = 0;
     for (const Index h : halfedges_around_face(level_, first)) {
-      sectors_.push_back(sectors_of_.at_target(h));
-      const auto& p = point(level_.target(h));
+      vertices_.push_back(level_.target(h));
+      const auto& p = values_[vertices_.back()].point;
       corners_.push_back({T(p[0]) - T(origin[0]), T(p[1]) - T(origin[1]), T(p[2]) - T(origin[2])});
       for (double x : to_double_3(corners_.back())) largest = (std::max)(largest, std::abs(x));
       if constexpr (!is_exact_v<FT>)
@@ -235,26 +233,26 @@ private:
   }
 
   const Level_connectivity& level_;
-  const Sectors& sectors_of_;
+  const Point_normals<FT>& values_;
   std::vector<Coordinates<T, 3>> sums_;
   std::vector<double> angles_;
-  std::vector<Index> sectors_; // of each corner
+  std::vector<Index> vertices_; // of the corners of a face
   std::vector<Coordinates<T, 3>> corners_;
   double least_area_ = 0;
 };
 
 // The unit area vectors of polygons, in double. Those of large ones are kept, since each of their
 // corners may ask.
-template <class FT, class Point_of>
+template <class FT>
 class Face_normals
 {
 public:
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<double, 3>;
 
-  Face_normals(const Level_connectivity& level, const Point_of& point)
+  Face_normals(const Level_connectivity& level, const Point_normals<FT>& values)
     : level_(level)
-    , point_(point)
+    , values_(values)
   {}
 
   // the normal of the face of a half-edge; zero if it has no area or is a triangle, whose corners tell it
@@ -280,9 +278,9 @@ private:
   {
     Vector area{0, 0, 0}, before{0, 0, 0};
     double scale = 0; // of the first edge that has a length
-    const auto& origin = point_(level_.target(first));
+    const auto& origin = values_[level_.target(first)].point;
     for (Index h = level_.next(first); h != first; h = level_.next(h)) {
-      const auto& p = point_(level_.target(h));
+      const auto& p = values_[level_.target(h)].point;
       Vector corner =
         to_double_3<T>({T(p[0]) - T(origin[0]), T(p[1]) - T(origin[1]), T(p[2]) - T(origin[2])});
       if (scale == 0) scale = length(corner);
@@ -296,7 +294,7 @@ private:
   }
 
   const Level_connectivity& level_;
-  const Point_of& point_;
+  const Point_normals<FT>& values_;
   std::unordered_map<Index, Vector> kept_;
 };
 

@@ -228,27 +228,13 @@ struct Level_part
     return result;
   }
 
-  // What is sharp there, with its tangents. The rim, but not the border of the whole, has the rules of a smooth border;
-  // edges keep their orientation.
+  // what is sharp there, with its tangents; edges keep their orientation
   template <class FT>
   Creases<FT> creases(const Creases<FT>& whole) const
   {
-    Creases<FT> result = Make_creases<FT>(level, Border::surface)(
-      [&](Index e) {
-        const Crease_edge<FT>* const of_whole = whole.edge_at(edges[e]);
-        return of_whole == nullptr ? 0 : of_whole->sharpness;
-      },
-      [&](Index v) {
-        const Crease_star* const of_whole = whole.star_at(vertices[v]);
-        return of_whole == nullptr ? 0 : of_whole->sharpness;
-      });
-    result.has_fixed_border = whole.has_fixed_border;
-    for (Crease_edge<FT>& e : result.edges) {
-      const Crease_edge<FT>& of_whole = *whole.edge_at(edges[e.edge]);
-      e.control_edge = of_whole.control_edge;
-      e.tangent_from = of_whole.tangent_from;
-    }
-    return result;
+    return creases_among<FT>(
+      whole, level, [&](Index e) { return whole.edge_at(edges[e]); },
+      [&](Index v) { return whole.star_at(vertices[v]); });
   }
   // For each slot of the part its slot in the whole. Of wedges one corner tells it: that at the crease where they begin, or
   // any one where they do not begin at a crease.

@@ -159,9 +159,6 @@ public:
     evaluate_rows(round, vertices, number, values_.data(), for_chunks_, sink);
   }
 
-  // the child of the level, with room to be cut open
-  Level_connectivity child(const Level_round& round, const Level_creases& creases) const;
-
 private:
   const Scheme& scheme_;
   Level_connectivity level_;
@@ -177,7 +174,7 @@ void Level_refiner<Scheme, Average, Level_creases>::refine(Level_round& round,
                                                            const Child_sink* child_sink)
 {
   Values values = refined_values(round, rows_sink);
-  Level_connectivity child = this->child(round, round.refined_creases());
+  Level_connectivity child = child_level(round, round.refined_creases(), for_chunks_);
   if (child_sink != nullptr) (*child_sink)(child);
   creases_ = std::move(round.refined_creases());
   level_ = std::move(child);
@@ -193,14 +190,6 @@ auto Level_refiner<Scheme, Average, Level_creases>::refined_values(Level_round& 
   Values refined(round.refined_creases().number_of_slots, boost::container::default_init);
   evaluate_round(round, values_.data(), for_chunks_, refined, rows_sink);
   return refined;
-}
-
-template <class Scheme, class Average, class Level_creases>
-Level_connectivity
-Level_refiner<Scheme, Average, Level_creases>::child(const Level_round& round,
-                                                     const Level_creases& creases) const
-{
-  return child_level(round, creases, for_chunks_);
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

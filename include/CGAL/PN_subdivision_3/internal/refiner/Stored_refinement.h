@@ -217,15 +217,15 @@ public:
     if (it == several_normals_.end() || *it != v) return &values_[v].normal;
     return &given_to_several_[std::size_t(it - several_normals_.begin())];
   }
-  void set_slots(const std::vector<Value>& slot_values, std::vector<bool> tell_of_tangents)
+  void set_slots(Given_slots given)
   {
     is_estimated_ = false;
     is_given_.clear();
     for (Index v = 0; v < values_.size(); ++v) {
-      values_[v].normal = slot_values[v].normal;
-      values_[v].roundness = slot_values[v].roundness;
+      values_[v].normal = given.values[v].normal;
+      values_[v].roundness = given.values[v].roundness;
     }
-    slots_ = {slot_values, std::move(tell_of_tangents)};
+    slots_ = std::move(given);
   }
   const Given_slots& given_slots() const { return slots_; }
   // of the mesh without edges whose sharpness is less than 1
@@ -308,11 +308,6 @@ protected:
   explicit Stored_refinement(const For_chunks& for_chunks)
     : for_chunks_(for_chunks)
   {}
-
-  void in_chunks(Index n, For_chunks::Function f) const
-  {
-    for_chunks_.in_precision<typename Average::FT>(n, f);
-  }
 
   For_chunks for_chunks_;
 };

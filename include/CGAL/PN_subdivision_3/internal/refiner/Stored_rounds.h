@@ -329,9 +329,8 @@ private:
     Level_round& round = *level.round;
     round.read(level.values.data());
     Slot_values on_creases = round.crease_values(this->for_chunks_);
-    this->in_chunks(round.number_of_vertices(), [&](Index begin, Index end) {
-      round.round().evaluate(begin, end, level.values.data(), {}, sink);
-    });
+    evaluate_rows(round.round(), 0, round.number_of_vertices(), level.values.data(), {},
+                  this->for_chunks_, sink);
     return on_creases;
   }
 
@@ -349,10 +348,8 @@ private:
       changed = std::move(rest);
     }
     Slot_values on_creases = round.crease_values(this->for_chunks_);
-    this->in_chunks(static_cast<Index>(changed.size()), [&](Index begin, Index end) {
-      round.round().evaluate(changed.data() + begin, changed.data() + end, level.values.data(),
-                             sink);
-    });
+    evaluate_rows(round.round(), changed.data(), static_cast<Index>(changed.size()),
+                  level.values.data(), this->for_chunks_, sink);
     return on_creases;
   }
 

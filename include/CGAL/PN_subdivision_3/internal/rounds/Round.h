@@ -9,16 +9,18 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_ROUND_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ROUNDS_ROUND_H
 
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/package_parameters.h>
-#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/internal/rows/PN_average_block.h>
 #include <CGAL/PN_subdivision_3/internal/rows/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/scheme_parts/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/Grid_average.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>
 #include <CGAL/number_type_basic.h>
@@ -31,6 +33,21 @@
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
+
+template <class Scheme, class FT>
+using Average_of_scheme = std::conditional_t<is_pn_v<Scheme> && Has_grid_rows<Scheme>::value,
+                                             Grid_average<FT>, Average_of<is_pn_v<Scheme>, FT, 3>>;
+
+// the average with the roundness of the scheme, where that is one number
+template <class Average, class Scheme>
+Average average_of([[maybe_unused]] const Scheme& scheme)
+{
+  Average average{};
+  if constexpr (!std::is_null_pointer_v<Outermost<Is_with_roundness, Scheme>> &&
+                has_normal_v<typename Average::Value>)
+    average.roundness = outermost<Is_with_roundness>(scheme)->of_all();
+  return average;
+}
 
 // One round of a scheme (what is defined behind the class may be compiled once): its host on a level, its mask, and the average of the rows. The mask may
 // see another level than the host; the old values belong to the mask's level.

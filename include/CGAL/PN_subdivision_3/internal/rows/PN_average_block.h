@@ -216,6 +216,20 @@ struct Block_of<PN_average<FT, dimension>>
                        Average_block<Average>>;
 };
 
+// the average of rows, with normals or without
+template <bool with_normals, class FT, int dimension>
+using Average_of =
+  std::conditional_t<with_normals, PN_average<FT, dimension>, Linear_average<FT, dimension>>;
+
+// the average of values that have one roundness; of points alone it plays no part
+template <class Average>
+Average average_of_roundness([[maybe_unused]] const typename Average::FT& roundness)
+{
+  Average average{};
+  if constexpr (has_normal_v<typename Average::Value>) average.roundness = roundness;
+  return average;
+}
+
 } // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROWS_PN_AVERAGE_BLOCK_H

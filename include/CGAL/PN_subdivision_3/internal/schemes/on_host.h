@@ -94,44 +94,6 @@ Result with_host(const Scheme& scheme, const Function& f)
     return scheme.visit([&](const auto& s) -> Result { return f(s); });
 }
 
-// with_host() in a call. What the scheme does not support is refused at run time, since it is chosen at run time.
-template <class Result, class Call, class Scheme, class Function>
-Result on_host([[maybe_unused]] const Scheme& scheme, [[maybe_unused]] const Function& f)
-{
-  constexpr bool fits = std::is_same_v<typename Call::FT, decltype(number_type_of_any(&scheme))>;
-  static_assert(fits, "PN_subdivision_3: the points have another number type than the Any_scheme: "
-                      "take Any_scheme<FT> with that of their kernel");
-  if constexpr (fits)
-    return with_host<Result>(scheme, [&](const auto& s) -> Result {
-      using Hosted_scheme = std::decay_t<decltype(s)>;
-      constexpr bool is_creased = Call::has_corner_normals || has_crease_tangents_v<Hosted_scheme>;
-      if constexpr (is_creased && !Has_crease_rules<Hosted_scheme>::value)
-        throw std::invalid_argument("PN_subdivision_3: " + name_in_message(s) +
-                                    " has no rules for creases: it takes a normal per vertex, and "
-                                    "no tangents");
-      else
-        return f(s);
-    });
-  else
-    return Result();
-}
-
-// the same for schemes whose limit points belong to vertices, or to faces
-template <bool are_of_vertices, class Result, class Call, class Scheme, class Function>
-Result on_host_of_limits(const Scheme& scheme, const Function& f)
-{
-  return on_host<Result, Call>(scheme, [&](const auto& s) -> Result {
-    if constexpr (std::decay_t<decltype(s)>::Host::keeps_vertices == are_of_vertices)
-      return f(s);
-    else
-      throw std::invalid_argument(
-        "PN_subdivision_3: the limit points of " + name_in_message(s) +
-        (are_of_vertices
-           ? " belong to the faces, not to the vertices: see limit_points() with a map of faces"
-           : " belong to the vertices, not to the faces: give a map of vertices"));
-  });
-}
-
 // whether a scheme splits edges in halves, and faces between the halves
 template <class Scheme>
 inline constexpr bool halves_edges_v = std::is_same_v<typename Scheme::Host, PQQ_host> ||
@@ -148,21 +110,43 @@ std::string no_halves(const Scheme& scheme, const std::string& consequence,
          "faces as they do";
 }
 
-// on_host() for schemes whose limits can be interpolated
-template <class Result, class Call, class Scheme, class Function>
-Result on_interpolated_host(const Scheme& scheme, const Function& f)
-{
-  return on_host<Result, Call>(scheme, [&](const auto& s) -> Result {
-    if constexpr (halves_edges_v<std::decay_t<decltype(s)>>)
-      if (!facts_of(s).transfers_curvature) return f(s);
-    throw std::invalid_argument("PN_subdivision_3: interpolation is not known for " +
-                                name_in_message(s) +
-                                ": take Catmull-Clark or Loop, or their modified forms");
-  });
-}
-
 // which schemes that are chosen at run time a call takes
 enum class Hosts { all, of_vertex_limits, of_face_limits, of_interpolation };
+
+// with_host() in a call. What the scheme does not support is refused at run time, since it is chosen at run time.
+template <class Result, class Call, Hosts hosts, class Scheme, class Function>
+Result on_host([[maybe_unused]] const Scheme& scheme, [[maybe_unused]] const Function& f)
+{
+  constexpr bool fits = std::is_same_v<typename Call::FT, decltype(number_type_of_any(&scheme))>;
+  static_assert(fits, "PN_subdivision_3: the points have another number type than the Any_scheme: "
+                      "take Any_scheme<FT> with that of their kernel");
+  if constexpr (fits)
+    return with_host<Result>(scheme, [&](const auto& s) -> Result {
+      using Hosted = std::decay_t<decltype(s)>;
+      constexpr bool is_creased = Call::has_corner_normals || has_crease_tangents_v<Hosted>;
+      constexpr bool lacks_rules = is_creased && !Has_crease_rules<Hosted>::value;
+      constexpr bool is_primal = Hosted::Host::keeps_vertices;
+      constexpr bool lacks_limits =
+        hosts == (is_primal ? Hosts::of_face_limits : Hosts::of_vertex_limits);
+      constexpr bool interpolates = hosts == Hosts::of_interpolation;
+      if constexpr (!lacks_rules && !lacks_limits && (!interpolates || halves_edges_v<Hosted>))
+        if (!interpolates || !facts_of(s).transfers_curvature) return f(s);
+      const std::string name = name_in_message(s);
+      throw std::invalid_argument(
+        "PN_subdivision_3: " +
+        (lacks_rules
+           ? name + " has no rules for creases: it takes a normal per vertex, and no tangents"
+         : interpolates ? "interpolation is not known for " + name +
+                            ": take Catmull-Clark or Loop, or their modified forms"
+         : is_primal ? "the limit points of " + name +
+                         " belong to the vertices, not to the faces: give a map of vertices"
+                     : "the limit points of " + name +
+                         " belong to the faces, not to the vertices: see limit_points() with a map "
+                         "of faces"));
+    });
+  else
+    return Result();
+}
 
 // whether something of a call has still to be put around its scheme, or its host to be found
 template <class Scheme, class NamedParameters>
@@ -173,19 +157,14 @@ template <class Result, class Call, Hosts hosts = Hosts::all, class Scheme, clas
           class Function>
 Result with_scheme_of_call(const Scheme& scheme, const NamedParameters& np, const Function& f)
 {
-  [[maybe_unused]] const auto hosted = [&](const auto& s) -> Result { return f(s, np); };
   if constexpr (adapts_scheme_v<Scheme, NamedParameters>)
     return with_adapted_scheme(scheme, np, [&](const auto& s, const auto& others) -> Result {
       return with_scheme_of_call<Result, Call, hosts>(s, others, f);
     });
   else if constexpr (!Is_any<Scheme>::value)
     return f(scheme, np);
-  else if constexpr (hosts == Hosts::all)
-    return on_host<Result, Call>(scheme, hosted);
-  else if constexpr (hosts == Hosts::of_interpolation)
-    return on_interpolated_host<Result, Call>(scheme, hosted);
   else
-    return on_host_of_limits<hosts == Hosts::of_vertex_limits, Result, Call>(scheme, hosted);
+    return on_host<Result, Call, hosts>(scheme, [&](const auto& s) -> Result { return f(s, np); });
 }
 
 } // namespace CGAL::PN_subdivision_3::internal
