@@ -14,7 +14,7 @@
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Limit_cells.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Spline_piece.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
-#include <CGAL/PN_subdivision_3/internal/rounds/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #ifdef CGAL_PN_SUBDIVISION_3_LIMITS
 #  include <CGAL/PN_subdivision_3/internal/meshes/compiled_levels.h>
