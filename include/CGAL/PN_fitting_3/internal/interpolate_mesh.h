@@ -231,8 +231,8 @@ public:
     demand.tolerance = tolerance;
     demand.max_depth = data_.max_depth;
     Creases<double> creases = creases_; // whose tangents become those of the limit
-    constexpr bool points_alone = asks_for_points_alone<parameters::Default_named_parameters>();
-    const auto results = limits_at_slots<double, points_alone>(scheme_, demand, for_chunks_, level_,
+    constexpr Limit_kinds kinds = limit_kinds<parameters::Default_named_parameters>();
+    const auto results = limits_at_slots<double, kinds>(scheme_, demand, for_chunks_, level_,
                                                                creases, 1, &data_.vertices);
     Limit_interpolation report;
     for (const Index v : data_.vertices) {

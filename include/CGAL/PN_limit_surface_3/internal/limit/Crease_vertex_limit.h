@@ -141,64 +141,49 @@ private:
   }
 };
 
-// What darts of one valence share: the rows of their ring, which is cut open along the crease, and the limit
-// mask. Places are those of Vertex_ring.
+// The limit masks over the slots of the ring of a vertex where a crease ends; without a mask of their own the normals have that of
+// the points.
 template <class Scheme, class FT>
-class Dart_rules
+struct Dart_masks
 {
-public:
   using Index = Level_connectivity::Index;
 
-  struct Weights
-  {
-    Ring_matrix<FT> rows;
-    Ring_row<FT> limit;
-  };
+  Ring_row<FT> points;
+  std::optional<Ring_row<FT>> normals;
 
-  // the rules of an interior vertex in a round with the rules of all later rounds
-  Dart_rules(const Scheme& scheme, Index valence, unsigned round)
-    : crease_places_{1, valence + 1}
+  // of an interior vertex in a round with the rules of all later rounds
+  Dart_masks(const Scheme& scheme, Index valence, unsigned round)
   {
     const auto mask_of = [&](auto number, const Level_connectivity& level) {
       return scheme.template mask<decltype(number)>(level, round);
     };
-    set_rules(mask_of, valence, round, points_);
-    if (!facts_of(scheme).has_normal_mask) return;
+    points = limit_mask(mask_of, valence, round);
     if constexpr (Has_normal_mask<Scheme>::value) {
-      has_own_normals_ = true;
       const auto normal_mask_of = [&](auto number, const Level_connectivity& level) {
         return scheme.template normal_mask<decltype(number)>(level, round);
       };
-      set_rules(normal_mask_of, valence, round, normals_);
+      if (facts_of(scheme).has_normal_mask) normals = limit_mask(normal_mask_of, valence, round);
     }
   }
-  // the rules of a vertex on a border that is a crease on one side, by the ring class of a plain border vertex
-  Dart_rules(const Ring_rules<Scheme, FT>& border, Index crease_place)
-    : crease_places_{crease_place}
-    , points_{border.matrix(), border.limit_row()}
-    , normals_{border.normal_matrix(), border.normal_limit_row()}
-    , has_own_normals_(border.has_own_normals())
-  {}
-
-  bool has_own_normals() const { return has_own_normals_; }
-
-  const std::vector<Index>& crease_places() const { return crease_places_; }
-  const Weights& points() const { return points_; }
-  const Weights& normals() const { return normals_; }
+  // of a vertex on a border that is a crease on one side: those of a plain border vertex
+  explicit Dart_masks(const Ring_rules<Scheme, FT>& border)
+    : points(border.limit_row())
+  {
+    if (border.has_own_normals()) normals = border.normal_limit_row();
+  }
 
 private:
-  using Host = typename Scheme::Host;
-
   template <class Mask_of>
-  static void set_rules(const Mask_of& mask_of, Index valence, unsigned round, Weights& result)
+  static Ring_row<FT> limit_mask(const Mask_of& mask_of, Index valence, unsigned round)
   {
     using Real = Ring_eigenvectors::Real;
-    const Wheel wheel(valence, round);
-    const auto matrix = dart_matrix<FT>(mask_of, wheel, valence);
-    const auto real_matrix = dart_matrix<Real>(mask_of, wheel, valence);
-    const Ring_eigenvectors masks(real_matrix, Ring_layout());
+    const auto matrix = dart_matrix<Real>(mask_of, valence, round);
+    const Ring_eigenvectors masks(matrix, Ring_layout());
     if (masks.limit().empty()) throw std::invalid_argument(no_mask(valence));
-    result = {matrix, limit_weights<FT>(masks.limit(), matrix)};
+    if constexpr (std::is_floating_point_v<FT>)
+      return limit_weights<FT>(masks.limit(), {});
+    else
+      return limit_weights<FT>(masks.limit(), dart_matrix<FT>(mask_of, valence, round));
   }
   static std::string no_mask(Index valence)
   {
@@ -206,160 +191,39 @@ private:
            std::to_string(valence) + " where a crease ends";
   }
 
-  // What matrices of all number types have in common: the wheel, cut open for a round, and then whole with counted valences.
-  struct Wheel
-  {
-    Wheel(Index valence, unsigned round)
-      : whole(wheel(valence, Host::refined_degree))
-      , creases(Make_creases<FT>(whole, Border::surface)(
-          [](Index e) { return e == 0 ? infinite_sharpness : 0; }, [](Index) { return 0.; }))
-      , cut(whole, creases)
-      , host(cut.connectivity(), round)
-    {
-      Vertex_ring::append(cut.connectivity(), 0, 1, rings.ring);
-      Vertex_ring::append_next(cut.connectivity(), host, 0, rings.next_ring);
-      count_valences(whole, creases);
-    }
-
-    Level_connectivity whole;
-    const Creases<FT> creases;
-    const Cut_copy<FT> cut;
-    const Host host;
-    Ring_pair rings;
-  };
-
-  // the matrix of the points, which are the same on both sides of the crease
+  // The matrix of the points, which are the same on both sides of the crease: of a wheel that is cut open for a round, but the vertex
+  // itself has the smooth rule, in which each side has half of the neighbor on the crease.
   template <class Number, class Mask_of>
-  static Ring_matrix<Number> dart_matrix(const Mask_of& mask_of, const Wheel& wheel, Index valence)
+  static Ring_matrix<Number> dart_matrix(const Mask_of& mask_of, Index valence, unsigned round)
   {
-    const Ring_pair& rings = wheel.rings;
-    auto matrix =
-      ring_matrix<Number>(wheel.host, mask_of(Number(), wheel.cut.connectivity()), rings);
+    using Host = typename Scheme::Host;
+    Level_connectivity whole = wheel(valence, Host::refined_degree),
+                       open = wheel(valence, Host::refined_degree, true);
+    for (Level_connectivity* level : {&whole, &open}) level->set_counted_valences({{0, valence}});
+    const Host host(open, round);
+    Ring_pair rings;
+    Vertex_ring::append(open, 0, 1, rings.ring);
+    Vertex_ring::append_next(open, host, 0, rings.next_ring);
+    auto matrix = ring_matrix<Number>(host, mask_of(Number(), open), rings);
     if (!matrix) throw std::invalid_argument(no_mask(valence));
 
-    const auto mask = mask_of(Number(), wheel.whole);
-    const Corner_slots<FT> slot_of(wheel.whole, wheel.creases);
-    Entry_row<Number> row;
-    Slot_shares<Number, std::decay_t<decltype(mask)>, FT>(wheel.whole, slot_of, mask)
-      .vertex(0, row);
+    Stencil_block<Number> row;
+    mask_of(Number(), whole).vertex(0, row.row());
+    row.close_row();
     matrix->front().clear();
-    for (const auto* e = row.begin(); e != row.end(); ++e) {
-      const auto place = std::find(rings.ring.begin(), rings.ring.end(), e->vertex);
+    const auto add = [&](Index vertex, const Number& weight) {
+      const auto place = std::find(rings.ring.begin(), rings.ring.end(), vertex);
       if (place == rings.ring.end()) throw std::invalid_argument(no_mask(valence));
-      matrix->front().push_back(
-        {static_cast<std::uint32_t>(place - rings.ring.begin()), e->weight});
-    }
+      matrix->front().push_back({static_cast<std::uint32_t>(place - rings.ring.begin()), weight});
+    };
+    const Index on_crease[] = {1, open.number_of_vertices() - 1};
+    for (const auto* e = row.begin(0); e != row.end(0); ++e)
+      if (e->vertex != on_crease[0])
+        add(e->vertex, e->weight);
+      else
+        for (const Index v : on_crease) add(v, Number(e->weight / Number(2)));
     return *matrix;
   }
-
-  std::vector<Index> crease_places_; // of the slots of the neighbor on the crease
-  Weights points_, normals_;
-  bool has_own_normals_ = false; // otherwise they are refined by the rules of the points
-};
-
-// The limit at a vertex where a crease ends. Its ring is refined by itself: on the crease by the crease
-// average, elsewhere by the rows of the class.
-template <class Scheme, class FT>
-class Dart_limit
-{
-public:
-  using Rules_of_dart = Dart_rules<Scheme, FT>;
-  using Average = Average_of_scheme<Scheme, FT>;
-  using Value = typename Average::Value;
-  using Vector = Coordinates<FT, 3>;
-
-  explicit Dart_limit(const Average& average)
-    : average_(average)
-  {}
-
-  std::vector<Value> ring;
-  Vector tangent;     // from the vertex along the crease
-  Vector far_tangent; // from its neighbor
-
-  // returns the limit of the value; the tangent becomes its limit
-  Value evaluate(const Rules_of_dart& dart, Convergence<FT>& steps)
-  {
-    const Vector center = point_of(ring.front());
-    if constexpr (std::is_floating_point_v<FT>)
-      for (Value& v : ring) add_multiple<FT, 3>(point_of(v), FT(-1), center);
-    for (;;) {
-      Value limit =
-        average(dart.points().limit, dart.has_own_normals() ? &dart.normals().limit : nullptr);
-      if (steps.is_last(point_of(limit))) {
-        turn_tangent(limit);
-        if constexpr (std::is_floating_point_v<FT>)
-          add_multiple<FT, 3>(point_of(limit), FT(1), center);
-        return limit;
-      }
-      refine(dart);
-    }
-  }
-
-private:
-  static constexpr bool is_pn = is_pn_v<Scheme>;
-  using Rule = Crease_average<FT, 3>;
-  using Entry = typename Rule::Entry;
-  using Row = Ring_row<FT>;
-
-  // without a row of their own the normals are averaged as the points
-  Value average(const Row& row, [[maybe_unused]] const Row* normal_row) const
-  {
-    const auto* const begin = row.data();
-    if constexpr (Has_normal_mask<Scheme>::value)
-      if (normal_row != nullptr)
-        return average_(begin, begin + row.size(), normal_row->data(),
-                        normal_row->data() + normal_row->size(), ring.data());
-    return average_(begin, begin + row.size(), ring.data());
-  }
-
-  void refine(const Rules_of_dart& dart)
-  {
-    std::vector<Value> next;
-    for (std::size_t p = 0; p < ring.size(); ++p)
-      next.push_back(
-        average(dart.points().rows[p], dart.has_own_normals() ? &dart.normals().rows[p] : nullptr));
-    const FT half = FT(1) / FT(2);
-    const Vector onwards = opposite_vector(far_tangent);
-    const std::array<Entry, 2> entries{
-      {{half, point_of(ring.front()), tangent},
-       {half, point_of(ring[dart.crease_places().front()]), onwards}}};
-    const auto along = [&](std::size_t p) -> FT { // whose rows refine it as well
-      return averaged_roundness(entries,
-                                [&](std::size_t j) { return roundness_of(j == 0 ? 0 : p); });
-    };
-    const FT roundness =
-      (CGAL::max)(along(dart.crease_places().front()), along(dart.crease_places().back()));
-    const Rule rule(entries.data(), entries.data() + 2, roundness);
-    for (const auto p : dart.crease_places()) {
-      point_of(next[p]) = rule.point();
-      if constexpr (is_pn)
-        next[p].normal =
-          rule.normal([&](std::size_t j) -> const Vector& { return ring[j == 0 ? 0 : p].normal; });
-    }
-    far_tangent = opposite_vector(rule.tangent());
-    turn_tangent(next.front());
-    ring.swap(next);
-  }
-
-  FT roundness_of([[maybe_unused]] std::size_t place) const
-  {
-    if constexpr (is_pn)
-      return ring[place].roundness;
-    else
-      return FT(1);
-  }
-
-  // makes the tangent orthogonal to the normal
-  void turn_tangent([[maybe_unused]] const Value& value)
-  {
-    if constexpr (is_pn) {
-      const FT length = root_of_square<FT>(dot(tangent, tangent));
-      add_multiple<FT, 3>(tangent, FT(-dot(tangent, value.normal)), value.normal);
-      tangent = unit_or_zero<FT, 3>(tangent, length);
-    }
-  }
-
-  Average average_;
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -136,14 +136,15 @@ void with_slot_level(const Access& access, const Scheme& scheme, Point_map point
 
 // The limits at the slots of a level, which are its vertices if there are no creases. The creases get the tangents of
 // the limit. If only some vertices are asked for, which are sorted, other vertices have no results.
-template <class FT, bool points_alone = false, class Scheme, class Level, class Level_creases>
+template <class FT, Limit_kinds kinds = Limit_kinds::all, class Scheme, class Level,
+          class Level_creases>
 auto limits_at_slots(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
                      Level& level, Level_creases& creases, unsigned next_round,
                      const std::vector<Level_connectivity::Index>* some = nullptr,
                      std::shared_ptr<Ring_rules_cache<Scheme, FT>> rules_cache = nullptr)
 {
-  Limits_of_level<Scheme, FT, Level_creases, points_alone> limits(scheme, demand, for_chunks,
-                                                                  std::move(rules_cache));
+  Limits_of_level<Scheme, FT, Level_creases, kinds> limits(scheme, demand, for_chunks,
+                                                           std::move(rules_cache));
   return limits(level, creases, next_round, some);
 }
 
@@ -283,7 +284,7 @@ Limit_report vertex_limits(Mesh& mesh, const Scheme& scheme, Point_map points,
     with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
       const auto evaluate = [&](auto& level, auto& creases, auto& of_mesh) {
         const Limit_demand demand = limit_demand<FT>(options, box_size(level));
-        auto results = limits_at_slots<FT, asks_for_points_alone<NamedParameters>()>(
+        auto results = limits_at_slots<FT, limit_kinds<NamedParameters>()>(
           scheme_of_rounds(s), demand, For_chunks::with(Concurrency_tag()), level, creases,
           options.rounds_done + 1);
         std::decay_t<decltype(level.values)>().swap(level.values);

@@ -60,13 +60,16 @@ inline Level_connectivity level_of_faces(Level_connectivity::Index vertices,
 }
 
 // Faces all around vertex 0: edge i leads to it from its neighbor 1 + i, and behind the neighbors come the
-// diagonal vertices of quads.
-inline Level_connectivity wheel(Level_connectivity::Index valence, Level_connectivity::Index degree)
+// diagonal vertices of quads. An open wheel is cut open along edge 0: its neighbor is there twice, the second time as the last
+// vertex.
+inline Level_connectivity wheel(Level_connectivity::Index valence, Level_connectivity::Index degree,
+                                bool is_open = false)
 {
   using Index = Level_connectivity::Index;
-  const Index n = valence, outer = (degree - 2) * n;
+  const Index n = valence, outer = (degree - 2) * n, spokes = n + (is_open ? 1 : 0);
   // the k-th vertex of the rim
   const auto rim = [&](Index k) {
+    if (is_open && k == outer) return 1 + outer;
     k %= outer;
     return degree == 3 ? 1 + k : (k % 2 == 0 ? 1 + k / 2 : 1 + n + k / 2);
   };
@@ -74,11 +77,11 @@ inline Level_connectivity wheel(Level_connectivity::Index valence, Level_connect
   for (Index i = 0; i < n; ++i) {
     faces[i] = {{2 * i + 1, 1 + i}};
     for (Index k = (degree - 2) * i; k < (degree - 2) * (i + 1); ++k)
-      faces[i].emplace_back(2 * (n + k), rim(k + 1));
-    faces[i].emplace_back(2 * ((i + 1) % n), 0);
+      faces[i].emplace_back(2 * (spokes + k), rim(k + 1));
+    faces[i].emplace_back(2 * ((i + 1) % spokes), 0);
   }
-  Level_connectivity level = level_of_faces(1 + outer, n + outer, faces);
-  level.set_halfedge_of_vertex(0, 0);
+  Level_connectivity level = level_of_faces(1 + outer + (is_open ? 1 : 0), spokes + outer, faces);
+  if (!is_open) level.set_halfedge_of_vertex(0, 0);
   return level;
 }
 

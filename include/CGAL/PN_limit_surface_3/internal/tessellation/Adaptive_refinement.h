@@ -47,6 +47,8 @@ class Adaptive_refinement
 {
 public:
   using Index = Level_connectivity::Index;
+  // attributes share what there is of all limits, as libraries do
+  static constexpr Limit_kinds kinds = carries_attributes ? Limit_kinds::all : Limit_kinds::normals;
   using Average = Average_of_scheme<Scheme, FT>;
   using Value = typename Average::Value;
   using Level = Adaptive_level<Value, Level_creases>;
@@ -414,7 +416,7 @@ private:
   For_chunks for_chunks_;
   Split_edges<FT> all_;
   Selection selection_;
-  Limits_of_level<Scheme, FT, Level_creases> limits_;
+  Limits_of_level<Scheme, FT, Level_creases, kinds> limits_;
   Attributes attributes_;
   unsigned rounds_ = 0;
 };
