@@ -87,17 +87,8 @@ public:
   {}
 
   // the limits of all vertices, by the rules of the next round, or of some vertices, which keep their places among all
-  std::vector<Result> operator()(const Level& level, const No_creases&, unsigned next_round,
-                                 const std::vector<Index>* some = nullptr)
-  {
-    return (*this)(level, next_round, some);
-  }
-  std::vector<Result> operator()(const Level& level, unsigned next_round,
-                                 const std::vector<Index>* some = nullptr);
-
-  // the limits of some vertices, in their order
-  void operator()(const Level& level, unsigned next_round, const std::vector<Index>& vertices,
-                  std::vector<Result>& results);
+  std::vector<Result> operator()(const Level& level, const No_creases& none, unsigned next_round,
+                                 const Numbers* some = nullptr) const;
 
   // Sets result_of(i), of vertices[i], where the neighborhood is settled, or will be after one round; returns the
   // positions of the other vertices. A level that is cut open along creases may be given, without vertices on creases.
@@ -153,22 +144,6 @@ private:
   static constexpr unsigned most_rounds = 6;
   // rings of the next round that are made at once
   static constexpr Index batch = 128;
-
-  // result places[i] belongs to vertices[i]
-  void evaluate(const Level& level, const Numbers& vertices, unsigned next_round,
-                const Numbers& places, std::vector<Result>& results) const
-  {
-    const auto settle = [&](const Level& l, const No_creases&, const Numbers& here,
-                            const Numbers& places_of_here, unsigned round, unsigned depth) {
-      return evaluate_settled(l, here, round, depth,
-                              [&](Index i) -> Result& { return results[places_of_here[i]]; });
-    };
-    const No_creases none(level.level.number_of_vertices());
-    const Numbers rest = settle(level, none, vertices, places, next_round, 0);
-    if (!rest.empty())
-      refine_about(level, none, values_of_part(vertices, rest), values_of_part(places, rest),
-                   next_round, settle);
-  }
 
   // calls f() for ranges [begin, end) of [0, n), each with gathered rings of its own
   template <class Function>
@@ -263,40 +238,29 @@ private:
 };
 
 template <class Scheme, class FT, Limit_kinds kinds>
-auto Limit_evaluation<Scheme, FT, kinds>::operator()(const Level& level, unsigned next_round,
-                                                     const std::vector<Index>* some)
+auto Limit_evaluation<Scheme, FT, kinds>::operator()(const Level& level, const No_creases& none,
+                                                     unsigned next_round, const Numbers* some) const
   -> std::vector<Result>
 {
   std::vector<Result> results(level.level.number_of_vertices());
-  std::vector<Index> all;
+  Numbers all;
   if (some == nullptr) {
     all.resize(results.size());
     std::iota(all.begin(), all.end(), Index(0));
     some = &all;
   }
-  evaluate(level, *some, next_round, *some, results);
+  const auto evaluate = [&](const Level& part, const No_creases&, const Numbers& vertices,
+                            const Numbers& places, unsigned round, unsigned depth) {
+    return evaluate_settled(part, vertices, round, depth,
+                            [&](Index i) -> Result& { return results[places[i]]; });
+  };
+  const Numbers rest = values_of_part(*some, evaluate(level, none, *some, *some, next_round, 0));
+  if (!rest.empty()) refine_about(level, none, rest, rest, next_round, evaluate);
   // where points are not asked for, rings have oriented them
   if constexpr (has_normals(kinds))
     if (demand_.surface_normals && demand_.points)
       orient_normals(level, results, for_chunks_, some == &all || demand_.has_neighbors);
   return results;
-}
-
-template <class Scheme, class FT, Limit_kinds kinds>
-auto Limit_evaluation<Scheme, FT, kinds>::operator()(const Level& level, unsigned next_round,
-                                                     const std::vector<Index>& vertices,
-                                                     std::vector<Result>& results) -> void
-{
-  results.assign(vertices.size(), Result());
-  std::vector<Index> places(vertices.size());
-  std::iota(places.begin(), places.end(), Index(0));
-  evaluate(level, vertices, next_round, places, results);
-  if constexpr (has_normals(kinds))
-    if (demand_.surface_normals && demand_.points)
-      orient_normals(
-        level.level, results, for_chunks_,
-        [&](Index v) { return to_double_3(point_of(level.values[v])); },
-        [&](Index i) { return vertices[i]; });
 }
 
 template <class Scheme, class FT, Limit_kinds kinds>

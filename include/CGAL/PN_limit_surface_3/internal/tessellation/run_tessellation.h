@@ -381,23 +381,27 @@ bool run_tessellation(
 {
   using Index = Level_connectivity::Index;
   const Index control_vertices = control.level.number_of_vertices();
-  Tessellation_data attributes;
-  if constexpr (carries_attributes) attributes = table.read(control.level);
+  [[maybe_unused]] Carried<carries_attributes, Tessellation_data> attributes;
+  std::size_t dimension_of_corners = 0;
+  if constexpr (carries_attributes) {
+    attributes = table.read(control.level);
+    dimension_of_corners = table.dimension_of_corners();
+  }
   Adaptive_refinement<Scheme, FT, Level_creases, carries_attributes> refinement(scheme, demand,
                                                                                 for_chunks, bounds);
-  refinement(std::move(control), std::move(creases), attributes, runs.take_nodes());
-  const Leaf_triangles<FT> triangles = runs.triangles(refinement, table.dimension_of_corners());
+  refinement(std::move(control), std::move(creases), runs.take_nodes(), attributes);
+  const Leaf_triangles<FT> triangles = runs.triangles(refinement, dimension_of_corners);
   if (runs.go_on(refinement, triangles)) return true;
   std::vector<bool> used = used_vertices(refinement.all(), triangles);
   std::fill_n(used.begin(), control_vertices, true);
   refinement.remove_unused(used);
   const Tessellation_mesh<FT> mesh(refinement.all(), triangles);
-  Attribute_table carried;
+  [[maybe_unused]] Carried<carries_attributes, Attribute_table> carried;
   if constexpr (carries_attributes)
     if (table.any())
       carried = table.of_result(refinement, triangles, attributes, first_indices(control_vertices));
   build(refinement.all(), mesh);
-  table.set(std::move(carried));
+  if constexpr (carries_attributes) table.set(std::move(carried));
   runs.report(refinement, triangles, report);
   report.number_of_vertices = mesh.level().number_of_vertices();
   report.number_of_triangles = mesh.level().number_of_faces();
