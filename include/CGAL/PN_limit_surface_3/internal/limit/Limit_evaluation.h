@@ -209,25 +209,19 @@ private:
     std::vector<Value> values;
     Numbers centers;
   };
-  // A part of a level that is not cut open; the rim has the rules of a smooth border. A vertex has the same rows whichever
-  // vertices are asked for.
+  // A part of a level that is not cut open, or all of it; the rim has the rules of a smooth border. A vertex has the same rows
+  // whichever vertices are asked for.
   template <class Level_creases>
   Part<Level_creases> part_about(const Level& level, const Level_creases& creases,
                                  const Numbers& vertices, [[maybe_unused]] unsigned round) const
   {
+    if constexpr (std::is_same_v<typename Scheme::Host, Sqrt3_host>)
+      if (Sqrt3_host::refines_border(round)) // which would take the rim for it
+        return {level.level, creases, level.values, vertices};
     Sub_level cut(level.level, vertices, cut_rings(scheme_, creases), Sub_level::Keeps::walks);
     auto [of_part, origins] = cut.creases_and_slots(level.level, creases);
-    std::vector<Value> values = values_of_part(level.values, origins);
-    if constexpr (std::is_same_v<typename Scheme::Host, Sqrt3_host>)
-      if (Sqrt3_host::refines_border(round)) { // which would take the rim for it
-        const Rim_closure closure(cut.level,
-                                  [&](Index b) { return !level.level.is_border(cut.halfedge(b)); });
-        for (const Index v : closure.neighbors_of_new_vertices()) {
-          const Value value = values[v];
-          values.push_back(value);
-        }
-      }
-    return {std::move(cut.level), std::move(of_part), std::move(values), std::move(cut.centers)};
+    return {std::move(cut.level), std::move(of_part), values_of_part(level.values, origins),
+            std::move(cut.centers)};
   }
 
   const Scheme& scheme_;

@@ -20,8 +20,6 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
 #include <array>
@@ -148,16 +146,12 @@ private:
   // the distance from the triangles on trial
   double distance(const flatness::Vector& p) const
   {
-    using Kernel = Simple_cartesian<double>;
-    const auto point = [](const flatness::Vector& q) { return Kernel::Point_3(q[0], q[1], q[2]); };
     double least = std::numeric_limits<double>::infinity();
-    for (const Tessellation_triangle& t : trial_.triangles())
-      least =
-        (std::min)(least, CGAL::squared_distance(
-                            point(p), Kernel::Triangle_3(point(all_.corner(t.slot_ids[0]).point),
-                                                         point(all_.corner(t.slot_ids[1]).point),
-                                                         point(all_.corner(t.slot_ids[2]).point))));
-    return std::sqrt(least);
+    for (const Tessellation_triangle& t : trial_.triangles()) {
+      const auto at = [&](std::size_t i) { return all_.corner(t.slot_ids[i]).point; };
+      least = (std::min)(least, flatness::distance_from_triangle(p, at(0), at(1), at(2)));
+    }
+    return least;
   }
 
   Split_edges<FT>& all_;
