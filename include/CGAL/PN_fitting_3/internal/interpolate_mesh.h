@@ -233,7 +233,7 @@ public:
     Creases<double> creases = creases_; // whose tangents become those of the limit
     constexpr Limit_kinds kinds = limit_kinds<parameters::Default_named_parameters>();
     const auto results = limits_at_slots<double, kinds>(scheme_, demand, for_chunks_, level_,
-                                                               creases, 1, &data_.vertices);
+                                                        creases, 1, &data_.vertices);
     Limit_interpolation report;
     for (const Index v : data_.vertices) {
       points[v] = to_eigen<3>(point_of(results[v].value));

@@ -290,9 +290,9 @@ private:
                      Index place, unsigned depth, std::vector<Result>& results)
   {
     const Crease_star &star = *creases.star_at(v), &star_of_limits = *limits.star_at(place);
-    Numbers slots;
-    Vertex_ring::append(level.level, v, 1, slots);
-    std::vector<Value> ring = values_of_part(level.values, slots);
+    Numbers places;
+    Vertex_ring::append(level.level, v, 1, places);
+    std::vector<Value> ring = values_of_part(level.values, places);
     const Vector center = point_of(ring.front());
     for (Value& value : ring) value = relative(value, center, FT(-1));
     Result& result = results[place];
