@@ -31,6 +31,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -141,49 +142,59 @@ private:
   }
 };
 
-// The limit masks over the slots of the ring of a vertex where a crease ends; without a mask of their own the normals have that of
-// the points.
+// What darts of one valence share: the rows of their ring, which is cut open along the crease, and the limit
+// mask. Places are those of Vertex_ring.
 template <class Scheme, class FT>
-struct Dart_masks
+class Dart_rules
 {
+public:
   using Index = Level_connectivity::Index;
 
-  Ring_row<FT> points;
-  std::optional<Ring_row<FT>> normals;
+  struct Weights
+  {
+    Ring_matrix<FT> rows;
+    Ring_row<FT> limit;
+  };
 
-  // of an interior vertex in a round with the rules of all later rounds
-  Dart_masks(const Scheme& scheme, Index valence, unsigned round)
+  // the rules of an interior vertex in a round with the rules of all later rounds
+  Dart_rules(const Scheme& scheme, Index valence, unsigned round)
+    : crease_places_{1, valence + 1}
   {
     const auto mask_of = [&](auto number, const Level_connectivity& level) {
       return scheme.template mask<decltype(number)>(level, round);
     };
-    points = limit_mask(mask_of, valence, round);
+    points_ = weights(mask_of, valence, round);
     if constexpr (Has_normal_mask<Scheme>::value) {
       const auto normal_mask_of = [&](auto number, const Level_connectivity& level) {
         return scheme.template normal_mask<decltype(number)>(level, round);
       };
-      if (facts_of(scheme).has_normal_mask) normals = limit_mask(normal_mask_of, valence, round);
+      if (facts_of(scheme).has_normal_mask) normals_ = weights(normal_mask_of, valence, round);
     }
   }
-  // of a vertex on a border that is a crease on one side: those of a plain border vertex
-  explicit Dart_masks(const Ring_rules<Scheme, FT>& border)
-    : points(border.limit_row())
+  // the rules of a vertex on a border that is a crease on one side, by the ring class of a plain border vertex
+  Dart_rules(const Ring_rules<Scheme, FT>& border, Index crease_place)
+    : crease_places_{crease_place}
+    , points_{border.matrix(), border.limit_row()}
   {
-    if (border.has_own_normals()) normals = border.normal_limit_row();
+    if (border.has_own_normals())
+      normals_ = Weights{border.normal_matrix(), border.normal_limit_row()};
   }
+
+  const std::vector<Index>& crease_places() const { return crease_places_; }
+  const Weights& points() const { return points_; }
+  // null: they are refined by the rules of the points
+  const Weights* normals() const { return normals_ ? &*normals_ : nullptr; }
 
 private:
   template <class Mask_of>
-  static Ring_row<FT> limit_mask(const Mask_of& mask_of, Index valence, unsigned round)
+  static Weights weights(const Mask_of& mask_of, Index valence, unsigned round)
   {
     using Real = Ring_eigenvectors::Real;
-    const auto matrix = dart_matrix<Real>(mask_of, valence, round);
-    const Ring_eigenvectors masks(matrix, Ring_layout());
+    const auto matrix = dart_matrix<FT>(mask_of, valence, round);
+    const auto real_matrix = dart_matrix<Real>(mask_of, valence, round);
+    const Ring_eigenvectors masks(real_matrix, Ring_layout());
     if (masks.limit().empty()) throw std::invalid_argument(no_mask(valence));
-    if constexpr (std::is_floating_point_v<FT>)
-      return limit_weights<FT>(masks.limit(), {});
-    else
-      return limit_weights<FT>(masks.limit(), dart_matrix<FT>(mask_of, valence, round));
+    return {matrix, limit_weights<FT>(masks.limit(), matrix)};
   }
   static std::string no_mask(Index valence)
   {
@@ -224,6 +235,115 @@ private:
         for (const Index v : on_crease) add(v, Number(e->weight / Number(2)));
     return *matrix;
   }
+
+  std::vector<Index> crease_places_; // of the slots of the neighbor on the crease
+  Weights points_;
+  std::optional<Weights> normals_;
+};
+
+// The limit at a vertex where a crease ends. Its ring is refined by itself: on the crease by the crease
+// average, elsewhere by the rows of the class.
+template <class Scheme, class FT>
+class Dart_limit
+{
+public:
+  using Rules_of_dart = Dart_rules<Scheme, FT>;
+  using Average = Average_of_scheme<Scheme, FT>;
+  using Value = typename Average::Value;
+  using Vector = Coordinates<FT, 3>;
+
+  explicit Dart_limit(const Average& average)
+    : average_(average)
+  {}
+
+  std::vector<Value> ring;
+  Vector tangent;     // from the vertex along the crease
+  Vector far_tangent; // from its neighbor
+
+  // returns the limit of the value; the tangent becomes its limit
+  Value evaluate(const Rules_of_dart& dart, Convergence<FT>& steps)
+  {
+    const Vector center = point_of(ring.front());
+    if constexpr (std::is_floating_point_v<FT>)
+      for (Value& v : ring) add_multiple<FT, 3>(point_of(v), FT(-1), center);
+    for (;;) {
+      Value limit =
+        average(dart.points().limit, dart.normals() != nullptr ? &dart.normals()->limit : nullptr);
+      if (steps.is_last(point_of(limit))) {
+        turn_tangent(limit);
+        if constexpr (std::is_floating_point_v<FT>)
+          add_multiple<FT, 3>(point_of(limit), FT(1), center);
+        return limit;
+      }
+      refine(dart);
+    }
+  }
+
+private:
+  static constexpr bool is_pn = is_pn_v<Scheme>;
+  using Rule = Crease_average<FT, 3>;
+  using Entry = typename Rule::Entry;
+  using Row = Ring_row<FT>;
+
+  // without a row of their own the normals are averaged as the points
+  Value average(const Row& row, [[maybe_unused]] const Row* normal_row) const
+  {
+    const auto* const begin = row.data();
+    if constexpr (Has_normal_mask<Scheme>::value)
+      if (normal_row != nullptr)
+        return average_(begin, begin + row.size(), normal_row->data(),
+                        normal_row->data() + normal_row->size(), ring.data());
+    return average_(begin, begin + row.size(), ring.data());
+  }
+
+  void refine(const Rules_of_dart& dart)
+  {
+    std::vector<Value> next;
+    for (std::size_t p = 0; p < ring.size(); ++p)
+      next.push_back(average(dart.points().rows[p],
+                             dart.normals() != nullptr ? &dart.normals()->rows[p] : nullptr));
+    const FT half = FT(1) / FT(2);
+    const Vector onwards = opposite_vector(far_tangent);
+    const std::array<Entry, 2> entries{
+      {{half, point_of(ring.front()), tangent},
+       {half, point_of(ring[dart.crease_places().front()]), onwards}}};
+    const auto along = [&](std::size_t p) -> FT { // whose rows refine it as well
+      return averaged_roundness(entries,
+                                [&](std::size_t j) { return roundness_of(j == 0 ? 0 : p); });
+    };
+    const FT roundness =
+      (CGAL::max)(along(dart.crease_places().front()), along(dart.crease_places().back()));
+    const Rule rule(entries.data(), entries.data() + 2, roundness);
+    for (const auto p : dart.crease_places()) {
+      point_of(next[p]) = rule.point();
+      if constexpr (is_pn)
+        next[p].normal =
+          rule.normal([&](std::size_t j) -> const Vector& { return ring[j == 0 ? 0 : p].normal; });
+    }
+    far_tangent = opposite_vector(rule.tangent());
+    turn_tangent(next.front());
+    ring.swap(next);
+  }
+
+  FT roundness_of([[maybe_unused]] std::size_t place) const
+  {
+    if constexpr (is_pn)
+      return ring[place].roundness;
+    else
+      return FT(1);
+  }
+
+  // makes the tangent orthogonal to the normal
+  void turn_tangent([[maybe_unused]] const Value& value)
+  {
+    if constexpr (is_pn) {
+      const FT length = root_of_square<FT>(dot(tangent, tangent));
+      add_multiple<FT, 3>(tangent, FT(-dot(tangent, value.normal)), value.normal);
+      tangent = unit_or_zero<FT, 3>(tangent, length);
+    }
+  }
+
+  Average average_;
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -28,6 +28,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -37,8 +38,8 @@ namespace CGAL::PN_subdivision_3::internal {
 //
 // Without a crease nearby, the level cut open has the same limits: the next ring of a vertex depends on
 // the ring alone, and in it on slots. Vertices on creases are evaluated with their neighbors along the
-// crease, and corners stay. The level is refined about rings that are not settled, and about darts, until the averages of
-// their limit mask have come close enough to the limit; if an edge is sharp, but not forever, all of it is.
+// crease, darts with their ring, and corners stay. The level is refined about rings that are not settled; if an edge is
+// sharp, but not forever, all of it is.
 template <class Scheme, class FT, Limit_kinds kinds = Limit_kinds::all>
 class Creased_limits
 {
@@ -70,7 +71,7 @@ private:
   using Refiner = Level_refiner<Scheme, Average, Creases<FT>>;
   using Vector = Coordinates<FT, 3>;
   using Crease_limit = Crease_vertex_limit<FT, is_pn>;
-  using Masks_of_dart = Dart_masks<Scheme, FT>;
+  using Dart = Dart_rules<Scheme, FT>;
 
   // open while it lives
   struct Cut
@@ -166,10 +167,12 @@ private:
         smooth_positions.push_back(i);
         continue;
       }
-      const bool is_settled = has_final_rules(v);
-      if (!is_settled) evaluation_.require_depth(depth, next_round);
-      if (!is_settled || !evaluate_dart(level, creases, v, limits, places[i], depth, results))
+      if (has_final_rules(v))
+        evaluate_dart(level, creases, v, limits, places[i], depth, results[places[i]]);
+      else {
+        evaluation_.require_depth(depth, next_round);
         rest.push_back(i);
+      }
     }
     const Numbers unsettled =
       evaluation_.evaluate_settled(level, smooth, next_round, depth, [&](Index i) -> Result& {
@@ -285,56 +288,38 @@ private:
   }
 
   // \name Darts
-  // the next average of the limit mask of a dart; whether it is close enough to the limit
-  bool evaluate_dart(const Level& level, const Creases<FT>& creases, Index v, Creases<FT>& limits,
-                     Index place, unsigned depth, std::vector<Result>& results)
+  void evaluate_dart(const Level& level, const Creases<FT>& creases, Index v, Creases<FT>& limits,
+                     Index place, unsigned depth, Result& result)
   {
     const Crease_star &star = *creases.star_at(v), &star_of_limits = *limits.star_at(place);
+    const Crease_halfedge& e = creases.end(star, 0);
     Numbers places;
     Vertex_ring::append(level.level, v, 1, places);
-    std::vector<Value> ring = values_of_part(level.values, places);
-    const Vector center = point_of(ring.front());
-    for (Value& value : ring) value = relative(value, center, FT(-1));
-    Result& result = results[place];
-    const Masks_of_dart& masks = masks_of_dart(level, star);
-    name_undecided(star, [&] { result.value = relative(average(masks, ring), center, FT(1)); });
-    steps_.resize(limits.stars.size());
-    auto& steps = steps_[static_cast<std::size_t>(&star_of_limits - limits.stars.data())];
+    const bool is_first = star.is_border && places[1] == level.level.source(creases.halfedge(e));
+    Dart_limit<Scheme, FT> limit(average_of<Average>(scheme_));
+    limit.ring = values_of_part(level.values, places);
+    limit.tangent = creases.tangent_from(e);
+    limit.far_tangent = creases.tangent_towards(e);
     // the differences fall by 1/4 at least, as the square of the ring
-    if (!steps) steps.emplace(demand_, !is_pn, 1. / 4);
-    if (!steps->is_last(point_of(result.value))) return false;
-    result.error = steps->error();
-    result.depth = depth;
-    Vector tangent = creases.tangent_from(creases.end(star, 0));
-    if constexpr (is_pn) { // orthogonal to the normal
-      const FT length = root_of_square<FT>(dot(tangent, tangent));
-      add_multiple<FT, 3>(tangent, FT(-dot(tangent, result.value.normal)), result.value.normal);
-      tangent = unit_or_zero<FT, 3>(tangent, length);
-    }
-    limits.tangent_from(limits.end(star_of_limits, 0)) = tangent;
-    return true;
+    Convergence<FT> steps(demand_, !is_pn, 1. / 4);
+    const Dart& dart = rules_of_dart(level, star, is_first);
+    name_undecided(star, [&] { result.value = limit.evaluate(dart, steps); });
+    result.error = steps.error();
+    result.depth = depth + steps.depth();
+    limits.tangent_from(limits.end(star_of_limits, 0)) = limit.tangent;
   }
 
-  Value average(const Masks_of_dart& masks, const std::vector<Value>& ring) const
-  {
-    const Average average = average_of<Average>(scheme_);
-    const auto *const begin = masks.points.data(), *const end = begin + masks.points.size();
-    if constexpr (Has_normal_mask<Scheme>::value)
-      if (masks.normals)
-        return average(begin, end, masks.normals->data(),
-                       masks.normals->data() + masks.normals->size(), ring.data());
-    return average(begin, end, ring.data());
-  }
-
-  const Masks_of_dart& masks_of_dart(const Level& level, const Crease_star& star)
+  // is_first: of a border, whether the crease is on its first edge
+  const Dart& rules_of_dart(const Level& level, const Crease_star& star, bool is_first)
   {
     const Index valence = level.level.valence(star.vertex);
-    auto& masks = masks_of_darts_[{star.is_border, valence}];
-    if (!masks && star.is_border)
-      masks.emplace(evaluation_.rules_of_border(level.level, star.vertex));
-    else if (!masks) // cut open it has one more
-      masks.emplace(scheme_, valence - 1, any_round_);
-    return *masks;
+    auto& dart = darts_[{star.is_border, is_first, valence}];
+    if (!dart && star.is_border)
+      dart.emplace(evaluation_.rules_of_border(level.level, star.vertex),
+                   is_first ? Index(1) : valence);
+    else if (!dart) // cut open it has one more
+      dart.emplace(scheme_, valence - 1, any_round_);
+    return *dart;
   }
 
   const Scheme& scheme_;
@@ -343,9 +328,8 @@ private:
   Evaluation evaluation_;
   const unsigned any_round_;      // with the rules of all later ones
   const Numbers* some_ = nullptr; // the vertices that are asked for
-  std::map<std::pair<bool, Index>, std::optional<Masks_of_dart>>
-    masks_of_darts_;                                  // on the border, valence
-  std::vector<std::optional<Convergence<FT>>> steps_; // of darts, by their stars
+  // of the border, whether the crease is on its first edge, valence
+  std::map<std::tuple<bool, bool, Index>, std::optional<Dart>> darts_;
 };
 
 template <class Scheme, class FT, Limit_kinds kinds>
@@ -358,7 +342,6 @@ auto Creased_limits<Scheme, FT, kinds>::operator()(Level& level, Creases<FT>& cr
   std::vector<Result> results(creases.number_of_slots);
   Creases<FT> limits = creases;
   some_ = some;
-  steps_.clear();
   Numbers rest = vertices_of_rings(level.level, creases);
   {
     const Cut cut(level.level, creases);
