@@ -70,10 +70,11 @@ Limit_report vertex_limit_points(const PolygonMesh& mesh, const Scheme& scheme, 
   if constexpr (Check_map<Map_of_limits>::check<LimitMap, Vertex, Parameters, Writable>() &&
                 check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
     using Limit = typename boost::property_traits<LimitMap>::value_type;
-    const auto put_all = [&](const auto& access, const auto& of_mesh, const auto&) {
-      put_mean_normals<Scheme>(of_mesh.creases, of_mesh.results);
-      for (Level_connectivity::Index v = 0; v < of_mesh.level.number_of_vertices(); ++v)
-        put(limits, access.vertex(v), to_limit_point<Limit>(of_mesh.results[v]));
+    const auto put_all = [&](const auto& access, const auto& level, const auto& creases,
+                             auto& results, const auto&) {
+      put_mean_normals<Scheme>(creases, results);
+      for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
+        put(limits, access.vertex(v), to_limit_point<Limit>(results[v]));
     };
     return vertex_limits<Concurrency_tag, Parameters>(
       mesh, scheme, Parameters::const_point_map(mesh, np), np, put_all);

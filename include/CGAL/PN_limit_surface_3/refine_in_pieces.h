@@ -213,7 +213,9 @@ public:
                                   " rings around a piece, which " +
                                   (limits_ ? "at the limit" : "with this scheme") + " has " +
                                   std::to_string(most_rings) + " at most");
-    return limits_ ? piece_at_limit(i, rings) : refined_piece(i, rings);
+    if (!limits_) return piece_of(i, rings, nullptr);
+    const auto demand = internal::limit_demand<FT>(limits_->options, size_of_surface());
+    return piece_of(i, rings, &demand);
   }
 
   /// \name The size of the surface
@@ -225,7 +227,7 @@ public:
   {
     Bbox_3 box;
     if (is_empty(i)) return box;
-    const Piece piece = refined_piece(i, 0);
+    const Piece piece = piece_of(i, 0, nullptr);
     for (Index v = 0; v < piece.number_of_vertices(); ++v) {
       const auto& p = piece.points()[v];
       const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y()),
@@ -263,11 +265,23 @@ private:
     return limits_->size;
   }
 
-  // takes the connectivity
-  auto begin_piece(Piece& piece, bool has_normals) const
+  // demand: null, or of limits
+  Piece piece_of(std::size_t i, unsigned rings, const internal::Limit_demand* demand) const
   {
-    return [&piece, has_normals](Level_connectivity& connectivity, internal::Global_ids& vertices,
-                                 internal::Global_ids& faces) {
+    using Limit = internal::Limit_result<Average>;
+    const bool has_surface_normals = demand != nullptr && demand->surface_normals;
+    const bool has_normals = is_pn || has_surface_normals;
+    const auto normal = [&]([[maybe_unused]] const Value& value, const Limit* limit) {
+      if (limit != nullptr)
+        return vector(internal::limit_normal<Scheme>(*limit, has_surface_normals));
+      if constexpr (is_pn)
+        return vector(value.normal);
+      else
+        return typename GeomTraits::Vector_3(0, 0, 0);
+    };
+    Piece piece;
+    const auto begin = [&](Level_connectivity& connectivity, internal::Global_ids& vertices,
+                           internal::Global_ids& faces) {
       piece.connectivity_ = std::move(connectivity);
       piece.vertices_ = std::move(vertices);
       piece.faces_ = std::move(faces);
@@ -275,52 +289,23 @@ private:
       if (has_normals) piece.normals_.resize(piece.vertices_.size());
       if (is_pn) piece.roundness_.resize(piece.vertices_.size());
     };
-  }
-
-  Piece refined_piece(std::size_t i, unsigned rings) const
-  {
-    Piece piece;
-    const auto begin = begin_piece(piece, is_pn);
-    const auto put = [&](Index v, const Value& value) {
-      this->put_point(piece, v, internal::point_of(value));
-      if constexpr (is_pn) {
-        piece.normals_[v] = vector(value.normal);
-        piece.roundness_[v] = value.roundness;
-      }
-    };
-    const auto put_corner = [&](Index h, Index wedge, [[maybe_unused]] const Value& value) {
-      piece.corners_.push_back({h, wedge, {}});
-      if constexpr (is_pn) piece.corners_.back().normal = vector(value.normal);
-    };
-    const auto put_attributes = [&](auto& carried) { piece.attributes_ = attributes_of_(carried); };
-    refiner_->refine(i, rings, {begin, put, put_corner, put_attributes});
-    return piece;
-  }
-
-  Piece piece_at_limit(std::size_t i, unsigned rings) const
-  {
-    const internal::Limit_options& options = limits_->options;
-    const internal::Limit_demand demand = internal::limit_demand<FT>(options, size_of_surface());
-    using Result = internal::Limit_result<Average>;
-    const auto normal = [&](const Result& limit) {
-      return vector(internal::limit_normal<Scheme>(limit, options.surface_normals));
-    };
-    Piece piece;
-    const bool has_normals = is_pn || options.surface_normals;
-    const auto begin = begin_piece(piece, has_normals);
-    const auto put = [&](Index v, const Result& limit, const Value& refined) {
-      this->put_point(
-        piece, v, internal::point_of(internal::asks_for_points(options) ? limit.value : refined));
-      if (has_normals) piece.normals_[v] = normal(limit);
+    const auto put = [&](Index v, const Value& refined, const Limit* limit) {
+      const bool moves = limit != nullptr && demand->points;
+      this->put_point(piece, v, internal::point_of(moves ? limit->value : refined));
+      if (has_normals) piece.normals_[v] = normal(refined, limit);
       if constexpr (is_pn) piece.roundness_[v] = refined.roundness;
     };
-    const auto put_corner = [&](Index h, Index wedge, const Result& limit) {
+    const auto put_corner = [&](Index h, Index wedge, const Value& refined, const Limit* limit) {
       piece.corners_.push_back({h, wedge, {}});
-      if (has_normals) piece.corners_.back().normal = normal(limit);
+      if (has_normals) piece.corners_.back().normal = normal(refined, limit);
     };
     const auto put_attributes = [&](auto& carried) { piece.attributes_ = attributes_of_(carried); };
-    piece.limit_report_ =
-      at_limit_->refine_to_limit(i, rings, demand, {begin, put, put_corner, put_attributes});
+    const typename internal::Abstract_pieces<Average>::Output out{begin, put, put_corner,
+                                                                  put_attributes};
+    if (demand == nullptr)
+      refiner_->refine(i, rings, out);
+    else
+      piece.limit_report_ = refiner_->refine_to_limit(i, rings, *demand, out);
     return piece;
   }
 
@@ -431,15 +416,11 @@ private:
         attributes_of_ = std::move(of_part);
       }
     const auto make = [&](auto* refiner) {
-      using Made = std::remove_pointer_t<decltype(refiner)>;
-      auto made = std::make_unique<Made>(
+      refiner_ = std::make_unique<std::remove_pointer_t<decltype(refiner)>>(
         internal::scheme_of_rounds(internal::With_roundness<Hosted_scheme, FT>{{scheme}}),
         std::move(level), std::move(creases),
         typename Refiner::Values(values.begin(), values.end()), std::move(carried), rounds_,
         number_of_pieces_, ghost_rings_, internal::For_chunks::with(Concurrency_tag()));
-      if constexpr (std::is_base_of_v<internal::Pieces_at_limit<Average>, Made>)
-        at_limit_ = made.get();
-      refiner_ = std::move(made);
     };
     if constexpr (may_be_limits)
       if (limits_)
@@ -466,7 +447,6 @@ private:
   bool is_near_overflow_ = false;
   std::unique_ptr<Limits> limits_; // if they are asked for
   std::unique_ptr<internal::Abstract_pieces<Average>> refiner_;
-  const internal::Pieces_at_limit<Average>* at_limit_ = nullptr; // the same, if they are asked for
   std::function<internal::Refined_attributes(internal::Control_attributes<FT>&)> attributes_of_;
 };
 

@@ -14,9 +14,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Surface_mesh/IO/PLY.h>
 
-#include <fstream>
 #include <limits>
 
 using namespace estimated_curvatures;
@@ -62,18 +60,6 @@ void expect_second_order(const std::function<Soup(double)>& mesh, const Surface&
   EXPECT_LT(factor * fine.normals, (std::max)(coarse.normals, 1e-8));
   EXPECT_LT(fine.points, 0.04);
   EXPECT_LT(fine.normals, 0.02);
-}
-
-// a net over the surface of a file of data/, whose points and normals are exact
-Sampled_surface read_sampled(const std::string& file, double gaussian, double mean)
-{
-  Mesh mesh;
-  const auto normals = mesh.add_property_map<Vertex, Kernel::Vector_3>("v:normal").first;
-  std::ifstream in(std::string(PN_DATA_DIR) + "/" + file, std::ios::binary);
-  EXPECT_TRUE(CGAL::IO::read_PLY(in, mesh)) << file;
-  Sampled_surface s{{points(mesh), faces_of(mesh)}, {}};
-  for (const Triple& n : values(mesh, normals)) s.exact.push_back({{}, n, gaussian, mean, {}});
-  return s;
 }
 
 // --- accuracy ---
@@ -166,25 +152,6 @@ TEST(Estimate_curvature, PlanesAreFlat)
     const Errors e = errors(square(10, kind, 0.25), plane);
     EXPECT_LT(e.points, 1e-12);
     EXPECT_LT(e.normals, 1e-12);
-  }
-}
-
-// Closed and open, triangles, quads, mixed polygons, valences 3 to 12: with exact normals spheres
-// and cylinders are exact.
-TEST(Estimate_curvature, SpheresAndCylindersAreExactWithNormals)
-{
-  for (const auto& [file, radius] :
-       {std::pair("sphere_triangles.ply", 1.), std::pair("sphere_cap.ply", 2.5),
-        std::pair("sphere_quads.ply", 1.), std::pair("sphere_mixed.ply", 1.)}) {
-    SCOPED_TRACE(file);
-    const Sampled_surface s = read_sampled(file, 1 / (radius * radius), 1 / radius);
-    EXPECT_LT(error(from_normals(s.soup, normals_of(s)), s), 2e-12);
-  }
-  for (const auto& [file, radius] :
-       {std::pair("cylinder_triangles.ply", 0.75), std::pair("cylinder_quads.ply", 1.)}) {
-    SCOPED_TRACE(file);
-    const Sampled_surface s = read_sampled(file, 0, 0.5 / radius);
-    EXPECT_LT(error(from_normals(s.soup, normals_of(s)), s), 1e-12);
   }
 }
 

@@ -252,14 +252,15 @@ std::size_t number_of_defects(const Control_mesh& control_mesh, const Scheme& sc
         vertices = v;
         faces += level_of_piece.number_of_faces();
       };
-      const auto put = [&](PN::Level_connectivity::Index v, const typename Refiner::Value& value) {
+      using Index = PN::Level_connectivity::Index;
+      using Limit = PN::internal::Limit_result<Average>;
+      const auto put = [&](Index v, const typename Refiner::Value& value, const Limit*) {
         const auto& p = value.point;
         const auto place =
           typename Control<double>::Mesh::Vertex_index(static_cast<unsigned>(vertices.number(v)));
         other += mesh.point(place) != typename Control<double>::Point(p[0], p[1], p[2]);
       };
-      using Index = PN::Level_connectivity::Index;
-      const auto put_corner = [](Index, Index, const typename Refiner::Value&) {};
+      const auto put_corner = [](Index, Index, const typename Refiner::Value&, const Limit*) {};
       const auto put_attributes = [](const auto&) {};
       refiner.refine(i, 0, {begin, put, put_corner, put_attributes});
     }

@@ -193,9 +193,9 @@ interpolate_creased(const Fitted_surface<Scheme>& surface, std::vector<Slot_valu
     demand.tolerance = tolerance;
     demand.max_depth = data.max_depth;
     Creases<double> of_limit = creases; // whose tangents become those of the limit
-    constexpr bool points_alone = asks_for_points_alone<parameters::Default_named_parameters>();
-    const auto results = limits_at_slots<double, points_alone>(
-      surface.scheme, demand, surface.for_chunks, level, of_limit, 1, &data.vertices);
+    constexpr Limit_kinds kinds = limit_kinds<parameters::Default_named_parameters>();
+    const auto results = limits_at_slots<double, kinds>(surface.scheme, demand, surface.for_chunks,
+                                                        level, of_limit, 1, &data.vertices);
     Limit_interpolation report;
     for (const Index v : data.vertices) {
       points[v] = to_eigen<3>(point_of(results[v].value));

@@ -31,6 +31,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -162,43 +163,38 @@ public:
     const auto mask_of = [&](auto number, const Level_connectivity& level) {
       return scheme.template mask<decltype(number)>(level, round);
     };
-    set_rules(mask_of, valence, round, points_);
-    if (!facts_of(scheme).has_normal_mask) return;
+    points_ = weights(mask_of, valence, round);
     if constexpr (Has_normal_mask<Scheme>::value) {
-      has_own_normals_ = true;
       const auto normal_mask_of = [&](auto number, const Level_connectivity& level) {
         return scheme.template normal_mask<decltype(number)>(level, round);
       };
-      set_rules(normal_mask_of, valence, round, normals_);
+      if (facts_of(scheme).has_normal_mask) normals_ = weights(normal_mask_of, valence, round);
     }
   }
   // the rules of a vertex on a border that is a crease on one side, by the ring class of a plain border vertex
   Dart_rules(const Ring_rules<Scheme, FT>& border, Index crease_place)
     : crease_places_{crease_place}
     , points_{border.matrix(), border.limit_row()}
-    , normals_{border.normal_matrix(), border.normal_limit_row()}
-    , has_own_normals_(border.has_own_normals())
-  {}
-
-  bool has_own_normals() const { return has_own_normals_; }
+  {
+    if (border.has_own_normals())
+      normals_ = Weights{border.normal_matrix(), border.normal_limit_row()};
+  }
 
   const std::vector<Index>& crease_places() const { return crease_places_; }
   const Weights& points() const { return points_; }
-  const Weights& normals() const { return normals_; }
+  // null: they are refined by the rules of the points
+  const Weights* normals() const { return normals_ ? &*normals_ : nullptr; }
 
 private:
-  using Host = typename Scheme::Host;
-
   template <class Mask_of>
-  static void set_rules(const Mask_of& mask_of, Index valence, unsigned round, Weights& result)
+  static Weights weights(const Mask_of& mask_of, Index valence, unsigned round)
   {
     using Real = Ring_eigenvectors::Real;
-    const Wheel wheel(valence, round);
-    const auto matrix = dart_matrix<FT>(mask_of, wheel, valence);
-    const auto real_matrix = dart_matrix<Real>(mask_of, wheel, valence);
+    const auto matrix = dart_matrix<FT>(mask_of, valence, round);
+    const auto real_matrix = dart_matrix<Real>(mask_of, valence, round);
     const Ring_eigenvectors masks(real_matrix, Ring_layout());
     if (masks.limit().empty()) throw std::invalid_argument(no_mask(valence));
-    result = {matrix, limit_weights<FT>(masks.limit(), matrix)};
+    return {matrix, limit_weights<FT>(masks.limit(), matrix)};
   }
   static std::string no_mask(Index valence)
   {
@@ -206,55 +202,43 @@ private:
            std::to_string(valence) + " where a crease ends";
   }
 
-  // What matrices of all number types have in common: the wheel, cut open for a round, and then whole with counted valences.
-  struct Wheel
-  {
-    Wheel(Index valence, unsigned round)
-      : whole(wheel(valence, Host::refined_degree))
-      , creases(Make_creases<FT>(whole, Border::surface)(
-          [](Index e) { return e == 0 ? infinite_sharpness : 0; }, [](Index) { return 0.; }))
-      , cut(whole, creases)
-      , host(cut.connectivity(), round)
-    {
-      Vertex_ring::append(cut.connectivity(), 0, 1, rings.ring);
-      Vertex_ring::append_next(cut.connectivity(), host, 0, rings.next_ring);
-      count_valences(whole, creases);
-    }
-
-    Level_connectivity whole;
-    const Creases<FT> creases;
-    const Cut_copy<FT> cut;
-    const Host host;
-    Ring_pair rings;
-  };
-
-  // the matrix of the points, which are the same on both sides of the crease
+  // The matrix of the points, which are the same on both sides of the crease: of a wheel that is cut open for a round, but the vertex
+  // itself has the smooth rule, in which each side has half of the neighbor on the crease.
   template <class Number, class Mask_of>
-  static Ring_matrix<Number> dart_matrix(const Mask_of& mask_of, const Wheel& wheel, Index valence)
+  static Ring_matrix<Number> dart_matrix(const Mask_of& mask_of, Index valence, unsigned round)
   {
-    const Ring_pair& rings = wheel.rings;
-    auto matrix =
-      ring_matrix<Number>(wheel.host, mask_of(Number(), wheel.cut.connectivity()), rings);
+    using Host = typename Scheme::Host;
+    Level_connectivity whole = wheel(valence, Host::refined_degree),
+                       open = wheel(valence, Host::refined_degree, true);
+    for (Level_connectivity* level : {&whole, &open}) level->set_counted_valences({{0, valence}});
+    const Host host(open, round);
+    Ring_pair rings;
+    Vertex_ring::append(open, 0, 1, rings.ring);
+    Vertex_ring::append_next(open, host, 0, rings.next_ring);
+    auto matrix = ring_matrix<Number>(host, mask_of(Number(), open), rings);
     if (!matrix) throw std::invalid_argument(no_mask(valence));
 
-    const auto mask = mask_of(Number(), wheel.whole);
-    const Corner_slots<FT> slot_of(wheel.whole, wheel.creases);
-    Entry_row<Number> row;
-    Slot_shares<Number, std::decay_t<decltype(mask)>, FT>(wheel.whole, slot_of, mask)
-      .vertex(0, row);
+    Stencil_block<Number> row;
+    mask_of(Number(), whole).vertex(0, row.row());
+    row.close_row();
     matrix->front().clear();
-    for (const auto* e = row.begin(); e != row.end(); ++e) {
-      const auto place = std::find(rings.ring.begin(), rings.ring.end(), e->vertex);
+    const auto add = [&](Index vertex, const Number& weight) {
+      const auto place = std::find(rings.ring.begin(), rings.ring.end(), vertex);
       if (place == rings.ring.end()) throw std::invalid_argument(no_mask(valence));
-      matrix->front().push_back(
-        {static_cast<std::uint32_t>(place - rings.ring.begin()), e->weight});
-    }
+      matrix->front().push_back({static_cast<std::uint32_t>(place - rings.ring.begin()), weight});
+    };
+    const Index on_crease[] = {1, open.number_of_vertices() - 1};
+    for (const auto* e = row.begin(0); e != row.end(0); ++e)
+      if (e->vertex != on_crease[0])
+        add(e->vertex, e->weight);
+      else
+        for (const Index v : on_crease) add(v, Number(e->weight / Number(2)));
     return *matrix;
   }
 
   std::vector<Index> crease_places_; // of the slots of the neighbor on the crease
-  Weights points_, normals_;
-  bool has_own_normals_ = false; // otherwise they are refined by the rules of the points
+  Weights points_;
+  std::optional<Weights> normals_;
 };
 
 // The limit at a vertex where a crease ends. Its ring is refined by itself: on the crease by the crease
@@ -284,7 +268,7 @@ public:
       for (Value& v : ring) add_multiple<FT, 3>(point_of(v), FT(-1), center);
     for (;;) {
       Value limit =
-        average(dart.points().limit, dart.has_own_normals() ? &dart.normals().limit : nullptr);
+        average(dart.points().limit, dart.normals() != nullptr ? &dart.normals()->limit : nullptr);
       if (steps.is_last(point_of(limit))) {
         turn_tangent(limit);
         if constexpr (std::is_floating_point_v<FT>)
@@ -316,8 +300,8 @@ private:
   {
     std::vector<Value> next;
     for (std::size_t p = 0; p < ring.size(); ++p)
-      next.push_back(
-        average(dart.points().rows[p], dart.has_own_normals() ? &dart.normals().rows[p] : nullptr));
+      next.push_back(average(dart.points().rows[p],
+                             dart.normals() != nullptr ? &dart.normals()->rows[p] : nullptr));
     const FT half = FT(1) / FT(2);
     const Vector onwards = opposite_vector(far_tangent);
     const std::array<Entry, 2> entries{

@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -37,17 +38,18 @@ namespace CGAL::PN_subdivision_3::internal {
 //
 // Without a crease nearby, the level cut open has the same limits: the next ring of a vertex depends on
 // the ring alone, and in it on slots. Vertices on creases are evaluated with their neighbors along the
-// crease, darts with their ring, and corners stay. If a ring is not settled, or an edge is sharp, but not forever, the
-// whole level is refined.
-template <class Scheme, class FT, bool points_alone = false>
+// crease, darts with their ring, and corners stay. The level is refined about rings that are not settled; if an edge is
+// sharp, but not forever, all of it is.
+template <class Scheme, class FT, Limit_kinds kinds = Limit_kinds::all>
 class Creased_limits
 {
 public:
   using Index = Level_connectivity::Index;
-  using Evaluation = Limit_evaluation<Scheme, FT, points_alone>;
+  using Evaluation = Limit_evaluation<Scheme, FT, kinds>;
   using Value = typename Evaluation::Value;
   using Result = typename Evaluation::Result;
   using Level = typename Evaluation::Level;
+  using Numbers = std::vector<Index>;
 
   Creased_limits(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
                  std::shared_ptr<typename Evaluation::Rules_cache> rules_cache = nullptr)
@@ -56,13 +58,12 @@ public:
     , for_chunks_(for_chunks)
     , evaluation_(scheme, demand, for_chunks, std::move(rules_cache))
     , any_round_((std::max)(101u, facts_of(scheme).first_round))
-    , border_rules_(scheme)
   {}
 
   // `level` has the values of the slots; it is cut open meanwhile. The creases get the tangents of the limit. If
   // only some vertices are asked for, which are sorted, the other slots have no results.
   std::vector<Result> operator()(Level& level, Creases<FT>& creases, unsigned next_round,
-                                 const std::vector<Index>* some = nullptr);
+                                 const Numbers* some = nullptr);
 
 private:
   static constexpr bool is_pn = is_pn_v<Scheme>;
@@ -84,10 +85,10 @@ private:
 
   // \name Where something is sharp, but not forever
   // The slots of the corners about a vertex, from its half-edge on, which its descendants have, too.
-  static std::vector<Index> slots_about(const Level_connectivity& level,
-                                        const Corner_slots<FT>& slot_of, Index v)
+  static Numbers slots_about(const Level_connectivity& level, const Corner_slots<FT>& slot_of,
+                             Index v)
   {
-    std::vector<Index> slot_ids;
+    Numbers slot_ids;
     for_each_halfedge_to(level, v,
                          [&](Index h) { slot_ids.push_back(level.is_border(h) ? v : slot_of(h)); });
     return slot_ids;
@@ -95,42 +96,42 @@ private:
 
   // refines the whole level until nothing ends any more
   std::vector<Result> after_the_end(const Level& level, const Creases<FT>& creases,
-                                    unsigned next_round, const std::vector<Index>* some)
+                                    unsigned next_round, const Numbers* some)
   {
     Refiner refiner(scheme_, Level_connectivity(level.level), Creases<FT>(creases),
                     {level.values.begin(), level.values.end()}, for_chunks_, next_round - 1);
     for (; is_anything_ending(refiner.creases()); ++next_round) refiner.refine();
-    std::vector<Index> vertices; // old ones keep their numbers
+    Numbers vertices; // old ones keep their numbers
     if (some != nullptr)
       vertices = *some;
     else
       for (Index v = 0; v < level.level.number_of_vertices(); ++v) vertices.push_back(v);
     Level refined{refiner.level(), {refiner.values().begin(), refiner.values().end()}};
     Creases<FT> now = refiner.creases();
-    const Corner_slots<FT> old_slots(level.level, creases), new_slots(refined.level, now);
-    std::vector<Result> results(creases.number_of_slots);
     std::vector<std::pair<Index, Index>> spread; // from a slot to a slot that it comes from
-    for (const Index v : vertices) {
-      if (level.level.is_isolated(v)) {
-        spread.emplace_back(v, v);
-        continue;
+    {
+      const Corner_slots<FT> old_slots(level.level, creases), new_slots(refined.level, now);
+      for (const Index v : vertices) {
+        if (level.level.is_isolated(v)) {
+          spread.emplace_back(v, v);
+          continue;
+        }
+        const Numbers from = slots_about(refined.level, new_slots, v),
+                      to = slots_about(level.level, old_slots, v);
+        for (std::size_t i = 0; i < to.size(); ++i) spread.emplace_back(from[i], to[i]);
       }
-      const std::vector<Index> from = slots_about(refined.level, new_slots, v),
-                               to = slots_about(level.level, old_slots, v);
-      for (std::size_t i = 0; i < to.size(); ++i) spread.emplace_back(from[i], to[i]);
     }
-    Creases<FT> with_tangents = now;
-    const std::vector<Result> limits = (*this)(refined, with_tangents, next_round, &vertices);
+    const std::vector<Result> limits = (*this)(refined, now, next_round, &vertices);
+    std::vector<Result> results(creases.number_of_slots);
     for (const auto& [from, to] : spread) results[to] = limits[from];
     return results;
   }
 
   // \name Vertices whose limit depends on their ring
   // all that are asked for but crease vertices and corners
-  std::vector<Index> vertices_of_rings(const Level_connectivity& level,
-                                       const Creases<FT>& creases) const
+  Numbers vertices_of_rings(const Level_connectivity& level, const Creases<FT>& creases) const
   {
-    std::vector<Index> vertices;
+    Numbers vertices;
     auto star = creases.stars.begin(); // in the order of the vertices
     const auto add = [&](Index v) {
       while (star != creases.stars.end() && star->vertex < v) ++star;
@@ -148,84 +149,37 @@ private:
     return some_ == nullptr || std::binary_search(some_->begin(), some_->end(), star.vertex);
   }
 
-  // numbers in a part of a refined level, and in the whole level that the limits are asked of
-  struct Vertices
-  {
-    const std::vector<Index>&here, &whole;
-  };
-
   // the limits of the level cut open; returns the positions of the vertices that have to be refined first
-  std::vector<Index> evaluate_rest(const Level& level, const Creases<FT>& creases,
-                                   Creases<FT>& limits, const Vertices& vertices,
-                                   unsigned next_round, unsigned depth,
-                                   std::vector<Result>& results)
+  Numbers evaluate_rest(const Level& level, const Creases<FT>& creases, Creases<FT>& limits,
+                        const Numbers& vertices, const Numbers& places, unsigned next_round,
+                        unsigned depth, std::vector<Result>& results)
   {
-    std::map<Index, const Crease_star*> darts;
+    std::vector<char> is_dart(level.level.number_of_vertices(), 0);
     for (const Crease_star& star : creases.stars)
-      if (creases.rule(star) == Vertex_rule::dart) darts.emplace(star.vertex, &star);
-    std::vector<Index> smooth, smooth_positions, rest;
+      is_dart[star.vertex] = creases.rule(star) == Vertex_rule::dart;
+    Numbers smooth, smooth_positions, rest;
     const bool is_final = next_round >= facts_of(scheme_).first_round;
     const Has_final_rules<Scheme> has_final_rules(scheme_, level.level, is_final);
-    for (Index i = 0; i < vertices.here.size(); ++i) {
-      const Index v = vertices.here[i], whole = vertices.whole[i];
-      const auto dart = darts.find(v);
-      if (dart == darts.end()) {
+    for (Index i = 0; i < vertices.size(); ++i) {
+      const Index v = vertices[i];
+      if (is_dart[v] == 0) {
         smooth.push_back(v);
         smooth_positions.push_back(i);
-      } else if (has_final_rules(v))
-        evaluate_dart(level, creases, *dart->second, limits, whole, depth, results[whole]);
-      else
+        continue;
+      }
+      if (has_final_rules(v))
+        evaluate_dart(level, creases, v, limits, places[i], depth, results[places[i]]);
+      else {
+        evaluation_.require_depth(depth, next_round);
         rest.push_back(i);
+      }
     }
-    const std::vector<Index> unsettled =
+    const Numbers unsettled =
       evaluation_.evaluate_settled(level, smooth, next_round, depth, [&](Index i) -> Result& {
-        return results[vertices.whole[smooth_positions[i]]];
+        return results[places[smooth_positions[i]]];
       });
     for (const Index i : unsettled) rest.push_back(smooth_positions[i]);
     return rest;
-  }
-
-  struct Part
-  {
-    Level_connectivity level;
-    Creases<FT> creases;
-    std::vector<Value> values;
-    std::vector<Index> centers;
-  };
-  // a part of a level that is not cut open; the rim has the rules of a smooth border
-  Part part_about(const Level& level, const Creases<FT>& creases,
-                  const std::vector<Index>& vertices) const
-  {
-    Sub_level cut(level.level, vertices, cut_rings(scheme_), Sub_level::Keeps::walks);
-    auto [of_part, origins] = cut.creases_and_slots(level.level, creases);
-    return {std::move(cut.level), std::move(of_part), values_of_part(level.values, origins),
-            std::move(cut.centers)};
-  }
-
-  // Refines the level about the vertices only, and is then left with those that are not settled there.
-  void refine(const Level& level, const Creases<FT>& creases, Creases<FT>& limits,
-              std::vector<Index>&& vertices, unsigned next_round, std::vector<Result>& results)
-  {
-    Part part = part_about(level, creases, vertices);
-    for (unsigned depth = 0;;) {
-      evaluation_.require_depth(depth, next_round);
-      const std::vector<Index> here = std::move(part.centers);
-      Refiner refiner(scheme_, std::move(part.level), std::move(part.creases),
-                      {part.values.begin(), part.values.end()}, for_chunks_, next_round - 1);
-      refiner.refine(); // old vertices keep their numbers
-      ++depth;
-      ++next_round;
-      Level refined{refiner.level(), {refiner.values().begin(), refiner.values().end()}};
-      std::vector<Index> rest;
-      {
-        const Cut cut(refined.level, refiner.creases());
-        rest = evaluate_rest(refined, refiner.creases(), limits, {here, vertices}, next_round,
-                             depth, results);
-      }
-      if (rest.empty()) return;
-      vertices = values_of_part(vertices, rest);
-      part = part_about(refined, refiner.creases(), values_of_part(here, rest));
-    }
   }
 
   // \name Vertices on creases
@@ -263,17 +217,6 @@ private:
       f, [&] { return "the limit at vertex " + std::to_string(star.vertex) + " on a crease"; });
   }
 
-  // the tangent at a vertex along an edge, from the vertex, and the tangent at the edge's other end, towards the vertex
-  template <class Level_creases>
-  static auto& tangent_from(Level_creases& creases, const Crease_halfedge& e)
-  {
-    return creases.edges[e.crease].tangent_from[1 - e.side];
-  }
-  static const Vector& tangent_towards(const Creases<FT>& creases, const Crease_halfedge& e)
-  {
-    return creases.edges[e.crease].tangent_from[e.side];
-  }
-
   void evaluate_crease(const Level& level, const Creases<FT>& creases, const Crease_star& star,
                        const Crease_curve_weights<FT>& weights, Creases<FT>& limits,
                        std::vector<Result>& results) const
@@ -284,10 +227,10 @@ private:
     };
     Crease_limit limit;
     limit.points = {point_of(level.values[star.vertex]), neighbor(from), neighbor(to)};
-    limit.tangents = {tangent_from(creases, to), tangent_towards(creases, from),
-                      opposite_vector(tangent_towards(creases, to))};
-    limit.arrival_tangent = opposite_vector(tangent_from(creases, from));
-    std::vector<Index> slot_ids;
+    limit.tangents = {creases.tangent_from(to), creases.tangent_towards(from),
+                      opposite_vector(creases.tangent_towards(to))};
+    limit.arrival_tangent = opposite_vector(creases.tangent_from(from));
+    Numbers slot_ids;
     if constexpr (is_pn) {
       add_wedge(level, creases, from, to, false, limit, slot_ids);
       add_wedge(level, creases, to, from, true, limit, slot_ids);
@@ -303,15 +246,15 @@ private:
     if constexpr (is_pn)
       for (std::size_t w = 0; w < slot_ids.size(); ++w)
         results[slot_ids[w]].value.normal = limit.normals[w][0];
-    tangent_from(limits, from) = opposite_vector(limit.tangents[0]);
-    tangent_from(limits, to) = limit.tangents[0];
+    limits.tangent_from(from) = opposite_vector(limit.tangents[0]);
+    limits.tangent_from(to) = limit.tangents[0];
   }
 
   // the normals of a linear scheme, which has the rules of a border in a wedge
   void evaluate_normals(const Level& level, const Creases<FT>& creases, unsigned next_round,
                         std::vector<Result>& results)
   {
-    std::vector<Index> slot_ids;
+    Numbers slot_ids;
     for (const Crease_star& star : creases.stars)
       if (is_asked_for(star) && creases.rule(star) == Vertex_rule::crease)
         for (Index w = 0; w < star.number_of_wedges; ++w) slot_ids.push_back(star.slot(w));
@@ -327,14 +270,13 @@ private:
   // the normals of the wedge that lies behind one end and before the other one, if there is one
   static void add_wedge(const Level& level, const Creases<FT>& creases,
                         const Crease_halfedge& behind, const Crease_halfedge& before,
-                        bool is_reversed, [[maybe_unused]] Crease_limit& limit,
-                        std::vector<Index>& slot_ids)
+                        bool is_reversed, [[maybe_unused]] Crease_limit& limit, Numbers& slot_ids)
   {
-    const Crease_edge<FT>&first = creases.edge(behind), &last = creases.edge(before);
+    const Crease_edge<FT>& first = creases.edge(behind);
     if (!first.has_after(behind.side)) return;
     slot_ids.push_back(first.after[behind.side]);
-    std::array<Index, 3> three{slot_ids.back(), first.before[1 - behind.side],
-                               last.after[1 - before.side]};
+    std::array<Index, 3> three{slot_ids.back(), creases.far_after(behind),
+                               creases.far_before(before)};
     if (is_reversed) std::swap(three[1], three[2]);
     if constexpr (is_pn) {
       typename Crease_limit::Three normals;
@@ -346,41 +288,37 @@ private:
   }
 
   // \name Darts
-  void evaluate_dart(const Level& level, const Creases<FT>& creases, const Crease_star& star,
-                     Creases<FT>& limits, Index whole_vertex, unsigned depth, Result& result)
+  void evaluate_dart(const Level& level, const Creases<FT>& creases, Index v, Creases<FT>& limits,
+                     Index place, unsigned depth, Result& result)
   {
+    const Crease_star &star = *creases.star_at(v), &star_of_limits = *limits.star_at(place);
     const Crease_halfedge& e = creases.end(star, 0);
-    std::vector<Index> places;
-    Vertex_ring::append(level.level, star.vertex, 1, places);
+    Numbers places;
+    Vertex_ring::append(level.level, v, 1, places);
     const bool is_first = star.is_border && places[1] == level.level.source(creases.halfedge(e));
-    const Dart& dart = dart_class(level, star, is_first);
     Dart_limit<Scheme, FT> limit(average_of<Average>(scheme_));
-    for (const Index slot : places) limit.ring.push_back(level.values[slot]);
-    limit.tangent = tangent_from(creases, e);
-    limit.far_tangent = tangent_towards(creases, e);
+    limit.ring = values_of_part(level.values, places);
+    limit.tangent = creases.tangent_from(e);
+    limit.far_tangent = creases.tangent_towards(e);
     // the differences fall by 1/4 at least, as the square of the ring
     Convergence<FT> steps(demand_, !is_pn, 1. / 4);
+    const Dart& dart = rules_of_dart(level, star, is_first);
     name_undecided(star, [&] { result.value = limit.evaluate(dart, steps); });
     result.error = steps.error();
     result.depth = depth + steps.depth();
-    const auto of_limits =
-      std::lower_bound(limits.stars.begin(), limits.stars.end(), whole_vertex,
-                       [](const Crease_star& s, Index vertex) { return s.vertex < vertex; });
-    tangent_from(limits, limits.end(*of_limits, 0)) = limit.tangent;
+    limits.tangent_from(limits.end(star_of_limits, 0)) = limit.tangent;
   }
 
   // is_first: of a border, whether the crease is on its first edge
-  const Dart& dart_class(const Level& level, const Crease_star& star, bool is_first)
+  const Dart& rules_of_dart(const Level& level, const Crease_star& star, bool is_first)
   {
-    const Index valence =
-      level.level.valence(star.vertex) - static_cast<Index>(star.is_border ? 0 : 1);
+    const Index valence = level.level.valence(star.vertex);
     auto& dart = darts_[{star.is_border, is_first, valence}];
     if (!dart && star.is_border)
-      dart =
-        std::make_unique<Dart>(*border_rules_.at(level.level, star.vertex, any_round_).ring_rules,
-                               is_first ? Index(1) : valence);
-    else if (!dart)
-      dart = std::make_unique<Dart>(scheme_, valence, any_round_);
+      dart.emplace(evaluation_.rules_of_border(level.level, star.vertex),
+                   is_first ? Index(1) : valence);
+    else if (!dart) // cut open it has one more
+      dart.emplace(scheme_, valence - 1, any_round_);
     return *dart;
   }
 
@@ -388,36 +326,40 @@ private:
   const Limit_demand& demand_;
   For_chunks for_chunks_;
   Evaluation evaluation_;
-  const unsigned any_round_; // with the rules of all later ones
-  Ring_rules_cache<Scheme, FT> border_rules_;
-  const std::vector<Index>* some_ = nullptr; // the vertices that are asked for
+  const unsigned any_round_;      // with the rules of all later ones
+  const Numbers* some_ = nullptr; // the vertices that are asked for
   // of the border, whether the crease is on its first edge, valence
-  std::map<std::tuple<bool, bool, Index>, std::unique_ptr<Dart>> darts_;
+  std::map<std::tuple<bool, bool, Index>, std::optional<Dart>> darts_;
 };
 
-template <class Scheme, class FT, bool points_alone>
-auto Creased_limits<Scheme, FT, points_alone>::operator()(Level& level, Creases<FT>& creases,
-                                                          unsigned next_round,
-                                                          const std::vector<Index>* some)
+template <class Scheme, class FT, Limit_kinds kinds>
+auto Creased_limits<Scheme, FT, kinds>::operator()(Level& level, Creases<FT>& creases,
+                                                   unsigned next_round, const Numbers* some)
   -> std::vector<Result>
 {
-  if (creases.empty()) return evaluation_(level, next_round, some);
   if constexpr (creases_may_end_v<Scheme>)
     if (is_anything_ending(creases)) return after_the_end(level, creases, next_round, some);
   std::vector<Result> results(creases.number_of_slots);
   Creases<FT> limits = creases;
   some_ = some;
-  std::vector<Index> rest = vertices_of_rings(level.level, creases);
+  Numbers rest = vertices_of_rings(level.level, creases);
   {
     const Cut cut(level.level, creases);
     evaluate_creases(level, creases, limits, results);
-    if constexpr (!is_pn && !points_alone)
+    if constexpr (!is_pn && has_normals(kinds))
       if (demand_.surface_normals) evaluate_normals(level, creases, next_round, results);
     rest = values_of_part(
-      rest, evaluate_rest(level, creases, limits, {rest, rest}, next_round, 0, results));
+      rest, evaluate_rest(level, creases, limits, rest, rest, next_round, 0, results));
   }
-  if (!rest.empty()) refine(level, creases, limits, std::move(rest), next_round, results);
-  if constexpr (!points_alone)
+  if (!rest.empty())
+    evaluation_.refine_about(
+      level, creases, rest, rest, next_round,
+      [&](Level& refined, const Creases<FT>& refined_creases, const Numbers& here,
+          const Numbers& places, unsigned round, unsigned depth) {
+        const Cut refined_cut(refined.level, refined_creases);
+        return evaluate_rest(refined, refined_creases, limits, here, places, round, depth, results);
+      });
+  if constexpr (has_normals(kinds))
     if (demand_.surface_normals) {
       const Cut cut(level.level, creases);
       orient_normals(level, results, for_chunks_, some == nullptr || demand_.has_neighbors);
@@ -427,10 +369,10 @@ auto Creased_limits<Scheme, FT, points_alone>::operator()(Level& level, Creases<
 }
 
 // What finds the limits at the slots of a level.
-template <class Scheme, class FT, class Level_creases, bool points_alone = false>
+template <class Scheme, class FT, class Level_creases, Limit_kinds kinds = Limit_kinds::all>
 using Limits_of_level =
-  std::conditional_t<are_creases_v<Level_creases>, Creased_limits<Scheme, FT, points_alone>,
-                     Limit_evaluation<Scheme, FT, points_alone>>;
+  std::conditional_t<are_creases_v<Level_creases>, Creased_limits<Scheme, FT, kinds>,
+                     Limit_evaluation<Scheme, FT, kinds>>;
 
 } // namespace CGAL::PN_subdivision_3::internal
 

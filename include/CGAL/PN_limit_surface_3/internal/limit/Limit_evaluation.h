@@ -63,17 +63,18 @@ Valued_level<Value> level_of_round(const Plain_round& round, const std::vector<V
 // see limits_at_slots.h. Where the neighborhood of a
 // vertex is not settled yet but will be after one round, the round makes its ring and nothing else;
 // the faces around all other such vertices are cut out and refined until it is.
-template <class Scheme, class FT, bool points_alone = false>
+template <class Scheme, class FT, Limit_kinds kinds = Limit_kinds::all>
 class Limit_evaluation
 {
 public:
   using Index = Level_connectivity::Index;
-  using Limits_of_rings = Ring_limits<Scheme, FT, points_alone>;
+  using Limits_of_rings = Ring_limits<Scheme, FT, kinds>;
   using Value = typename Limits_of_rings::Value;
   using Result = typename Limits_of_rings::Result;
   using Level = Valued_level<Value>;
   using Rules_cache = Ring_rules_cache<Scheme, FT>;
   using Result_of = Function_ref<Result&(Index)>;
+  using Numbers = std::vector<Index>;
 
   // `rules_cache` may be shared with other evaluations of the scheme
   Limit_evaluation(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
@@ -86,31 +87,50 @@ public:
   {}
 
   // the limits of all vertices, by the rules of the next round, or of some vertices, which keep their places among all
-  std::vector<Result> operator()(const Level& level, const No_creases&, unsigned next_round,
-                                 const std::vector<Index>* some = nullptr)
-  {
-    return (*this)(level, next_round, some);
-  }
-  std::vector<Result> operator()(const Level& level, unsigned next_round,
-                                 const std::vector<Index>* some = nullptr);
-
-  // the limits of some vertices, in their order
-  void operator()(const Level& level, unsigned next_round, const std::vector<Index>& vertices,
-                  std::vector<Result>& results);
+  std::vector<Result> operator()(const Level& level, const No_creases& none, unsigned next_round,
+                                 const Numbers* some = nullptr) const;
 
   // Sets result_of(i), of vertices[i], where the neighborhood is settled, or will be after one round; returns the
   // positions of the other vertices. A level that is cut open along creases may be given, without vertices on creases.
-  std::vector<Index> evaluate_settled(const Level& level, const std::vector<Index>& vertices,
-                                      unsigned next_round, unsigned depth, Result_of result_of);
+  Numbers evaluate_settled(const Level& level, const Numbers& vertices, unsigned next_round,
+                           unsigned depth, Result_of result_of) const;
 
   // called after `depth` rounds about vertices that are not settled
   void require_depth(unsigned depth, unsigned next_round) const;
+
+  // Refines the level about some vertices only, and then about those that are still left, whose positions
+  // evaluate(level, creases, vertices, places, next round, depth) returns; `places` are those of the vertices' results.
+  template <class Level_creases, class Evaluate>
+  void refine_about(const Level& level, const Level_creases& creases, const Numbers& vertices,
+                    Numbers places, unsigned next_round, const Evaluate& evaluate) const
+  {
+    Part<Level_creases> part = part_about(level, creases, vertices, next_round);
+    for (unsigned depth = 1;; ++depth) {
+      Level_refiner<Scheme, Average, Level_creases> refiner(
+        scheme_, std::move(part.level), std::move(part.creases),
+        {part.values.begin(), part.values.end()}, for_chunks_, next_round - 1);
+      refiner.refine(); // old vertices keep their numbers
+      ++next_round;
+      Level refined{refiner.take_level(), {refiner.values().begin(), refiner.values().end()}};
+      const Numbers here = std::move(part.centers);
+      const Numbers rest = evaluate(refined, refiner.creases(), here, places, next_round, depth);
+      if (rest.empty()) return;
+      places = values_of_part(places, rest);
+      part = part_about(refined, refiner.creases(), values_of_part(here, rest), next_round);
+    }
+  }
+
+  // what the rings of a border vertex have in common, in a round with the rules of all later rounds
+  const typename Rules_cache::Rules& rules_of_border(const Level_connectivity& level, Index v) const
+  {
+    return *rules_cache_->at(level, v, (std::max)(101u, facts_of(scheme_).first_round)).ring_rules;
+  }
 
 private:
   using Average = typename Limits_of_rings::Average;
   using Plain_round = Round<Scheme, Average>;
 
-  using Limits = Ring_limits_by_kind<Scheme, FT, points_alone>;
+  using Limits = Ring_limits_by_kind<Scheme, FT, kinds>;
   using Rings = Gathered_rings<Value, typename Limits::Vertex>;
   using Vertices = std::vector<typename Limits::Vertex>;
 
@@ -124,22 +144,6 @@ private:
   static constexpr unsigned most_rounds = 6;
   // rings of the next round that are made at once
   static constexpr Index batch = 128;
-
-  // result places[i] belongs to vertices[i]
-  void evaluate(const Level& level, const std::vector<Index>& vertices, unsigned next_round,
-                unsigned depth, Result* results, const Index* places)
-  {
-    const std::vector<Index> unsettled = evaluate_settled(
-      level, vertices, next_round, depth, [&](Index i) -> Result& { return results[places[i]]; });
-    if (unsettled.empty()) return;
-    require_depth(depth, next_round);
-    std::vector<Index> centers, places_of_rest;
-    centers.reserve(unsettled.size());
-    for (const Index i : unsettled) centers.push_back(vertices[i]);
-    for (const Index i : unsettled) places_of_rest.push_back(places[i]);
-    const Level refined = refined_about(level, centers, next_round);
-    evaluate(refined, centers, next_round + 1, depth + 1, results, places_of_rest.data());
-  }
 
   // calls f() for ranges [begin, end) of [0, n), each with gathered rings of its own
   template <class Function>
@@ -197,31 +201,27 @@ private:
     return level.valence(v) == Has_final_rules<Scheme>::regular_valence;
   }
 
-  // the next level; `vertices` are given, and come back, as their numbers there
-  Level refined_about(const Level& level, std::vector<Index>& vertices, unsigned round) const
+  template <class Level_creases>
+  struct Part
   {
-    constexpr bool is_sqrt3 = std::is_same_v<typename Scheme::Host, Sqrt3_host>;
-    // a vertex has the same rows whichever vertices are asked for
-    const Sub_level cut(level.level, vertices, cut_rings(scheme_), Sub_level::Keeps::walks);
-    std::vector<Value> values = values_of_part(level.values, cut.vertices);
-    vertices = cut.centers;
-    if constexpr (is_sqrt3)
-      if (Sqrt3_host::refines_border(round)) {
-        Level_connectivity closed = cut.level;
-        close_rim(level.level, cut, closed, values);
-        return level_of_round(Plain_round(scheme_, closed, round), values, for_chunks_);
-      }
-    return level_of_round(Plain_round(scheme_, cut.level, round), values, for_chunks_);
-  }
-  // A round that refines the border would take the rim for it.
-  static void close_rim(const Level_connectivity& whole, const Sub_level& cut,
-                        Level_connectivity& level, std::vector<Value>& values)
+    Level_connectivity level;
+    Level_creases creases;
+    std::vector<Value> values;
+    Numbers centers;
+  };
+  // A part of a level that is not cut open, or all of it; the rim has the rules of a smooth border. A vertex has the same rows
+  // whichever vertices are asked for.
+  template <class Level_creases>
+  Part<Level_creases> part_about(const Level& level, const Level_creases& creases,
+                                 const Numbers& vertices, [[maybe_unused]] unsigned round) const
   {
-    const Rim_closure closure(level, [&](Index b) { return !whole.is_border(cut.halfedge(b)); });
-    for (const Index v : closure.neighbors_of_new_vertices()) {
-      const Value value = values[v];
-      values.push_back(value);
-    }
+    if constexpr (std::is_same_v<typename Scheme::Host, Sqrt3_host>)
+      if (Sqrt3_host::refines_border(round)) // which would take the rim for it
+        return {level.level, creases, level.values, vertices};
+    Sub_level cut(level.level, vertices, cut_rings(scheme_, creases), Sub_level::Keeps::walks);
+    auto [of_part, origins] = cut.creases_and_slots(level.level, creases);
+    return {std::move(cut.level), std::move(of_part), values_of_part(level.values, origins),
+            std::move(cut.centers)};
   }
 
   const Scheme& scheme_;
@@ -231,47 +231,37 @@ private:
   std::shared_ptr<Rules_cache> rules_cache_;
 };
 
-template <class Scheme, class FT, bool points_alone>
-auto Limit_evaluation<Scheme, FT, points_alone>::operator()(const Level& level, unsigned next_round,
-                                                            const std::vector<Index>* some)
+template <class Scheme, class FT, Limit_kinds kinds>
+auto Limit_evaluation<Scheme, FT, kinds>::operator()(const Level& level, const No_creases& none,
+                                                     unsigned next_round, const Numbers* some) const
   -> std::vector<Result>
 {
   std::vector<Result> results(level.level.number_of_vertices());
-  std::vector<Index> all;
+  Numbers all;
   if (some == nullptr) {
     all.resize(results.size());
     std::iota(all.begin(), all.end(), Index(0));
     some = &all;
   }
-  evaluate(level, *some, next_round, 0, results.data(), some->data());
+  const auto evaluate = [&](const Level& part, const No_creases&, const Numbers& vertices,
+                            const Numbers& places, unsigned round, unsigned depth) {
+    return evaluate_settled(part, vertices, round, depth,
+                            [&](Index i) -> Result& { return results[places[i]]; });
+  };
+  const Numbers rest = values_of_part(*some, evaluate(level, none, *some, *some, next_round, 0));
+  if (!rest.empty()) refine_about(level, none, rest, rest, next_round, evaluate);
   // where points are not asked for, rings have oriented them
-  if constexpr (!points_alone)
+  if constexpr (has_normals(kinds))
     if (demand_.surface_normals && demand_.points)
       orient_normals(level, results, for_chunks_, some == &all || demand_.has_neighbors);
   return results;
 }
 
-template <class Scheme, class FT, bool points_alone>
-auto Limit_evaluation<Scheme, FT, points_alone>::operator()(const Level& level, unsigned next_round,
-                                                            const std::vector<Index>& vertices,
-                                                            std::vector<Result>& results) -> void
-{
-  results.assign(vertices.size(), Result());
-  std::vector<Index> places(vertices.size());
-  std::iota(places.begin(), places.end(), Index(0));
-  evaluate(level, vertices, next_round, 0, results.data(), places.data());
-  if constexpr (!points_alone)
-    if (demand_.surface_normals && demand_.points)
-      orient_normals(
-        level.level, results, for_chunks_,
-        [&](Index v) { return to_double_3(point_of(level.values[v])); },
-        [&](Index i) { return vertices[i]; });
-}
-
-template <class Scheme, class FT, bool points_alone>
-auto Limit_evaluation<Scheme, FT, points_alone>::evaluate_settled(
-  const Level& level, const std::vector<Index>& vertices, unsigned next_round, unsigned depth,
-  Result_of result_of) -> std::vector<Index>
+template <class Scheme, class FT, Limit_kinds kinds>
+auto Limit_evaluation<Scheme, FT, kinds>::evaluate_settled(const Level& level,
+                                                           const std::vector<Index>& vertices,
+                                                           unsigned next_round, unsigned depth,
+                                                           Result_of result_of) const -> Numbers
 {
   const unsigned first_final_round = facts_of(scheme_).first_round;
   const Has_final_rules<Scheme> has_final_rules(scheme_, level.level,
@@ -318,12 +308,13 @@ auto Limit_evaluation<Scheme, FT, points_alone>::evaluate_settled(
     else if (states[i] == Vertex_state::unsettled)
       unsettled.push_back(i);
   if (!in_next_ring.empty()) evaluate_in_next_ring(level, in_next_ring, next_round);
+  if (!unsettled.empty()) require_depth(depth, next_round);
   return unsettled;
 }
 
-template <class Scheme, class FT, bool points_alone>
-auto Limit_evaluation<Scheme, FT, points_alone>::require_depth(unsigned depth,
-                                                               unsigned next_round) const -> void
+template <class Scheme, class FT, Limit_kinds kinds>
+auto Limit_evaluation<Scheme, FT, kinds>::require_depth(unsigned depth, unsigned next_round) const
+  -> void
 {
   const unsigned first_final_round = facts_of(scheme_).first_round;
   if (depth < most_rounds) return;

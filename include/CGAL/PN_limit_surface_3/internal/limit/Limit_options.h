@@ -85,15 +85,24 @@ Limit_options limit_options(const NamedParameters& np)
   return o;
 }
 
-// Whether a call names neither surface normals nor curvatures, and what finds them is not compiled. The library is for all calls.
+// What of limits is compiled besides points and control normals: nothing, surface normals, or curvatures, too.
+enum class Limit_kinds { points, normals, all };
+
+constexpr bool has_normals(Limit_kinds kinds)
+{
+  return kinds != Limit_kinds::points;
+}
+
+// What a call names. The library is for all calls.
 template <class NamedParameters>
-constexpr bool asks_for_points_alone()
+constexpr Limit_kinds limit_kinds()
 {
 #ifdef CGAL_PN_SUBDIVISION_3_LIMITS
-  return false;
+  return Limit_kinds::all;
 #else
-  return !is_given_v<surface_normals_t, NamedParameters> &&
-         !is_given_v<curvatures_t, NamedParameters>;
+  if (is_given_v<curvatures_t, NamedParameters>) return Limit_kinds::all;
+  return is_given_v<surface_normals_t, NamedParameters> ? Limit_kinds::normals
+                                                        : Limit_kinds::points;
 #endif
 }
 

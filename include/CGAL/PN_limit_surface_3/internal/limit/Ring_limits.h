@@ -25,7 +25,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -51,7 +50,7 @@ struct Limit_result
 // The ring of a vertex or face is refined round by round on its own; the averages of the limit mask
 // over it converge, and their differences tell how far they have come. Rings of one class are refined
 // side by side, which changes nothing of their results.
-template <class Scheme, class FT, bool points_alone = false>
+template <class Scheme, class FT, Limit_kinds kinds = Limit_kinds::all>
 class Ring_limits
 {
 public:
@@ -109,7 +108,7 @@ public:
         std::copy(next_.begin(), next_.end(), rings_.begin());
       }
       rules_.limit(rings_.data(), limits_.data());
-      if constexpr (!points_alone)
+      if constexpr (has_normals(kinds))
         if (demand_.surface_normals && rules_.has_tangents())
           planes_.find(rings_.data(), limits_.data(), count_,
                        [&](std::size_t c) { return states_[c].is_done; });
@@ -180,18 +179,19 @@ private:
       result.error = limit_error(rules_.error_factor(), rules_.error_ratio(),
                                  distance(point, state.last_limit), state.last_step);
     bool is_last = (is_exact || depth != 0) && result.error <= demand_.tolerance;
-    if constexpr (!points_alone) {
+    if constexpr (has_normals(kinds)) {
       if (demand_.surface_normals && rules_.has_tangents()) {
         const bool is_normal_found = note_normal(c, depth);
         // stand-ins for normals are as exact as points
         const bool has_to_be_close = demand_.points || !planes_[c].exists;
         is_last = is_normal_found && (is_last || !has_to_be_close);
       }
+    }
+    if constexpr (kinds == Limit_kinds::all)
       if (demand_.curvatures && settles() && !is_spline_ && depth < curvature_depth)
         is_last = false;
-    }
     is_last = is_last || depth * rules_.rounds() >= demand_.max_depth;
-    if constexpr (!points_alone)
+    if constexpr (kinds == Limit_kinds::all)
       if (demand_.curvatures &&
           (is_last ? depth <= most_curvature_depth : depth == most_curvature_depth))
         note_curvature(c);
@@ -312,12 +312,12 @@ private:
 };
 
 // The limits of vertices of several kinds: rings are gathered until there are as many of a kind as are refined at once.
-template <class Scheme, class FT, bool points_alone = false>
+template <class Scheme, class FT, Limit_kinds kinds = Limit_kinds::all>
 class Ring_limits_by_kind
 {
 public:
   using Index = Level_connectivity::Index;
-  using Limits = Ring_limits<Scheme, FT, points_alone>;
+  using Limits = Ring_limits<Scheme, FT, kinds>;
   using Kind = typename Ring_rules_cache<Scheme, FT>::Kind;
 
   // what its limit is stored in, and of which kind its ring is
@@ -336,21 +336,25 @@ public:
   template <class Value_of>
   void add(const Vertex& vertex, bool is_spline, const Value_of& value)
   {
-    if (last_ == nullptr || vertex.kind != last_kind_ || is_spline != last_is_spline_) {
-      auto& limits = limits_[{vertex.kind, is_spline}];
-      if (!limits) limits = std::make_unique<Limits>(*vertex.kind->ring_rules, demand_, is_spline);
-      last_ = limits.get();
-      last_kind_ = vertex.kind;
-      last_is_spline_ = is_spline;
+    const auto is_of_kind = [&](const Kind_limits& k) {
+      return k.kind == vertex.kind && k.is_spline == is_spline;
+    };
+    if (limits_.empty() || !is_of_kind(limits_[last_])) {
+      const auto found = std::find_if(limits_.begin(), limits_.end(), is_of_kind);
+      last_ = static_cast<std::size_t>(found - limits_.begin());
+      if (last_ == limits_.size())
+        limits_.push_back({vertex.kind, is_spline,
+                           std::make_unique<Limits>(*vertex.kind->ring_rules, demand_, is_spline)});
     }
-    last_->add(value, *vertex.result);
-    if (last_->is_full()) evaluate(*last_, vertex.v);
+    Limits& limits = *limits_[last_].limits;
+    limits.add(value, *vertex.result);
+    if (limits.is_full()) evaluate(limits, vertex.v);
   }
 
   // the rest
   void finish()
   {
-    for (auto& entry : limits_) entry.second->evaluate();
+    for (Kind_limits& k : limits_) k.limits->evaluate();
   }
 
 private:
@@ -370,11 +374,16 @@ private:
       }
   }
 
+  struct Kind_limits
+  {
+    const Kind* kind;
+    bool is_spline;
+    std::unique_ptr<Limits> limits;
+  };
+
   const Limit_demand& demand_;
-  std::map<std::pair<const Kind*, bool>, std::unique_ptr<Limits>> limits_;
-  Limits* last_ = nullptr;
-  const Kind* last_kind_ = nullptr;
-  bool last_is_spline_ = false;
+  std::vector<Kind_limits> limits_; // few
+  std::size_t last_ = 0;            // where the last ring went
 };
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -36,21 +36,19 @@ bool is_against_area(const Coordinates<double, 3>& normal, const For_each_triang
 {
   using Vector = Coordinates<double, 3>;
   constexpr double greatest = 0x1p300; // whose products are in range, as those of its reciprocal
-  double height = 0, size = 0;
-  for_each([&](const Vector& a, const Vector& b) {
-    size = (std::max)({size, largest_coordinate(a), largest_coordinate(b)});
-    height += dot(cross(a, b), normal);
-  });
-  if (size > greatest || size < 1 / greatest) {
-    const int exponent = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
-    height = 0;
+  for (int exponent = 0;;) {
+    double height = 0, size = 0;
     for_each([&](Vector a, Vector b) {
-      for (double& x : a) x = std::ldexp(x, -exponent);
-      for (double& x : b) x = std::ldexp(x, -exponent);
+      if (exponent != 0)
+        for (Vector* v : {&a, &b})
+          for (double& x : *v) x = std::ldexp(x, -exponent);
+      size = (std::max)({size, largest_coordinate(a), largest_coordinate(b)});
       height += dot(cross(a, b), normal);
     });
+    const bool is_in_range = size >= 1 / greatest && size <= greatest;
+    if (is_in_range || exponent != 0 || !(size > 0 && std::isfinite(size))) return height < 0;
+    exponent = std::ilogb(size);
   }
-  return height < 0;
 }
 
 // Whether a normal at a vertex is on the other side than those of the faces around, which have the corners point(v).
@@ -95,32 +93,19 @@ void orient_normals(Results& results, const For_chunks& for_chunks, const Is_aga
     }
   });
 }
-// by the faces at vertices, whose corners are point(v); result i belongs to vertex(i)
-template <class Results, class Point_of, class Vertex_of>
-void orient_normals(const Level_connectivity& level, Results& results, const For_chunks& for_chunks,
-                    const Point_of& point, const Vertex_of& vertex)
-{
-  using Index = Level_connectivity::Index;
-  orient_normals(results, for_chunks, [&](Index i, const auto& normal) {
-    const Index v = vertex(i);
-    return !level.is_isolated(v) && is_against_faces(level, v, point, normal);
-  });
-}
-// all limits, or some limits, whose neighbors have none: some limits go by the points of the level
+// At vertices, by the faces around them: between the limits of all, or, where the neighbors of some have none, between the points
+// of the level.
 template <class Level, class Results>
 void orient_normals(const Level& level, Results& results, const For_chunks& for_chunks,
                     bool are_all)
 {
   using Index = Level_connectivity::Index;
-  const auto orient = [&](const auto& of) {
-    orient_normals(
-      level.level, results, for_chunks, [&](Index v) { return to_double_3(point_of(of(v))); },
-      [](Index v) { return v; });
+  const auto point = [&](Index v) {
+    return to_double_3(point_of(are_all ? results[v].value : level.values[v]));
   };
-  if (are_all)
-    orient([&](Index v) -> const auto& { return results[v].value; });
-  else
-    orient([&](Index v) -> const auto& { return level.values[v]; });
+  orient_normals(results, for_chunks, [&](Index v, const auto& normal) {
+    return !level.level.is_isolated(v) && is_against_faces(level.level, v, point, normal);
+  });
 }
 
 // The planes tangent to rings of one class at their limits. The value of place p of ring c is

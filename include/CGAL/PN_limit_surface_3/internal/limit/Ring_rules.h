@@ -12,6 +12,7 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_weights.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_eigenvectors.h>
+#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Round.h>
 #include <CGAL/PN_subdivision_3/internal/rows/PN_average_block.h>
@@ -25,6 +26,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <type_traits>
 #include <unordered_map>
 #include <vector>
 
@@ -275,8 +277,8 @@ private:
       const auto rows = ring_matrix<FT>(host, mask_of(FT(), r), r.rings);
       const auto real_rows = ring_matrix<Real>(host, mask_of(Real(), r), r.rings);
       if (!rows || !real_rows) return std::nullopt;
-      rules.matrix = rules.rows.empty() ? *rows : product<FT>(*rows, rules.matrix);
-      real_matrix = rules.rows.empty() ? *real_rows : product<Real>(*real_rows, real_matrix);
+      rules.matrix = after<FT>(*rows, rules.matrix);
+      real_matrix = after<Real>(*real_rows, real_matrix);
       rules.rows.emplace_back(*rows, copies_);
     }
     const Ring_eigenvectors masks(real_matrix, layout);
@@ -288,6 +290,16 @@ private:
       for (std::size_t i = 0; i < 2; ++i)
         result.tangents[i].assign(masks.tangents()[i].begin(), masks.tangents()[i].end());
     return result;
+  }
+
+  // the matrix of a round after those before; other hosts than that of sqrt(3) have one
+  template <class Number>
+  static Ring_matrix<Number> after(const Ring_matrix<Number>& last,
+                                   [[maybe_unused]] const Ring_matrix<Number>& first)
+  {
+    if constexpr (std::is_same_v<typename Scheme::Host, Sqrt3_host>)
+      if (!first.empty()) return product<Number>(last, first);
+    return last;
   }
 
   void average(const Ring_rows<FT>& rows, const Ring_rows<FT>* normal_rows, const Value* old,

@@ -38,6 +38,13 @@ unsigned cut_rings(const Scheme& scheme)
   return ghosts == 0 ? 8 : (std::max)(least, times * ghosts);
 }
 
+// Crease vertices read more of what is around them.
+template <class Scheme, class Level_creases>
+unsigned cut_rings(const Scheme& scheme, const Level_creases& creases)
+{
+  return cut_rings(scheme) + (creases.empty() ? 0 : is_pn_v<Scheme> ? 2 : 1);
+}
+
 // Whether the target of h has n edges. Cost: n
 inline bool has_valence(const Level_connectivity& level, Level_connectivity::Index h,
                         Level_connectivity::Index n)

@@ -95,7 +95,7 @@ void with_slot_level(const Access& access, const Scheme& scheme, Point_map point
 
 // The limits at the slots of a level, which are its vertices if there are no creases. The creases get the tangents of
 // the limit. If only some vertices are asked for, which are sorted, other vertices have no results.
-template <class FT, bool points_alone = false, class Scheme, class Level_creases>
+template <class FT, Limit_kinds kinds = Limit_kinds::all, class Scheme, class Level_creases>
 std::vector<Limit_result<Average_of_scheme<Scheme, FT>>>
 limits_at_slots(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
                 Valued_level<typename Average_of_scheme<Scheme, FT>::Value>& level,
@@ -103,8 +103,8 @@ limits_at_slots(const Scheme& scheme, const Limit_demand& demand, const For_chun
                 const std::vector<Level_connectivity::Index>* some = nullptr,
                 std::shared_ptr<Ring_rules_cache<Scheme, FT>> rules_cache = nullptr)
 {
-  Limits_of_level<Scheme, FT, Level_creases, points_alone> limits(scheme, demand, for_chunks,
-                                                                  std::move(rules_cache));
+  Limits_of_level<Scheme, FT, Level_creases, kinds> limits(scheme, demand, for_chunks,
+                                                           std::move(rules_cache));
   return limits(level, creases, next_round, some);
 }
 
@@ -244,16 +244,8 @@ private:
   std::map<Index, std::unique_ptr<Rules>> rules_by_degree_;
 };
 
-// The limits of a mesh, at its slots if it has creases.
-template <class Result, class Level_creases>
-struct Vertex_limits
-{
-  const Level_connectivity& level;
-  const Level_creases& creases; // with the tangents of the limit
-  std::vector<Result>& results;
-};
-
-// Calls sink(access, limits, creases of the mesh) with the limits of a mesh as a call tells of it.
+// Calls sink(access, level, creases with the tangents of the limit, limits at slots, maps of the mesh) with the limits of a mesh
+// as a call tells of it.
 template <class Concurrency_tag, class Parameters, class Mesh, class Scheme, class Point_map,
           class NamedParameters, class Sink>
 Limit_report vertex_limits(Mesh& mesh, const Scheme& scheme, Point_map points,
@@ -266,16 +258,14 @@ Limit_report vertex_limits(Mesh& mesh, const Scheme& scheme, Point_map points,
     with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
       const auto evaluate = [&](auto& level, auto& creases, auto& of_mesh) {
         const Limit_demand demand = limit_demand<FT>(options, box_size(level));
-        auto results = limits_at_slots<FT, asks_for_points_alone<NamedParameters>()>(
+        auto results = limits_at_slots<FT, limit_kinds<NamedParameters>()>(
           scheme_of_rounds(s), demand, For_chunks::with(Concurrency_tag()), level, creases,
           options.rounds_done + 1);
         std::decay_t<decltype(level.values)>().swap(level.values);
         check_limits<FT>(results, [&](std::size_t v) {
           return access.vertex_name(static_cast<Level_connectivity::Index>(v));
         });
-        using Limits =
-          Vertex_limits<typename decltype(results)::value_type, std::decay_t<decltype(creases)>>;
-        sink(access, Limits{level.level, creases, results}, of_mesh);
+        sink(access, level.level, creases, results, of_mesh);
         results.resize(level.level.number_of_vertices());
         report = limit_report(results, demand);
       };
@@ -288,29 +278,29 @@ Limit_report vertex_limits(Mesh& mesh, const Scheme& scheme, Point_map points,
 }
 
 // Puts limits into the maps of a mesh and of a call, and the old values back if that fails.
-template <class Scheme, class Parameters, class Access, class Limits, class Of_mesh,
-          class Point_map, class NamedParameters>
-void put_limits(const Access& access, const Limits& limits, Of_mesh& of_mesh, Point_map points,
-                const NamedParameters& np)
+template <class Scheme, class Parameters, class Access, class Level_creases, class Results,
+          class Of_mesh, class Point_map, class NamedParameters>
+void put_limits(const Access& access, const Level_connectivity& level, const Level_creases& creases,
+                Results& results, Of_mesh& of_mesh, Point_map points, const NamedParameters& np)
 {
   const Limit_options options = limit_options(np);
   const auto normals = Parameters::normal_map(np);
   using Maps_writer = Limit_maps_writer<Access, typename Parameters::Geom_traits, NamedParameters>;
   Maps_writer of_limits(access, np);
   using Writers = Normal_writers<Access, std::decay_t<decltype(normals)>>;
-  typename Writers::Corner_writer corners(access, limits.level, normals);
+  typename Writers::Corner_writer corners(access, level, normals);
   if constexpr (Writers::Corner_writer::takes_corners) {
     if (is_pn_v<Scheme> || options.surface_normals)
       corners.put_all(
-        limits.level, limits.creases,
-        limit_normals<Scheme, typename Parameters::FT>(limits.results, options.surface_normals));
+        level, creases,
+        limit_normals<Scheme, typename Parameters::FT>(results, options.surface_normals));
   }
   if constexpr (!Writers::Corner_writer::takes_corners || Maps_writer::is_any_given)
-    put_mean_normals<Scheme>(limits.creases, limits.results);
-  of_limits.write(limits.results, limits.level.number_of_vertices());
-  of_mesh.put_tangents(limits.creases, limits.level.size());
-  limits.results.resize(limits.level.number_of_vertices());
-  write_limits<Scheme>(access, points, Writers::vertex_map(normals), limits.results, options);
+    put_mean_normals<Scheme>(creases, results);
+  of_limits.write(results, level.number_of_vertices());
+  of_mesh.put_tangents(creases, level.size());
+  results.resize(level.number_of_vertices());
+  write_limits<Scheme>(access, points, Writers::vertex_map(normals), results, options);
   of_limits.commit();
   corners.commit();
   of_mesh.commit();
@@ -324,8 +314,10 @@ Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const NamedParamete
   if constexpr (check_creased_limit_arguments<Mesh, Scheme, NamedParameters>()) {
     const auto points = Parameters::point_map(mesh, np);
     return vertex_limits<Concurrency_tag, Parameters>(
-      mesh, scheme, points, np, [&](const auto& access, const auto& limits, auto& of_mesh) {
-        put_limits<Scheme, Parameters>(access, limits, of_mesh, points, np);
+      mesh, scheme, points, np,
+      [&](const auto& access, const auto& level, const auto& creases, auto& results,
+          auto& of_mesh) {
+        put_limits<Scheme, Parameters>(access, level, creases, results, of_mesh, points, np);
       });
   } else
     return {};

@@ -50,6 +50,40 @@ inline double distance_from_line(const Vector& p, const Vector& a, const Vector&
   return quick_length(difference(r, {t * d[0], t * d[1], t * d[2]}));
 }
 
+// s a + t b next to r, and its distance; no numbers if a and b have one direction
+struct Combination
+{
+  Combination(Vector r, const Vector& a, const Vector& b)
+  {
+    const double square = dot(a, a);
+    Vector across = b;
+    add_multiple<double, 3>(across, -dot(a, b) / square, a);
+    t = dot(r, across) / dot(across, across);
+    add_multiple<double, 3>(r, -t, b);
+    s = dot(r, a) / square;
+    add_multiple<double, 3>(r, -s, a);
+    distance = quick_length(r);
+  }
+
+  double s, t, distance;
+};
+
+inline double distance_from_segment(const Vector& p, const Vector& a, const Vector& b)
+{
+  const double t =
+    dot(difference(p, a), difference(b, a)) / dot(difference(b, a), difference(b, a));
+  return quick_length(difference(p, between(a, b, t > 0 ? (std::min)(t, 1.) : 0)));
+}
+
+inline double distance_from_triangle(const Vector& p, const Vector& a, const Vector& b,
+                                     const Vector& c)
+{
+  const Combination inside(difference(p, a), difference(b, a), difference(c, a));
+  if (inside.s >= 0 && inside.t >= 0 && inside.s + inside.t <= 1) return inside.distance;
+  return (std::min)({distance_from_segment(p, a, b), distance_from_segment(p, b, c),
+                     distance_from_segment(p, c, a)});
+}
+
 // A corner of a triangle: a point of the surface and its unit normal there, zero if none is known.
 struct Corner
 {

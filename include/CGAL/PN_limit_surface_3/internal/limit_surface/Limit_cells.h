@@ -205,11 +205,6 @@ private:
     return !is_corner.empty() && is_corner[v] != 0 ? Piece_vertex::corner : Piece_vertex::border;
   }
 
-  unsigned rings(const Level_creases& creases) const
-  {
-    return cut_rings(scheme_) + (creases.empty() ? 0 : is_pn_v<Scheme> ? 2 : 1);
-  }
-
   template <class Values>
   Cell cut(const Level_connectivity& level, const Level_creases& creases, const Values& values,
            const Cell_slots& slot_of, Index base, unsigned rounds) const
@@ -217,7 +212,7 @@ private:
     std::vector<Index> centers;
     for_each_halfedge_of_face(level, level.face(base),
                               [&](Index h) { centers.push_back(level.target(h)); });
-    Sub_level part(level, distinct(centers), rings(creases), Sub_level::Keeps::walks);
+    Sub_level part(level, distinct(centers), cut_rings(scheme_, creases), Sub_level::Keeps::walks);
     Cell cell{{{}, {}}, Level_creases(static_cast<Index>(part.vertices.size())), 0, rounds};
     std::vector<Index> origins = part.vertices;
     if constexpr (are_creases_v<Level_creases>) {

@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_LEVELS_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_LEVELS_H
 
+#include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_values.h>
@@ -241,6 +242,10 @@ private:
   std::vector<Global_level> levels_;
 };
 
+template <class Average>
+struct Limit_result;
+struct Limit_demand;
+
 // What pieces are asked for, whatever the scheme.
 template <class Average>
 class Abstract_pieces
@@ -250,14 +255,16 @@ public:
   using Value = typename Average::Value;
   using Attributes = Control_attributes<typename Average::FT>;
 
-  // takes (connectivity, its vertices, its faces), to be moved, once and then (vertex, value), of different
-  // vertices from different threads; at last (half-edge, wedge, value) for the corners of vertices with several
-  // wedges, in increasing order
+  using Limit = Limit_result<Average>;
+
+  // takes (connectivity, its vertices, its faces), to be moved, once and then (vertex, value, limit), of different
+  // vertices from different threads; at last (half-edge, wedge, value, limit) for the corners of vertices with several
+  // wedges, in increasing order; limits are null unless they are asked for
   struct Output
   {
     Function_ref<void(Level_connectivity&, Global_ids&, Global_ids&)> begin;
-    Function_ref<void(Index, const Value&)> put;
-    Function_ref<void(Index, Index, const Value&)> put_corner;
+    Function_ref<void(Index, const Value&, const Limit*)> put;
+    Function_ref<void(Index, Index, const Value&, const Limit*)> put_corner;
     Function_ref<void(Attributes&)> put_attributes; // if there are any, before the end
   };
 
@@ -275,6 +282,9 @@ public:
   virtual bool is_empty(std::size_t piece) const = 0;
   // the faces that the piece owns, and some rings around them
   virtual void refine(std::size_t piece, unsigned rings, const Output& out) const = 0;
+  // The same on the limit surface; what has been reached at the vertices that are owned. \pre the pieces have limits
+  virtual Limit_report refine_to_limit(std::size_t piece, unsigned rings,
+                                       const Limit_demand& demand, const Output& out) const = 0;
 };
 
 inline Face_marks owned_with_rings(const Level_connectivity& level, const Piece_elements& elements,
@@ -297,10 +307,10 @@ public:
   using Slot_value = std::pair<Index, Value>;
 
   // Puts the connectivity of the faces that are owned and of the rings around them, and their attributes.
-  template <class Attribute_rounds, class Any_output>
+  template <class Attribute_rounds>
   Last_level_of_piece(const Level_connectivity& level, const Piece_elements& elements,
                       [[maybe_unused]] const Level_creases& creases, bool has_isolated,
-                      unsigned rings, const Attribute_rounds& attributes, const Any_output& out)
+                      unsigned rings, const Attribute_rounds& attributes, const Output& out)
   {
     const Face_marks kept = owned_with_rings(level, elements, rings);
     const All_candidates candidates(level, kept);
@@ -337,7 +347,7 @@ public:
       values, number_of_vertices, [&](std::size_t, Index v, const Value& value) {
         auto it = std::lower_bound(vertices_.begin(), vertices_.end(), v);
         for (; it != vertices_.end() && *it == v; ++it)
-          out.put(static_cast<Index>(it - vertices_.begin()), value);
+          out.put(static_cast<Index>(it - vertices_.begin()), value, nullptr);
       });
     const auto is_before = [](const Slot_value& a, const Slot_value& b) {
       return a.first < b.first;
@@ -346,7 +356,8 @@ public:
     for_each_corner([&](Index h, Index wedge, Index slot) {
       out.put_corner(
         h, wedge,
-        std::lower_bound(values.begin(), values.end(), Slot_value(slot, {}), is_before)->second);
+        std::lower_bound(values.begin(), values.end(), Slot_value(slot, {}), is_before)->second,
+        nullptr);
     });
   }
 

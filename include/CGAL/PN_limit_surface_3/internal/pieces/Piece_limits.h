@@ -24,43 +24,19 @@
 
 namespace CGAL::PN_subdivision_3::internal {
 
-// What pieces at the limit are asked for, whatever the scheme.
-template <class Average>
-class Pieces_at_limit
-{
-public:
-  using Index = Level_connectivity::Index;
-  using Limit = Limit_result<Average>;
-
-  // the output of Abstract_pieces, with the values that the rounds have given besides
-  struct Limit_output
-  {
-    Function_ref<void(Level_connectivity&, Global_ids&, Global_ids&)> begin;
-    Function_ref<void(Index, const Limit&, const typename Average::Value&)> put;
-    Function_ref<void(Index, Index, const Limit&)> put_corner;
-    Function_ref<void(Control_attributes<typename Average::FT>&)> put_attributes;
-  };
-
-  virtual ~Pieces_at_limit() = default;
-  // returns what limits have been reached at the vertices that are owned
-  virtual Limit_report refine_to_limit(std::size_t piece, unsigned rings, const Limit_demand&,
-                                       const Limit_output&) const = 0;
-};
-
 // Refines pieces, and puts their vertices on the limit surface.
 template <class Scheme, class Average, class Level_creases, bool has_attributes>
-class Piece_limits final : public Piece_refiner<Scheme, Average, Level_creases, has_attributes>,
-                           public Pieces_at_limit<Average>
+class Piece_limits final : public Piece_refiner<Scheme, Average, Level_creases, has_attributes>
 {
   using Base = Piece_refiner<Scheme, Average, Level_creases, has_attributes>;
   using typename Base::Attribute_rounds;
   using typename Base::FT;
   using Index = typename Base::Index;
   using typename Base::Last_level;
+  using typename Base::Output;
   using typename Base::Part;
   using typename Base::Value;
   using typename Base::Values;
-  using typename Pieces_at_limit<Average>::Limit_output;
   using Result = Limit_result<Average>;
 
 public:
@@ -72,7 +48,7 @@ public:
   {}
 
   Limit_report refine_to_limit(std::size_t piece, unsigned rings, const Limit_demand& demand,
-                               const Limit_output& out) const override
+                               const Output& out) const override
   {
     const bool has_isolated = piece == 0;
     Part part = this->last_part(piece, has_isolated);
@@ -86,8 +62,9 @@ public:
                                       this->rounds() + 1, &some, rules_cache_);
     const Last_level last_level(level.level, part.elements, part.creases, has_isolated, rings,
                                 part.attributes, out);
-    last_level.for_each_corner(
-      [&](Index h, Index wedge, Index slot) { out.put_corner(h, wedge, limits[slot]); });
+    last_level.for_each_corner([&](Index h, Index wedge, Index slot) {
+      out.put_corner(h, wedge, level.values[slot], &limits[slot]);
+    });
     put_mean_normals<Scheme>(part.creases, limits);
     return put(last_level, part.elements.vertices, level.values, limits, demand, out);
   }
@@ -114,13 +91,13 @@ private:
 
   static Limit_report put(const Last_level& last_level, const Global_ids& elements,
                           const std::vector<Value>& values, const std::vector<Result>& limits,
-                          const Limit_demand& demand, const Limit_output& out)
+                          const Limit_demand& demand, const Output& out)
   {
     std::vector<Result> owned;
     const auto& vertices = last_level.vertices();
     for (Index i = 0; i < vertices.size(); ++i) {
       const Index v = vertices[i];
-      out.put(i, limits[v], values[v]);
+      out.put(i, values[v], &limits[v]);
       const bool is_first = i == 0 || vertices[i - 1] != v;
       if (is_first && elements.is_owned(v)) owned.push_back(limits[v]);
     }

@@ -129,6 +129,12 @@ public:
       put_last_round(part, has_isolated, rings, out);
   }
 
+  Limit_report refine_to_limit(std::size_t, unsigned, const Limit_demand&,
+                               const Output&) const override
+  {
+    return {}; // see Piece_limits
+  }
+
 protected:
   static constexpr bool is_creased = are_creases_v<Level_creases>;
   using Last_level = Last_level_of_piece<Average, Level_creases>;
@@ -317,7 +323,7 @@ private:
     const auto& vertices = last_level.vertices();
     const auto put = [&](const Index* vertex, const Value* values, Index n) {
       for (Index i = 0; i < n; ++i)
-        out.put(static_cast<Index>(vertex + i - vertices.data()), values[i]);
+        out.put(static_cast<Index>(vertex + i - vertices.data()), values[i], nullptr);
     };
     const auto transfers = level.transfers(rows);
     if (!transfers.is_empty())
@@ -352,7 +358,7 @@ private:
     const auto& vertices = last_level.vertices();
     for (Index v = 0; v < vertices.size(); ++v) {
       const Value value = part.values[vertices[v]];
-      out.put(v, value);
+      out.put(v, value, nullptr);
     }
     if constexpr (is_creased) {
       std::vector<typename Last_level::Slot_value> on_creases;

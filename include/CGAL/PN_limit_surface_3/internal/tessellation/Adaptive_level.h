@@ -273,10 +273,8 @@ private:
     bool is_star = false;
     if constexpr (is_creased) {
       const auto& creases = level_.creases;
-      const auto star =
-        std::lower_bound(creases.stars.begin(), creases.stars.end(), v,
-                         [](const Crease_star& s, Index vertex) { return s.vertex < vertex; });
-      is_star = star != creases.stars.end() && star->vertex == v;
+      const Crease_star* const star = creases.star_at(v);
+      is_star = star != nullptr;
       if (is_star && creases.rule(*star) == Vertex_rule::crease) {
         before = connectivity_.source(creases.halfedge(creases.end(*star, 0)));
         after = connectivity_.source(creases.halfedge(creases.end(*star, 1)));

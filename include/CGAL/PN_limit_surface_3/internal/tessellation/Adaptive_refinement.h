@@ -47,13 +47,14 @@ class Adaptive_refinement
 {
 public:
   using Index = Level_connectivity::Index;
+  // attributes share what there is of all limits, as libraries do
+  static constexpr Limit_kinds kinds = carries_attributes ? Limit_kinds::all : Limit_kinds::normals;
   using Average = Average_of_scheme<Scheme, FT>;
   using Value = typename Average::Value;
   using Level = Adaptive_level<Value, Level_creases>;
-  using Result = typename Limit_evaluation<Scheme, FT>::Result;
+  using Result = Limit_result<Average>;
   using Attributes =
-    std::conditional_t<carries_attributes, Tessellation_attributes<Scheme, FT, Level_creases>,
-                       No_tessellation_attributes<Result>>;
+    Carried<carries_attributes, Tessellation_attributes<Scheme, FT, Level_creases>>;
   using Selection = Face_selection<typename Scheme::Host, FT, Value, Level_creases>;
 
   Adaptive_refinement(const Scheme& scheme, const Tessellation_demand& demand,
@@ -70,11 +71,13 @@ public:
 
   // before: the nodes of an earlier refinement of the same mesh; some of these nodes have to be split now
   void operator()(Valued_level<Value>&& control, Level_creases&& creases,
-                  const Tessellation_data& attributes = {},
-                  std::deque<Tessellation_node>&& before = {})
+                  std::deque<Tessellation_node>&& before,
+                  [[maybe_unused]] const Carried<carries_attributes, Tessellation_data>& attributes)
   {
     selection_.begin(std::move(before));
-    Level level = first_level(std::move(control), std::move(creases), attributes);
+    Level level{std::move(control), std::move(creases), {}, {}, {}};
+    if constexpr (carries_attributes) attributes_.read(attributes, level);
+    begin(level);
     for (bool is_done = false; !is_done;) is_done = !refine(level);
     selection_.end();
   }
@@ -85,7 +88,7 @@ public:
   // vertices that are not used go
   void remove_unused(const std::vector<bool>& used)
   {
-    attributes_.keep_vertices(used);
+    if constexpr (carries_attributes) attributes_.keep_vertices(used);
     all_.keep_vertices(used);
   }
   const Attributes& attributes() const { return attributes_; }
@@ -99,7 +102,6 @@ private:
   using Flatness = typename Selection::Flatness;
   using Slots = Slots_of_corners<Level_creases>;
   static constexpr Index null = Level_connectivity::null;
-  static constexpr std::ptrdiff_t limits_at_once = 1 << 13;
 
   // \name Limits
   // limits at all slots, or at those of some vertices
@@ -117,22 +119,6 @@ private:
       if (level.slot_ids[s] != null && level.slot_ids[s] >= first_new)
         set_slot(level.slot_ids[s], results[s]);
   }
-  // sets the limits at the slots of some vertices
-  void set_limits_of(Level& level, const std::vector<Index>& vertices, Index first_new)
-  {
-    if constexpr (is_creased)
-      set_limits(level, limits(level, &vertices), first_new);
-    else { // a part at a time, which stays in the cache
-      Results results;
-      std::vector<Index> part;
-      for (std::size_t i = 0; i < vertices.size(); i += part.size()) {
-        const auto begin = vertices.begin() + static_cast<std::ptrdiff_t>(i);
-        part.assign(begin, begin + (std::min)(vertices.end() - begin, limits_at_once));
-        limits_(level.level, rounds_ + 1, part, results);
-        for (std::size_t k = 0; k < part.size(); ++k) set_slot(level.slot_ids[part[k]], results[k]);
-      }
-    }
-  }
 
   // is_smooth: whether the surface has a tangent plane wherever it has a normal
   void set_slot(Index slot, const Result& result, bool is_smooth = true)
@@ -149,11 +135,8 @@ private:
   }
 
   // \name Levels
-  Level first_level(Valued_level<Value>&& control, Level_creases&& creases,
-                    const Tessellation_data& attributes)
+  void begin(Level& level)
   {
-    Level level{std::move(control), std::move(creases), {}, {}, {}};
-    attributes_.read(attributes, level);
     const Level_connectivity& connectivity = level.level.level;
     const Results results = limits(level, nullptr);
     for (Index v = 0; v < connectivity.number_of_vertices(); ++v)
@@ -169,12 +152,11 @@ private:
       level.faces[f].origin = f;
       level.faces[f].is_wanted = true;
     }
-    for (std::size_t p = 0; p < level.planes.size(); ++p) {
-      const Results of_plane = attributes_.limits(level, p, rounds_, nullptr);
+    if constexpr (carries_attributes) {
+      const std::vector<Results> of_planes = attributes_.limits(level, rounds_, nullptr);
       for (Index v = 0; v < connectivity.number_of_vertices(); ++v)
-        attributes_.set(p, v, of_plane[v]);
+        attributes_.set(v, of_planes, v);
     }
-    return level;
   }
 
   // A single face between two edges of a smooth curve has no angle that a tangent plane could tell. Where the edges do not
@@ -219,15 +201,15 @@ private:
     }
     const std::vector<Index> vertices = new_vertices(level);
     std::vector<Results> of_planes;
-    for (std::size_t p = 0; p < next.planes.size(); ++p)
-      of_planes.push_back(attributes_.limits(next, p, rounds_, is_control ? nullptr : &vertices));
+    if constexpr (carries_attributes)
+      of_planes = attributes_.limits(next, rounds_, is_control ? nullptr : &vertices);
     all_.reserve(vertices.size(), next.level.level.number_of_edges());
     const Index first_new = all_.number_of_slots();
     connect(level, next, of_planes);
     if (has_unseen)
       set_limits(next, results, first_new);
     else {
-      set_limits_of(next, vertices, first_new);
+      set_limits(next, limits(next, &vertices), first_new);
       measure(level, [&](Index h, Index v) {
         const Index slot =
           h == null ? next.slot_ids[v] : all_.edge(level.edges[h / 2]).middle[h % 2];
@@ -278,7 +260,7 @@ private:
     evaluate_round(round, values, for_chunks_, next.level.values);
     next.level.level = child_level(round, round.refined_creases(), for_chunks_);
     next.creases = std::move(round.refined_creases());
-    attributes_.refine(level, rounds_, next);
+    if constexpr (carries_attributes) attributes_.refine(level, rounds_, next);
     return next;
   }
 
@@ -368,7 +350,8 @@ private:
                              : Adaptive_face::Seen::of_parent;
       number_edges(next, f);
     }
-    if (!level.corners.empty()) attributes_.split_corners(level, host, next);
+    if constexpr (carries_attributes)
+      if (!level.corners.empty()) attributes_.split_corners(level, host, next);
   }
 
   void number_edges(Level& level, Index f)
@@ -381,7 +364,7 @@ private:
 
   void split_face(const Level& level, Index f, [[maybe_unused]] const Host& host,
                   const Slots& old_slots, const Slots& new_slots,
-                  const std::vector<Results>& of_planes, Level& next)
+                  [[maybe_unused]] const std::vector<Results>& of_planes, Level& next)
   {
     const Level_connectivity& old = level.level.level;
     const Edge_split split(old);
@@ -389,8 +372,7 @@ private:
       Index& slot = next.slot_ids[new_slot];
       if (slot != null) return slot;
       slot = all_.add_slot(vertex);
-      for (std::size_t p = 0; p < of_planes.size(); ++p)
-        attributes_.set(p, vertex, of_planes[p][new_slot]);
+      if constexpr (carries_attributes) attributes_.set(vertex, of_planes, new_slot);
       return slot;
     };
     for_each_halfedge_of_face(old, f, [&](Index h) {
@@ -414,7 +396,7 @@ private:
   For_chunks for_chunks_;
   Split_edges<FT> all_;
   Selection selection_;
-  Limits_of_level<Scheme, FT, Level_creases> limits_;
+  Limits_of_level<Scheme, FT, Level_creases, kinds> limits_;
   Attributes attributes_;
   unsigned rounds_ = 0;
 };

@@ -141,58 +141,25 @@ private:
   static double distance(const Vector& p, const Search& search)
   {
     const auto& c = search.corners;
-    const double first = distance_from_triangle(p, c[0], c[1], c[2]);
-    return degree == 3 ? first : (std::min)(first, distance_from_triangle(p, c[2], c[3], c[0]));
+    const double first = flatness::distance_from_triangle(p, c[0], c[1], c[2]);
+    return degree == 3 ? first
+                       : (std::min)(first, flatness::distance_from_triangle(p, c[2], c[3], c[0]));
   }
   static double distance_from_side(const Vector& p, Index i, const Search& search)
   {
-    return distance_from_segment(p, search.corners[i], search.corners[(i + 1) % degree]);
-  }
-
-  static double distance_from_segment(const Vector& p, const Vector& a, const Vector& b)
-  {
-    using namespace flatness;
-    const double t =
-      dot(difference(p, a), difference(b, a)) / dot(difference(b, a), difference(b, a));
-    return quick_length(difference(p, between(a, b, t > 0 ? (std::min)(t, 1.) : 0)));
-  }
-
-  static double distance_from_triangle(const Vector& p, const Vector& a, const Vector& b,
-                                       const Vector& c)
-  {
-    const Combination inside(difference(p, a), difference(b, a), difference(c, a));
-    if (inside.s >= 0 && inside.t >= 0 && inside.s + inside.t <= 1) return inside.distance;
-    return (std::min)({distance_from_segment(p, a, b), distance_from_segment(p, b, c),
-                       distance_from_segment(p, c, a)});
+    return flatness::distance_from_segment(p, search.corners[i], search.corners[(i + 1) % degree]);
   }
 
   // the segments are from a to b, and from c to d
   static double distance_of_segments(const Vector& a, const Vector& b, const Vector& c,
                                      const Vector& d)
   {
-    const Combination inside(difference(c, a), difference(b, a), difference(c, d));
+    const flatness::Combination inside(difference(c, a), difference(b, a), difference(c, d));
     if (inside.s >= 0 && inside.s <= 1 && inside.t >= 0 && inside.t <= 1) return inside.distance;
-    return (std::min)({distance_from_segment(a, c, d), distance_from_segment(b, c, d),
-                       distance_from_segment(c, a, b), distance_from_segment(d, a, b)});
+    return (std::min)(
+      {flatness::distance_from_segment(a, c, d), flatness::distance_from_segment(b, c, d),
+       flatness::distance_from_segment(c, a, b), flatness::distance_from_segment(d, a, b)});
   }
-
-  // s a + t b next to r, and its distance; no numbers if a and b have one direction
-  struct Combination
-  {
-    Combination(Vector r, const Vector& a, const Vector& b)
-    {
-      const double square = dot(a, a);
-      Vector across = b;
-      add_multiple<double, 3>(across, -dot(a, b) / square, a);
-      t = dot(r, across) / dot(across, across);
-      add_multiple<double, 3>(r, -t, b);
-      s = dot(r, a) / square;
-      add_multiple<double, 3>(r, -s, a);
-      distance = quick_length(r);
-    }
-
-    double s, t, distance;
-  };
 
   const Cells& cells_;
   const int exponent_;

@@ -27,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -51,8 +52,7 @@ public:
   using Index = Level_connectivity::Index;
   using Value = typename Average_of_scheme<Scheme, FT>::Value;
   using Level = Adaptive_level<Value, Level_creases>;
-  using Result = typename Limit_evaluation<Scheme, FT>::Result;
-  using Results = std::vector<Result>;
+  using Results = std::vector<Limit_result<Average_of_scheme<Scheme, FT>>>;
 
   // With the tolerance of the points.
   Tessellation_attributes(const Scheme& scheme, const Limit_demand& demand,
@@ -95,19 +95,23 @@ public:
     of_corners_ = m;
   }
 
-  // the limits after so many rounds, of some vertices or all
-  Results limits(const Level& level, std::size_t plane, unsigned rounds,
-                 const std::vector<Index>* some)
+  // the limits of each plane after so many rounds, of some vertices or all
+  std::vector<Results> limits(const Level& level, unsigned rounds, const std::vector<Index>* some)
   {
-    Valued_level<Value> values{level.level.level, level.planes[plane]};
-    Level_creases creases = without_tangents(level.creases);
-    return evaluation_(values, creases, rounds + 1, some);
+    std::vector<Results> of_planes;
+    for (const auto& plane : level.planes) {
+      Valued_level<Value> values{level.level.level, plane};
+      Level_creases creases = without_tangents(level.creases);
+      of_planes.push_back(evaluation_(values, creases, rounds + 1, some));
+    }
+    return of_planes;
   }
-  void set(std::size_t plane, Index vertex, const Result& result)
+  void set(Index vertex, const std::vector<Results>& of_planes, Index slot)
   {
-    auto& of_plane = limits_[plane];
-    if (of_plane.size() <= vertex) of_plane.resize(vertex + 1);
-    of_plane[vertex] = point_of(result.value);
+    for (std::size_t p = 0; p < of_planes.size(); ++p) {
+      if (limits_[p].size() <= vertex) limits_[p].resize(vertex + 1);
+      limits_[p][vertex] = point_of(of_planes[p][slot].value);
+    }
   }
   // refines one round
   void refine(const Level& level, unsigned rounds, Level& next) const
@@ -197,32 +201,16 @@ private:
   std::size_t of_corners_ = 0;
 };
 
-// What it carries of calls that name no attributes: nothing.
-template <class Result>
+// What stands for it in calls that name no attributes.
 struct No_tessellation_attributes
 {
-  using Index = Level_connectivity::Index;
-
+  No_tessellation_attributes() = default;
   template <class Scheme>
   No_tessellation_attributes(const Scheme&, const Limit_demand&, const For_chunks&)
   {}
-  template <class Level>
-  void read(const Tessellation_data&, Level&)
-  {}
-  template <class Level>
-  std::vector<Result> limits(const Level&, std::size_t, unsigned, const std::vector<Index>*)
-  {
-    return {};
-  }
-  void set(std::size_t, Index, const Result&) {}
-  template <class Level>
-  void refine(const Level&, unsigned, Level&) const
-  {}
-  template <class Level, class Host>
-  void split_corners(const Level&, const Host&, Level&) const
-  {}
-  void keep_vertices(const std::vector<bool>&) {}
 };
+template <bool carries_attributes, class Attributes>
+using Carried = std::conditional_t<carries_attributes, Attributes, No_tessellation_attributes>;
 
 // The arrays of a user's table, of which a tessellation carries the numbers.
 class Tessellation_table

@@ -20,8 +20,6 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
 #include <array>
@@ -148,16 +146,12 @@ private:
   // the distance from the triangles on trial
   double distance(const flatness::Vector& p) const
   {
-    using Kernel = Simple_cartesian<double>;
-    const auto point = [](const flatness::Vector& q) { return Kernel::Point_3(q[0], q[1], q[2]); };
     double least = std::numeric_limits<double>::infinity();
-    for (const Tessellation_triangle& t : trial_.triangles())
-      least =
-        (std::min)(least, CGAL::squared_distance(
-                            point(p), Kernel::Triangle_3(point(all_.corner(t.slot_ids[0]).point),
-                                                         point(all_.corner(t.slot_ids[1]).point),
-                                                         point(all_.corner(t.slot_ids[2]).point))));
-    return std::sqrt(least);
+    for (const Tessellation_triangle& t : trial_.triangles()) {
+      const auto at = [&](std::size_t i) { return all_.corner(t.slot_ids[i]).point; };
+      least = (std::min)(least, flatness::distance_from_triangle(p, at(0), at(1), at(2)));
+    }
+    return least;
   }
 
   Split_edges<FT>& all_;
@@ -381,23 +375,27 @@ bool run_tessellation(
 {
   using Index = Level_connectivity::Index;
   const Index control_vertices = control.level.number_of_vertices();
-  Tessellation_data attributes;
-  if constexpr (carries_attributes) attributes = table.read(control.level);
+  [[maybe_unused]] Carried<carries_attributes, Tessellation_data> attributes;
+  std::size_t dimension_of_corners = 0;
+  if constexpr (carries_attributes) {
+    attributes = table.read(control.level);
+    dimension_of_corners = table.dimension_of_corners();
+  }
   Adaptive_refinement<Scheme, FT, Level_creases, carries_attributes> refinement(scheme, demand,
                                                                                 for_chunks, bounds);
-  refinement(std::move(control), std::move(creases), attributes, runs.take_nodes());
-  const Leaf_triangles<FT> triangles = runs.triangles(refinement, table.dimension_of_corners());
+  refinement(std::move(control), std::move(creases), runs.take_nodes(), attributes);
+  const Leaf_triangles<FT> triangles = runs.triangles(refinement, dimension_of_corners);
   if (runs.go_on(refinement, triangles)) return true;
   std::vector<bool> used = used_vertices(refinement.all(), triangles);
   std::fill_n(used.begin(), control_vertices, true);
   refinement.remove_unused(used);
   const Tessellation_mesh<FT> mesh(refinement.all(), triangles);
-  Attribute_table carried;
+  [[maybe_unused]] Carried<carries_attributes, Attribute_table> carried;
   if constexpr (carries_attributes)
     if (table.any())
       carried = table.of_result(refinement, triangles, attributes, first_indices(control_vertices));
   build(refinement.all(), mesh);
-  table.set(std::move(carried));
+  if constexpr (carries_attributes) table.set(std::move(carried));
   runs.report(refinement, triangles, report);
   report.number_of_vertices = mesh.level().number_of_vertices();
   report.number_of_triangles = mesh.level().number_of_faces();
