@@ -129,7 +129,8 @@ Extraordinary_eigenvalues<FT> extraordinary_eigenvalues(const Scheme& scheme,
                                                         Level_connectivity::Index valence)
 {
   if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_host<Extraordinary_eigenvalues<FT>, internal::Number_call<FT>>(
+    return internal::on_host<Extraordinary_eigenvalues<FT>, internal::Number_call<FT>,
+                             internal::Hosts::all>(
       scheme, [&](const auto& s) -> Extraordinary_eigenvalues<FT> {
         if constexpr (internal::halves_edges_v<std::decay_t<decltype(s)>>)
           return extraordinary_eigenvalues<FT>(s, valence);

@@ -125,7 +125,7 @@ subdivision_matrix(const PolygonMesh& mesh, const Scheme& scheme, unsigned round
     throw std::invalid_argument("PN_subdivision_3: the rounds of a call are counted from 1");
   using Matrix = Eigen::SparseMatrix<FT, Eigen::RowMajor>;
   if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_host<Matrix, internal::Number_call<FT>>(
+    return internal::on_host<Matrix, internal::Number_call<FT>, internal::Hosts::all>(
       scheme, [&](const auto& s) { return subdivision_matrix<FT>(mesh, s, round); });
   else {
     Matrix matrix;

@@ -122,7 +122,7 @@ void expect_rows_that_sum_to_one()
   for (const Control_mesh& control : meshes_of_any_valence<Description>()) {
     Surface_mesh mesh = to_surface_mesh(control);
     for (unsigned k = 1; k <= 2; ++k) {
-      expect_rows_that_sum_to_one<FT>(mesh, Description::scheme(), k, control.name);
+      ::expect_rows_that_sum_to_one<FT>(mesh, Description::scheme(), k, control.name);
       if (k == 1) refine_linearly<Description>(mesh, 1);
     }
   }
