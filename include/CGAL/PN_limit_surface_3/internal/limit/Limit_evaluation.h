@@ -15,7 +15,6 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules_cache.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/made_levels.h>
-#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
@@ -104,7 +103,7 @@ public:
   void refine_about(const Level& level, const Level_creases& creases, const Numbers& vertices,
                     Numbers places, unsigned next_round, const Evaluate& evaluate) const
   {
-    Part<Level_creases> part = part_about(level, creases, vertices, next_round);
+    Part<Level_creases> part = part_about(level, creases, vertices);
     for (unsigned depth = 1;; ++depth) {
       Level_refiner<Scheme, Average, Level_creases> refiner(
         scheme_, std::move(part.level), std::move(part.creases),
@@ -116,7 +115,7 @@ public:
       const Numbers rest = evaluate(refined, refiner.creases(), here, places, next_round, depth);
       if (rest.empty()) return;
       places = values_of_part(places, rest);
-      part = part_about(refined, refiner.creases(), values_of_part(here, rest), next_round);
+      part = part_about(refined, refiner.creases(), values_of_part(here, rest));
     }
   }
 
@@ -209,15 +208,12 @@ private:
     std::vector<Value> values;
     Numbers centers;
   };
-  // A part of a level that is not cut open, or all of it; the rim has the rules of a smooth border. A vertex has the same rows
-  // whichever vertices are asked for.
+  // A part of a level that is not cut open. The rim has the rules of a smooth border, and sqrt(3) may refine it as one: what is
+  // read ends before the new vertices beside it. A vertex has the same rows whichever vertices are asked for.
   template <class Level_creases>
   Part<Level_creases> part_about(const Level& level, const Level_creases& creases,
-                                 const Numbers& vertices, [[maybe_unused]] unsigned round) const
+                                 const Numbers& vertices) const
   {
-    if constexpr (std::is_same_v<typename Scheme::Host, Sqrt3_host>)
-      if (Sqrt3_host::refines_border(round)) // which would take the rim for it
-        return {level.level, creases, level.values, vertices};
     Sub_level cut(level.level, vertices, cut_rings(scheme_, creases), Sub_level::Keeps::walks);
     auto [of_part, origins] = cut.creases_and_slots(level.level, creases);
     return {std::move(cut.level), std::move(of_part), values_of_part(level.values, origins),
