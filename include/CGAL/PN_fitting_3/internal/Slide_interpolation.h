@@ -10,6 +10,7 @@
 #define CGAL_PN_FITTING_3_INTERNAL_SLIDE_INTERPOLATION_H
 
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
+#include <CGAL/PN_fitting_3/internal/Limit_functionals.h>
 #include <CGAL/PN_fitting_3/internal/find_root.h>
 
 #include <algorithm>
