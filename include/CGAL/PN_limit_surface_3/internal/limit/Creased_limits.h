@@ -374,6 +374,19 @@ using Limits_of_level =
   std::conditional_t<are_creases_v<Level_creases>, Creased_limits<Scheme, FT, kinds>,
                      Limit_evaluation<Scheme, FT, kinds>>;
 
+// What the library CGAL::PN_subdivision_3_limits has, see compiled_levels.h: MACRO(EXTERN, scheme, creases) for all schemes of
+// faces with four corners, or with three, without creases and with them.
+#define CGAL_PN_SUBDIVISION_3_OF_QUADS(MACRO, EXTERN)                                              \
+  MACRO(EXTERN, Any_of_quads, No_creases)                                                          \
+  MACRO(EXTERN, Any_of_quads, Creases<double>)                                                     \
+  MACRO(EXTERN, Linear_of_quads, No_creases)                                                       \
+  MACRO(EXTERN, Linear_of_quads, Creases<double>)
+#define CGAL_PN_SUBDIVISION_3_OF_TRIANGLES(MACRO, EXTERN)                                          \
+  MACRO(EXTERN, Any_of_triangles, No_creases)                                                      \
+  MACRO(EXTERN, Any_of_triangles, Creases<double>)                                                 \
+  MACRO(EXTERN, Linear_of_triangles, No_creases)                                                   \
+  MACRO(EXTERN, Linear_of_triangles, Creases<double>)
+
 } // namespace CGAL::PN_subdivision_3::internal
 
 #endif // CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_CREASED_LIMITS_H

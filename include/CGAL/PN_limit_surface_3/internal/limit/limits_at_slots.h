@@ -110,24 +110,17 @@ limits_at_slots(const Scheme& scheme, const Limit_demand& demand, const For_chun
 
 // The limits of levels of double, which the library CGAL::PN_subdivision_3_limits has, see compiled_levels.h. A function, since
 // to declare it makes no class, as a member of a class template would.
-#define CGAL_PN_SUBDIVISION_3_LIMITS_WITH(EXTERN, SCHEME, CREASES)                                 \
+#define CGAL_PN_SUBDIVISION_3_LIMITS_OF(EXTERN, SCHEME, CREASES)                                   \
   EXTERN template std::vector<Limit_result<compiled_once::Average<compiled_once::SCHEME>>>         \
   limits_at_slots<double>(const compiled_once::SCHEME&, const Limit_demand&, const For_chunks&,    \
                           Valued_level<compiled_once::Value<compiled_once::SCHEME>>&, CREASES&,    \
                           unsigned, const std::vector<Level_connectivity::Index>*,                 \
                           std::shared_ptr<Ring_rules_cache<compiled_once::SCHEME, double>>);
-#define CGAL_PN_SUBDIVISION_3_LIMITS_OF(EXTERN, SCHEME)                                            \
-  CGAL_PN_SUBDIVISION_3_LIMITS_WITH(EXTERN, SCHEME, No_creases)
-#define CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(EXTERN, SCHEME)                                    \
-  CGAL_PN_SUBDIVISION_3_LIMITS_OF(EXTERN, SCHEME)                                                  \
-  CGAL_PN_SUBDIVISION_3_LIMITS_WITH(EXTERN, SCHEME, Creases<double>)
 #ifdef CGAL_PN_SUBDIVISION_3_LIMITS
-CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Any_of_quads)
-CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Any_of_triangles)
-CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Any_of_sqrt3)
-CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Linear_of_quads)
-CGAL_PN_SUBDIVISION_3_CREASED_LIMITS_OF(extern, Linear_of_triangles)
-CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Linear_of_sqrt3)
+CGAL_PN_SUBDIVISION_3_OF_QUADS(CGAL_PN_SUBDIVISION_3_LIMITS_OF, extern)
+CGAL_PN_SUBDIVISION_3_OF_TRIANGLES(CGAL_PN_SUBDIVISION_3_LIMITS_OF, extern)
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Any_of_sqrt3, No_creases)
+CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Linear_of_sqrt3, No_creases)
 #endif
 
 // Puts, at vertices with several wedges, the mean of the wedges' normals.

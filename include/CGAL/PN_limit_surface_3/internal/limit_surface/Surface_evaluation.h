@@ -356,18 +356,13 @@ make_surface_evaluation(const Scheme& scheme,
 }
 
 // for the library CGAL::PN_subdivision_3_limits, see limits_at_slots.h
-#define CGAL_PN_SUBDIVISION_3_SURFACE_WITH(EXTERN, SCHEME, CREASES)                                \
+#define CGAL_PN_SUBDIVISION_3_SURFACE_OF(EXTERN, SCHEME, CREASES)                                  \
   EXTERN template std::unique_ptr<Surface_evaluation> make_surface_evaluation(                     \
     const compiled_once::SCHEME&, Valued_level<compiled_once::Value<compiled_once::SCHEME>>&&,     \
     CREASES&&);
-#define CGAL_PN_SUBDIVISION_3_SURFACE(EXTERN, SCHEME)                                              \
-  CGAL_PN_SUBDIVISION_3_SURFACE_WITH(EXTERN, SCHEME, No_creases)                                   \
-  CGAL_PN_SUBDIVISION_3_SURFACE_WITH(EXTERN, SCHEME, Creases<double>)
 #ifdef CGAL_PN_SUBDIVISION_3_LIMITS
-CGAL_PN_SUBDIVISION_3_SURFACE(extern, Any_of_quads)
-CGAL_PN_SUBDIVISION_3_SURFACE(extern, Any_of_triangles)
-CGAL_PN_SUBDIVISION_3_SURFACE(extern, Linear_of_quads)
-CGAL_PN_SUBDIVISION_3_SURFACE(extern, Linear_of_triangles)
+CGAL_PN_SUBDIVISION_3_OF_QUADS(CGAL_PN_SUBDIVISION_3_SURFACE_OF, extern)
+CGAL_PN_SUBDIVISION_3_OF_TRIANGLES(CGAL_PN_SUBDIVISION_3_SURFACE_OF, extern)
 #endif
 
 } // namespace CGAL::PN_subdivision_3::internal

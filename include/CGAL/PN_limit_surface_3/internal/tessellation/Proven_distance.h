@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_PROVEN_DISTANCE_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_PROVEN_DISTANCE_H
 
+#include <CGAL/PN_limit_surface_3/internal/limit/Creased_limits.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Cell_enclosure.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Flatness.h>
 #include <CGAL/PN_limit_surface_3/internal/limit_surface/Limit_cells.h>
@@ -209,20 +210,15 @@ proven_bounds(const Scheme& scheme, int exponent, const Valued_level<Value>& con
 }
 
 // for the library CGAL::PN_subdivision_3_limits, see limits_at_slots.h
-#define CGAL_PN_SUBDIVISION_3_BOUNDS_WITH(EXTERN, SCHEME, CREASES)                                 \
+#define CGAL_PN_SUBDIVISION_3_BOUNDS_OF(EXTERN, SCHEME, CREASES)                                   \
   EXTERN template std::unique_ptr<                                                                 \
     Face_bounds<compiled_once::Value<compiled_once::SCHEME>, CREASES>>                             \
   proven_bounds(const compiled_once::SCHEME&, int,                                                 \
                 const Valued_level<compiled_once::Value<compiled_once::SCHEME>>&, const CREASES&,  \
                 double);
-#define CGAL_PN_SUBDIVISION_3_BOUNDS(EXTERN, SCHEME)                                               \
-  CGAL_PN_SUBDIVISION_3_BOUNDS_WITH(EXTERN, SCHEME, No_creases)                                    \
-  CGAL_PN_SUBDIVISION_3_BOUNDS_WITH(EXTERN, SCHEME, Creases<double>)
 #ifdef CGAL_PN_SUBDIVISION_3_LIMITS
-CGAL_PN_SUBDIVISION_3_BOUNDS(extern, Any_of_quads)
-CGAL_PN_SUBDIVISION_3_BOUNDS(extern, Any_of_triangles)
-CGAL_PN_SUBDIVISION_3_BOUNDS(extern, Linear_of_quads)
-CGAL_PN_SUBDIVISION_3_BOUNDS(extern, Linear_of_triangles)
+CGAL_PN_SUBDIVISION_3_OF_QUADS(CGAL_PN_SUBDIVISION_3_BOUNDS_OF, extern)
+CGAL_PN_SUBDIVISION_3_OF_TRIANGLES(CGAL_PN_SUBDIVISION_3_BOUNDS_OF, extern)
 #endif
 
 } // namespace CGAL::PN_subdivision_3::internal

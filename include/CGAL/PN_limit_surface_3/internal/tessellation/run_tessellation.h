@@ -410,14 +410,9 @@ bool run_tessellation(
     CREASES&, Face_bounds<compiled_once::Value<compiled_once::SCHEME>, CREASES>*,                  \
     Tessellation_runs<double>&, Tessellation_result&,                                              \
     Function_ref<void(const Split_edges<double>&, const Tessellation_mesh<double>&)>);
-#define CGAL_PN_SUBDIVISION_3_TESSELLATION(EXTERN, SCHEME)                                         \
-  CGAL_PN_SUBDIVISION_3_TESSELLATION_OF(EXTERN, SCHEME, No_creases)                                \
-  CGAL_PN_SUBDIVISION_3_TESSELLATION_OF(EXTERN, SCHEME, Creases<double>)
 #ifdef CGAL_PN_SUBDIVISION_3_LIMITS
-CGAL_PN_SUBDIVISION_3_TESSELLATION(extern, Any_of_quads)
-CGAL_PN_SUBDIVISION_3_TESSELLATION(extern, Any_of_triangles)
-CGAL_PN_SUBDIVISION_3_TESSELLATION(extern, Linear_of_quads)
-CGAL_PN_SUBDIVISION_3_TESSELLATION(extern, Linear_of_triangles)
+CGAL_PN_SUBDIVISION_3_OF_QUADS(CGAL_PN_SUBDIVISION_3_TESSELLATION_OF, extern)
+CGAL_PN_SUBDIVISION_3_OF_TRIANGLES(CGAL_PN_SUBDIVISION_3_TESSELLATION_OF, extern)
 #endif
 
 } // namespace CGAL::PN_subdivision_3::internal

@@ -12,12 +12,18 @@
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
+
+inline std::string numbered_name(const char* kind, std::size_t number)
+{
+  return kind + (' ' + std::to_string(number));
+}
 
 // What the elements of a control level are called in messages. Virtual, so that checks need not be
 // instantiated for every mesh.
@@ -35,11 +41,6 @@ protected:
   Element_names(const Element_names&) = default;
   Element_names& operator=(const Element_names&) = default;
   ~Element_names() = default;
-
-  static std::string numbered(const char* kind, std::size_t number)
-  {
-    return kind + (' ' + std::to_string(number));
-  }
 };
 
 // Refuses whatever is not an oriented 2-manifold with border, by the name of the element, and
@@ -188,7 +189,7 @@ private:
   Level_size size_;
 };
 
-// A template of no need but that a library has it compiled.
+// A template only for the library, which has it compiled.
 template <class Names>
 void check_connectivity(Level_connectivity& level, const Names& names)
 {

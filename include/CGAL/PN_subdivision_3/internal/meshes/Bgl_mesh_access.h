@@ -41,9 +41,9 @@ template <class Descriptor>
 std::string element_name(const char* kind, const Descriptor& d, std::size_t position)
 {
   if constexpr (std::is_convertible_v<Descriptor, std::size_t>)
-    return std::string(kind) + ' ' + std::to_string(static_cast<std::size_t>(d));
+    return numbered_name(kind, static_cast<std::size_t>(d));
   else if constexpr (Has_idx<Descriptor>::value)
-    return std::string(kind) + ' ' + std::to_string(d.idx());
+    return numbered_name(kind, static_cast<std::size_t>(d.idx()));
   else
     return std::string(kind) + " number " + std::to_string(position);
 }

@@ -122,12 +122,12 @@ public:
   Edge edge_at(Index e) const { return Edge(edges_.place(e)); }
   Face face_at(Index f) const { return Face(faces_.place(f)); }
 
-  std::string vertex_name(Index v) const override { return numbered("vertex", vertex(v)); }
+  std::string vertex_name(Index v) const override { return numbered_name("vertex", vertex(v)); }
   std::string halfedge_name(Index h) const override
   {
-    return numbered("half-edge", halfedge_at(h));
+    return numbered_name("half-edge", halfedge_at(h));
   }
-  std::string face_name(Index f) const override { return numbered("face", face_at(f)); }
+  std::string face_name(Index f) const override { return numbered_name("face", face_at(f)); }
 
   // an element that does not belong to the mesh becomes an invalid index
   void read(Level_connectivity& level) const
