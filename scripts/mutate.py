@@ -45,7 +45,8 @@ MEMORY_LIMIT = 4 << 30  # bytes of one test
 # clang++ takes half the time; "ccache clang++" spares sources that do not see the change
 COMPILER = (os.environ.get("CXX") or shutil.which("clang++") or "g++").split()
 IS_CLANG = "clang" in COMPILER[-1]
-OPTIONS = ["-std=c++17", "-O0", "-w", "-DNOMINMAX", "-frounding-math", "-isystem", "/usr/include/eigen3"]
+OPTIONS = ["-std=c++17", "-O0", "-w", "-DNOMINMAX", "-DPN_TEST_LONG_CASES", "-frounding-math",
+           "-isystem", "/usr/include/eigen3"]
 # precompiled once: no change alters them
 THIRD_PARTY = ["gtest/gtest.h", "CGAL/Exact_predicates_exact_constructions_kernel.h", "CGAL/Polyhedron_3.h",
                "CGAL/Simple_cartesian.h", "CGAL/Surface_mesh.h", "CGAL/subdivision_method_3.h", "Eigen/Dense"]

@@ -8,6 +8,7 @@
 
 // Control nets of meshes and polygons of any scale are those at scale 1, bit for bit, and so are the reports.
 
+#include "Extent.h"
 #include "support/Options.h"
 
 #include <CGAL/PN_curves/masks/curve_masks.h>
@@ -119,7 +120,7 @@ TEST(Interpolation_at_any_scale, OfMeshesInDouble)
 
 TEST(Interpolation_at_any_scale, OfMeshesInFloat)
 {
-  expect_scaled_nets<float>({-80, -30, 30, 80});
+  long_test([](auto) { expect_scaled_nets<float>({-80, -30, 30, 80}); });
 }
 
 TEST(Interpolation_at_any_scale, NaturalNormals)

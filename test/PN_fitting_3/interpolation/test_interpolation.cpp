@@ -394,14 +394,16 @@ TEST(Interpolation, InterpolatorySchemesReturnTheNet)
 
 TEST(Interpolation, IsTheSameWithThreads)
 {
-  const Control_mesh data = torus(46); // more than one chunk
-  Options options = strict();
-  options.tolerance = 1e-5;
-  Surface_mesh one = to_surface_mesh(data), many = one;
-  Interpolation_runs<PN::CatmullClark_scheme::Tuned>::interpolate(one, quad_scheme, options);
-  Further_interpolation_runs<PN::CatmullClark_scheme::Tuned>::in_parallel(many, quad_scheme,
-                                                                          options);
-  for (auto v : one.vertices()) EXPECT_EQ(one.point(v), many.point(v));
+  long_test([](auto) {
+    const Control_mesh data = torus(46); // more than one chunk
+    Options options = strict();
+    options.tolerance = 1e-5;
+    Surface_mesh one = to_surface_mesh(data), many = one;
+    Interpolation_runs<PN::CatmullClark_scheme::Tuned>::interpolate(one, quad_scheme, options);
+    Further_interpolation_runs<PN::CatmullClark_scheme::Tuned>::in_parallel(many, quad_scheme,
+                                                                            options);
+    for (auto v : one.vertices()) EXPECT_EQ(one.point(v), many.point(v));
+  });
 }
 
 } // namespace

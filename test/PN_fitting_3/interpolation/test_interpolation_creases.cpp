@@ -8,6 +8,7 @@
 // Interpolation with creases that are sharp forever: limits of the control net, as subdivide_to_limit() has them, are the
 // data. The limits are evaluated by another call, with the normals and tangents that were written.
 
+#include "Extent.h"
 #include "Feature_matrix.h"
 #include "Messages.h"
 
@@ -149,24 +150,26 @@ TEST(Interpolation_creases, SomeVertices)
 // Another mesh with exact numbers: they are computed in double, and limits are exact.
 TEST(Interpolation_creases, ExactPolyhedron)
 {
-  using Exact = CGAL::Simple_cartesian<CGAL::Gmpq>;
-  using Polyhedron = CGAL::Polyhedron_3<Exact>;
-  const mesh_cases::Soup soup = mesh_cases::triangles_with_border();
-  Polyhedron mesh;
-  mesh_cases::build(soup, mesh, get(CGAL::vertex_point, mesh));
-  std::vector<Exact::Point_3> data;
-  for (auto v : vertices(mesh)) data.push_back(v->point());
-  const auto scheme = PN::linear(PN::Loop_scheme());
-  const auto report =
-    PN::interpolate_limit_points(mesh, scheme, points_mode().border(PN::Border::curve));
-  EXPECT_TRUE(report.is_within_tolerance()) << report.residual;
-  EXPECT_GT(report.steps, 0u);
-  to_limit(mesh, scheme, PN::parameters::border(PN::Border::curve));
-  std::size_t i = 0;
-  for (auto v : vertices(mesh)) {
-    EXPECT_LE(CGAL::to_double(CGAL::squared_distance(v->point(), data[i])), 1e-18) << i;
-    ++i;
-  }
+  long_test([](auto) {
+    using Exact = CGAL::Simple_cartesian<CGAL::Gmpq>;
+    using Polyhedron = CGAL::Polyhedron_3<Exact>;
+    const mesh_cases::Soup soup = mesh_cases::triangles_with_border();
+    Polyhedron mesh;
+    mesh_cases::build(soup, mesh, get(CGAL::vertex_point, mesh));
+    std::vector<Exact::Point_3> data;
+    for (auto v : vertices(mesh)) data.push_back(v->point());
+    const auto scheme = PN::linear(PN::Loop_scheme());
+    const auto report =
+      PN::interpolate_limit_points(mesh, scheme, points_mode().border(PN::Border::curve));
+    EXPECT_TRUE(report.is_within_tolerance()) << report.residual;
+    EXPECT_GT(report.steps, 0u);
+    to_limit(mesh, scheme, PN::parameters::border(PN::Border::curve));
+    std::size_t i = 0;
+    for (auto v : vertices(mesh)) {
+      EXPECT_LE(CGAL::to_double(CGAL::squared_distance(v->point(), data[i])), 1e-18) << i;
+      ++i;
+    }
+  });
 }
 
 // the net by a scheme with normals, a border curve and its tangents
@@ -190,7 +193,10 @@ std::vector<double> net_with_tangents()
 
 TEST(Interpolation_creases, ExactNumbersAreComputedInDouble)
 {
-  EXPECT_LE(largest_distance(net_with_tangents<CGAL::Epeck>(), net_with_tangents<Kernel>()), 1e-9);
+  long_test([](auto) {
+    EXPECT_LE(largest_distance(net_with_tangents<CGAL::Epeck>(), net_with_tangents<Kernel>()),
+              1e-9);
+  });
 }
 
 template <class Scheme, class Np>

@@ -7,6 +7,7 @@
 // Author(s): PN_subdivision_3 developers
 // Interpolation where roundness is given: limits are evaluated by functions for limits, which solve nothing.
 
+#include "Extent.h"
 #include "Messages.h"
 #include "Named_shapes.h"
 #include "Scheme_runs.h"
@@ -291,37 +292,41 @@ TEST(Round_interpolation, RefusesWhatIsOutOfRange)
 // roundness of the mesh's own numbers, which no conversion makes a double
 TEST(Round_interpolation, TakesExactNumbers)
 {
-  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
-  using Mesh = CGAL::Surface_mesh<Exact::Point_3>;
-  Surface_mesh mesh = meshes_of(true)[0];
-  Mesh exact;
-  std::vector<Mesh::Vertex_index> of;
-  const auto normals = exact.add_property_map<Mesh::Vertex_index, Exact::Vector_3>("n").first;
-  const auto roundness = exact.add_property_map<Mesh::Vertex_index, Exact::FT>("w").first;
-  for (auto v : mesh.vertices()) {
-    const auto& p = mesh.point(v);
-    const auto& n = normal_map(mesh)[v];
-    of.push_back(exact.add_vertex(Exact::Point_3(p.x(), p.y(), p.z())));
-    normals[of.back()] = Exact::Vector_3(n.x(), n.y(), n.z());
-    roundness[of.back()] = roundness_map(mesh)[v];
-  }
-  for (auto f : mesh.faces()) {
-    std::vector<Mesh::Vertex_index> corners;
-    for (auto v : mesh.vertices_around_face(mesh.halfedge(f))) corners.push_back(of[v.idx()]);
-    exact.add_face(corners);
-  }
-  test_options::Limit_interpolation_options<> options;
-  options.mode = Mode::strict;
-  interpolate(mesh, PN::Loop_scheme(), Mode::strict);
-  PN::interpolate_limit_points(
-    exact, PN::Loop_scheme(),
-    PN::parameters::join(
-      options.pack(), PN::parameters::vertex_roundness_map(roundness).vertex_normal_map(normals)));
-  for (auto v : mesh.vertices()) {
-    const auto& p = exact.point(of[v.idx()]);
-    const Kernel::Point_3 q(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    EXPECT_LT(CGAL::squared_distance(mesh.point(v), q), 1e-24);
-  }
+  long_test([](auto) {
+    using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+    using Mesh = CGAL::Surface_mesh<Exact::Point_3>;
+    Surface_mesh mesh = meshes_of(true)[0];
+    Mesh exact;
+    std::vector<Mesh::Vertex_index> of;
+    const auto normals = exact.add_property_map<Mesh::Vertex_index, Exact::Vector_3>("n").first;
+    const auto roundness = exact.add_property_map<Mesh::Vertex_index, Exact::FT>("w").first;
+    for (auto v : mesh.vertices()) {
+      const auto& p = mesh.point(v);
+      const auto& n = normal_map(mesh)[v];
+      of.push_back(exact.add_vertex(Exact::Point_3(p.x(), p.y(), p.z())));
+      normals[of.back()] = Exact::Vector_3(n.x(), n.y(), n.z());
+      roundness[of.back()] = roundness_map(mesh)[v];
+    }
+    for (auto f : mesh.faces()) {
+      std::vector<Mesh::Vertex_index> corners;
+      for (auto v : mesh.vertices_around_face(mesh.halfedge(f))) corners.push_back(of[v.idx()]);
+      exact.add_face(corners);
+    }
+    test_options::Limit_interpolation_options<> options;
+    options.mode = Mode::strict;
+    interpolate(mesh, PN::Loop_scheme(), Mode::strict);
+    PN::interpolate_limit_points(
+      exact, PN::Loop_scheme(),
+      PN::parameters::join(
+        options.pack(),
+        PN::parameters::vertex_roundness_map(roundness).vertex_normal_map(normals)));
+    for (auto v : mesh.vertices()) {
+      const auto& p = exact.point(of[v.idx()]);
+      const Kernel::Point_3 q(CGAL::to_double(p.x()), CGAL::to_double(p.y()),
+                              CGAL::to_double(p.z()));
+      EXPECT_LT(CGAL::squared_distance(mesh.point(v), q), 1e-24);
+    }
+  });
 }
 
 } // namespace

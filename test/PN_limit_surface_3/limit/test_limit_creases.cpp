@@ -9,6 +9,7 @@
 // Limits of meshes with creases, corners and borders that are creases: what they are.
 
 #include "Creased_limit_cases.h"
+#include "Extent.h"
 #include "Messages.h"
 #include "support/Options.h"
 
@@ -69,30 +70,32 @@ TEST(Limit_creases, PartsKeepTheirSurfacesRimsAndNormals)
 // rings of a capped cylinder, in float
 TEST(Limit_creases, RimsAreCirclesInFloat)
 {
-  using Float = CGAL::Simple_cartesian<float>;
-  using Float_mesh = CGAL::Surface_mesh<Float::Point_3>;
-  const Part part = capped_cylinder(uneven(7));
-  const Control c = part.control();
-  Float_mesh mesh;
-  for (const Triple& p : c.points)
-    mesh.add_vertex(Float::Point_3(float(p[0]), float(p[1]), float(p[2])));
-  for (const Face& f : c.faces) {
-    std::vector<CGAL::SM_Vertex_index> corners;
-    for (const int v : f) corners.emplace_back(CGAL::SM_Vertex_index::size_type(v));
-    mesh.add_face(corners);
-  }
-  auto sharp = mesh.add_property_map<CGAL::SM_Edge_index, bool>("e:sharp", false).first;
-  PN::detect_creases(mesh, 75, sharp);
-  PN::subdivide_to_limit(mesh, PN::CatmullClark_scheme(),
-                         np::number_of_iterations(2).edge_is_constrained_map(sharp));
-  int rims = 0;
-  for (const auto e : mesh.edges()) {
-    if (!sharp[e]) continue;
-    const auto p = mesh.point(mesh.vertex(e, 0));
-    EXPECT_NEAR(std::hypot(p.x(), p.y()), 1, 8 * std::numeric_limits<float>::epsilon());
-    ++rims;
-  }
-  EXPECT_EQ(rims, 2 * 7 * 4);
+  long_test([](auto) {
+    using Float = CGAL::Simple_cartesian<float>;
+    using Float_mesh = CGAL::Surface_mesh<Float::Point_3>;
+    const Part part = capped_cylinder(uneven(7));
+    const Control c = part.control();
+    Float_mesh mesh;
+    for (const Triple& p : c.points)
+      mesh.add_vertex(Float::Point_3(float(p[0]), float(p[1]), float(p[2])));
+    for (const Face& f : c.faces) {
+      std::vector<CGAL::SM_Vertex_index> corners;
+      for (const int v : f) corners.emplace_back(CGAL::SM_Vertex_index::size_type(v));
+      mesh.add_face(corners);
+    }
+    auto sharp = mesh.add_property_map<CGAL::SM_Edge_index, bool>("e:sharp", false).first;
+    PN::detect_creases(mesh, 75, sharp);
+    PN::subdivide_to_limit(mesh, PN::CatmullClark_scheme(),
+                           np::number_of_iterations(2).edge_is_constrained_map(sharp));
+    int rims = 0;
+    for (const auto e : mesh.edges()) {
+      if (!sharp[e]) continue;
+      const auto p = mesh.point(mesh.vertex(e, 0));
+      EXPECT_NEAR(std::hypot(p.x(), p.y()), 1, 8 * std::numeric_limits<float>::epsilon());
+      ++rims;
+    }
+    EXPECT_EQ(rims, 2 * 7 * 4);
+  });
 }
 
 // --- the limit of all rounds ---

@@ -8,6 +8,7 @@
 // Surface normals: on the side of the faces around, whatever the side of the control normals; limits of meshes of any
 // scale are those of the mesh at scale 1, bit for bit.
 
+#include "Extent.h"
 #include "support/Options.h"
 #include <CGAL/PN_limit_surface_3/limit_points.h>
 #include <CGAL/PN_limit_surface_3/subdivide_to_limit.h>
@@ -230,7 +231,9 @@ TEST(Limits_at_any_scale, InDouble)
 
 TEST(Limits_at_any_scale, InFloat)
 {
-  const std::vector<int> exponents = {-80, -60, -30, 30, 60, 100};
-  expect_scaled<float>("Loop", true, PN::Loop_scheme(), exponents);
-  expect_scaled<float>("ct_Loop", true, PN::Loop_scheme::Transfer(), exponents);
+  long_test([](auto) {
+    const std::vector<int> exponents = {-80, -60, -30, 30, 60, 100};
+    expect_scaled<float>("Loop", true, PN::Loop_scheme(), exponents);
+    expect_scaled<float>("ct_Loop", true, PN::Loop_scheme::Transfer(), exponents);
+  });
 }

@@ -8,6 +8,7 @@
 
 // subdivide_to_limit(): what it carries, and what it is made of.
 
+#include "Extent.h"
 #include "Limit_cases.h"
 #include "Mesh_cases.h"
 #include "Mesh_with_attributes.h"
@@ -60,10 +61,12 @@ TEST(Carried_to_the_limit, OnEveryMesh)
 
 TEST(Carried_to_the_limit, InExactNumbers)
 {
-  using FT = CGAL::Exact_rational;
-  using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<FT>::Point_3>;
-  compare<Mesh, CGAL::Sequential_tag, FT>(mesh_cases::triangles_with_border(),
-                                          PN::linear(PN::Loop_scheme()));
+  long_test([](auto) {
+    using FT = CGAL::Exact_rational;
+    using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<FT>::Point_3>;
+    compare<Mesh, CGAL::Sequential_tag, FT>(mesh_cases::triangles_with_border(),
+                                            PN::linear(PN::Loop_scheme()));
+  });
 }
 
 struct Cancelled : std::runtime_error
@@ -192,17 +195,19 @@ void compare(const mesh_cases::Soup& soup, const Scheme& scheme)
 
 TEST(Subdivide_to_limit, IsSubdivideAndMoveToLimit)
 {
-  compare<Surface_mesh, CGAL::Sequential_tag>(mesh_cases::mixed_with_border(),
-                                              PN::CatmullClark_scheme());
-  compare<CGAL::Polyhedron_3<Kernel>, CGAL::Sequential_tag>(mesh_cases::mixed_with_border(),
-                                                            PN::CatmullClark_scheme());
-  // whose rounds differ at the border
-  compare<Surface_mesh, CGAL::Sequential_tag>(mesh_cases::triangles_with_border(),
-                                              PN::Sqrt3_scheme());
+  long_test([](auto) {
+    compare<Surface_mesh, CGAL::Sequential_tag>(mesh_cases::mixed_with_border(),
+                                                PN::CatmullClark_scheme());
+    compare<CGAL::Polyhedron_3<Kernel>, CGAL::Sequential_tag>(mesh_cases::mixed_with_border(),
+                                                              PN::CatmullClark_scheme());
+    // whose rounds differ at the border
+    compare<Surface_mesh, CGAL::Sequential_tag>(mesh_cases::triangles_with_border(),
+                                                PN::Sqrt3_scheme());
 #ifdef CGAL_LINKED_WITH_TBB
-  compare<Surface_mesh, CGAL::Parallel_tag>(mesh_cases::mixed_with_border(),
-                                            PN::CatmullClark_scheme());
+    compare<Surface_mesh, CGAL::Parallel_tag>(mesh_cases::mixed_with_border(),
+                                              PN::CatmullClark_scheme());
 #endif
+  });
 }
 
 // with a linear scheme normals that are not asked for stay as they are at old vertices

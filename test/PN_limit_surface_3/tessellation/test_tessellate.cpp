@@ -8,6 +8,7 @@
 
 // Tessellations to a tolerance: against surfaces that are known, and against CGAL's own subdivision.
 
+#include "Extent.h"
 #include "Messages.h"
 #include "Named_shapes.h"
 #include "Scheme_named.h"
@@ -368,8 +369,10 @@ void expect_number_type(double close)
 }
 TEST(Tessellate, FloatAndExactNumbers)
 {
-  expect_number_type<CGAL::Simple_cartesian<float>>(1e-5);
-  expect_number_type<CGAL::Exact_predicates_exact_constructions_kernel>(1e-9);
+  long_test([](auto) {
+    expect_number_type<CGAL::Simple_cartesian<float>>(1e-5);
+    expect_number_type<CGAL::Exact_predicates_exact_constructions_kernel>(1e-9);
+  });
 }
 
 TEST(Tessellate, ThreadsChangeNothing)

@@ -8,6 +8,7 @@
 
 // A refiner of a mesh with creases is compared with a new call of subdivide().
 
+#include "Extent.h"
 #include "Feature_matrix.h"
 #include "Mesh_cases.h"
 #include "Mesh_with_attributes.h"
@@ -134,25 +135,29 @@ void expect_numbers_as_subdivide(const Scheme& scheme, const Is_same& is_same)
 
 TEST(Creased_refiner, IntervalsOnSeveralThreads)
 {
-  using Interval = CGAL::Interval_nt<false>;
-  const Interval::Protector protector;
-  const auto is_same = [](const Interval& a, const Interval& b) {
-    return a.inf() == b.inf() && a.sup() == b.sup();
-  };
-  using K = CGAL::Simple_cartesian<Interval>;
-  const auto scheme = PN::internal::with_border(PN::CatmullClark_scheme(), PN::Border::curve);
-  expect_numbers_as_subdivide<K, CGAL::Sequential_tag>(scheme, is_same);
-  expect_numbers_as_subdivide<K, Parallel_tag>(scheme, is_same);
+  long_test([](auto) {
+    using Interval = CGAL::Interval_nt<false>;
+    const Interval::Protector protector;
+    const auto is_same = [](const Interval& a, const Interval& b) {
+      return a.inf() == b.inf() && a.sup() == b.sup();
+    };
+    using K = CGAL::Simple_cartesian<Interval>;
+    const auto scheme = PN::internal::with_border(PN::CatmullClark_scheme(), PN::Border::curve);
+    expect_numbers_as_subdivide<K, CGAL::Sequential_tag>(scheme, is_same);
+    expect_numbers_as_subdivide<K, Parallel_tag>(scheme, is_same);
+  });
 }
 
 TEST(Creased_refiner, ExactConstructionsOnSeveralThreads)
 {
-  using K = CGAL::Exact_predicates_exact_constructions_kernel;
-  const auto is_same = [](const K::FT& a, const K::FT& b) { return a == b; };
-  const auto scheme =
-    PN::linear(PN::internal::with_border(PN::CatmullClark_scheme(), PN::Border::curve));
-  expect_numbers_as_subdivide<K, CGAL::Sequential_tag>(scheme, is_same);
-  expect_numbers_as_subdivide<K, Parallel_tag>(scheme, is_same);
+  long_test([](auto) {
+    using K = CGAL::Exact_predicates_exact_constructions_kernel;
+    const auto is_same = [](const K::FT& a, const K::FT& b) { return a == b; };
+    const auto scheme =
+      PN::linear(PN::internal::with_border(PN::CatmullClark_scheme(), PN::Border::curve));
+    expect_numbers_as_subdivide<K, CGAL::Sequential_tag>(scheme, is_same);
+    expect_numbers_as_subdivide<K, Parallel_tag>(scheme, is_same);
+  });
 }
 
 // --- normals of corners that are edited, and attributes in maps: what subdivide() gives, by bytes ---
@@ -238,10 +243,12 @@ TEST(Refiner_with_attributes, OnSeveralThreads)
 
 TEST(Refiner_with_attributes, InExactNumbers)
 {
-  using FT = CGAL::Exact_rational;
-  using Exact_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<FT>::Point_3>;
-  compare<Exact_mesh, Exact_mesh, FT>(mesh_cases::triangles_with_border(),
-                                      PN::linear(PN::Loop_scheme()));
+  long_test([](auto) {
+    using FT = CGAL::Exact_rational;
+    using Exact_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<FT>::Point_3>;
+    compare<Exact_mesh, Exact_mesh, FT>(mesh_cases::triangles_with_border(),
+                                        PN::linear(PN::Loop_scheme()));
+  });
 }
 
 TEST(Refiner_with_attributes, ThatAreOthersAreRefused)

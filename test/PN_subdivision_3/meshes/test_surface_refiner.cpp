@@ -8,6 +8,7 @@
 
 // A refiner whose control points and normals change is compared with a new call of subdivide().
 
+#include "Extent.h"
 #include "Mesh_cases.h"
 #include "Surface_refiner_cases.h"
 
@@ -333,26 +334,28 @@ TEST(Surface_refiner, MovesAndStatesItsMemory)
 
 TEST(Surface_refiner, IntervalsThatDoNotDecide)
 {
-  using Interval = CGAL::Interval_nt<false>;
-  const Interval::Protector protector;
-  using Intervals = CGAL::Simple_cartesian<Interval>;
-  CGAL::Surface_mesh<Intervals::Point_3> mesh;
-  build(cube(), mesh, mesh.points());
-  auto normals = mesh.add_property_map<Vertex, Intervals::Vector_3>("n").first;
-  for (auto v : mesh.vertices()) normals[v] = mesh.point(v) - CGAL::ORIGIN;
-  PN::Surface_refiner refiner(mesh, PN::CatmullClark_scheme(),
-                              params::number_of_iterations(2).vertex_normal_map(normals));
-  for (const auto& p : refiner.points()) // the sphere's
-    EXPECT_TRUE((p - CGAL::ORIGIN).squared_length().do_overlap(Interval(3)));
+  long_test([](auto) {
+    using Interval = CGAL::Interval_nt<false>;
+    const Interval::Protector protector;
+    using Intervals = CGAL::Simple_cartesian<Interval>;
+    CGAL::Surface_mesh<Intervals::Point_3> mesh;
+    build(cube(), mesh, mesh.points());
+    auto normals = mesh.add_property_map<Vertex, Intervals::Vector_3>("n").first;
+    for (auto v : mesh.vertices()) normals[v] = mesh.point(v) - CGAL::ORIGIN;
+    PN::Surface_refiner refiner(mesh, PN::CatmullClark_scheme(),
+                                params::number_of_iterations(2).vertex_normal_map(normals));
+    for (const auto& p : refiner.points()) // the sphere's
+      EXPECT_TRUE((p - CGAL::ORIGIN).squared_length().do_overlap(Interval(3)));
 
-  // whether the mean normal vanishes is not decided, and can be afterwards
-  const Interval any(-1, 1);
-  for (Vertex v : mesh.vertices()) refiner.set_normal(v, Intervals::Vector_3(any, any, 2));
-  EXPECT_THROW(refiner.update(), std::domain_error);
-  for (auto v : mesh.vertices()) refiner.set_normal(v, normals[v]);
-  EXPECT_EQ(refiner.update().size(), refiner.number_of_vertices());
-  for (const auto& p : refiner.points())
-    EXPECT_TRUE((p - CGAL::ORIGIN).squared_length().do_overlap(Interval(3)));
+    // whether the mean normal vanishes is not decided, and can be afterwards
+    const Interval any(-1, 1);
+    for (Vertex v : mesh.vertices()) refiner.set_normal(v, Intervals::Vector_3(any, any, 2));
+    EXPECT_THROW(refiner.update(), std::domain_error);
+    for (auto v : mesh.vertices()) refiner.set_normal(v, normals[v]);
+    EXPECT_EQ(refiner.update().size(), refiner.number_of_vertices());
+    for (const auto& p : refiner.points())
+      EXPECT_TRUE((p - CGAL::ORIGIN).squared_length().do_overlap(Interval(3)));
+  });
 }
 
 #ifdef CGAL_LINKED_WITH_TBB

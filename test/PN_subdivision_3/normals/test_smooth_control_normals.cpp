@@ -208,8 +208,8 @@ TEST(Smooth_normals, AreFairerAndCloserAndNoiseIsKnown)
     {"waves, triangles", waves(Cells::triangles)}};
   for (const auto& [name, control] : shapes)
     for (const double noise : {0., 0.2, 1., 2., 5.}) {
-      const bool is_torus = name[0] == 't'; // enough to see that nothing is done
-      if (!tests_are_full && (noise == 0.2 || noise == 2 || (noise == 0 && !is_torus))) continue;
+      const bool may_stay = name == std::string("torus, triangles");
+      if (!tests_are_full && noise < 5 && !(may_stay && (noise == 0 || noise == 1))) continue;
       SCOPED_TRACE(name + (" " + std::to_string(noise)));
       Sampled s(control);
       disturb(s, noise);
@@ -226,7 +226,7 @@ TEST(Smooth_normals, AreFairerAndCloserAndNoiseIsKnown)
       if (noise < 1) continue;
       EXPECT_NEAR(report.noise, angle, 0.15 * angle);
       if (report.changed_normals == 0) { // there the shape counts for as much
-        EXPECT_EQ(name, std::string("torus, triangles"));
+        EXPECT_TRUE(may_stay);
         EXPECT_LT(noise, 5);
         continue;
       }
@@ -240,7 +240,7 @@ TEST(Smooth_normals, AreFairerAndCloserAndNoiseIsKnown)
 TEST(Smooth_normals, NoiseOfPointsLowersTheRoundness)
 {
   for (const double part : {0.02, 0.05, 0.1}) {
-    if (!tests_are_full && part == 0.05) continue;
+    if (!tests_are_full && part < 0.1) continue;
     SCOPED_TRACE(part);
     Sampled s(waves(Cells::quads));
     std::mt19937 generator(3);
@@ -460,22 +460,24 @@ TEST(Smooth_normals, OfWedgesAreThoseOfTheParts)
 
 TEST(Smooth_normals, OfExactNumbersAreThoseOfDoubles)
 {
-  const Control_mesh control =
-    sampled_surfaces::patch(6, 5, 0.2, Cells::mixed, 7, sampled_surfaces::on_waves);
-  Sampled s(control);
-  disturb(s, 4);
-  Mesh_with_normals<CGAL::Simple_cartesian<CGAL::Exact_rational>> exact(control);
-  for (const auto v : s.mesh.vertices()) {
-    const Vector_3 n = s.normals[v];
-    exact.normals[CGAL::SM_Vertex_index(v)] =
-      CGAL::Simple_cartesian<CGAL::Exact_rational>::Vector_3(n.x(), n.y(), n.z());
-  }
-  PN::smooth_control_normals(s.mesh, s.normals);
-  PN::smooth_control_normals(exact.mesh, exact.normals);
-  for (const auto v : s.mesh.vertices())
-    for (int k = 0; k < 3; ++k)
-      EXPECT_NEAR(CGAL::to_double(exact.normals[CGAL::SM_Vertex_index(v)][k]), s.normals[v][k],
-                  1e-13);
+  long_test([](auto) {
+    const Control_mesh control =
+      sampled_surfaces::patch(6, 5, 0.2, Cells::mixed, 7, sampled_surfaces::on_waves);
+    Sampled s(control);
+    disturb(s, 4);
+    Mesh_with_normals<CGAL::Simple_cartesian<CGAL::Exact_rational>> exact(control);
+    for (const auto v : s.mesh.vertices()) {
+      const Vector_3 n = s.normals[v];
+      exact.normals[CGAL::SM_Vertex_index(v)] =
+        CGAL::Simple_cartesian<CGAL::Exact_rational>::Vector_3(n.x(), n.y(), n.z());
+    }
+    PN::smooth_control_normals(s.mesh, s.normals);
+    PN::smooth_control_normals(exact.mesh, exact.normals);
+    for (const auto v : s.mesh.vertices())
+      for (int k = 0; k < 3; ++k)
+        EXPECT_NEAR(CGAL::to_double(exact.normals[CGAL::SM_Vertex_index(v)][k]), s.normals[v][k],
+                    1e-13);
+  });
 }
 
 TEST(Smooth_normals, AreAsBeforeAfterAnError)

@@ -8,6 +8,7 @@
 
 // A scheme that is chosen at run time gives the bits of the scheme itself, in every function that takes a scheme.
 
+#include "Extent.h"
 #include "Mesh_cases.h"
 #include "Messages.h"
 #include "analysis/extraordinary_eigenvalues.h"
@@ -325,13 +326,15 @@ TEST(Any_scheme, PiecesOfTwoSchemes)
 
 TEST(Any_scheme, Interpolation)
 {
-  const auto interpolate = [](Mesh& mesh, const auto& s, const auto& normals) {
-    PN::interpolate_limit_points(
-      mesh, s,
-      PN::parameters::interpolation_normals(PN::Limit_interpolation::Normals::natural)
-        .vertex_normal_map(normals));
-  };
-  expect_same(PN::Loop_scheme(), interpolate);
+  long_test([](auto) {
+    const auto interpolate = [](Mesh& mesh, const auto& s, const auto& normals) {
+      PN::interpolate_limit_points(
+        mesh, s,
+        PN::parameters::interpolation_normals(PN::Limit_interpolation::Normals::natural)
+          .vertex_normal_map(normals));
+    };
+    expect_same(PN::Loop_scheme(), interpolate);
+  });
 }
 
 TEST(Any_scheme, Numbers)
@@ -360,13 +363,15 @@ TEST(Any_scheme, Numbers)
 
 TEST(Any_scheme, InFloat)
 {
-  const auto with = [](const auto& scheme) {
-    Mesh_of<float> mesh = control_mesh<float>(true);
-    auto normals = add_normals<float>(mesh);
-    PN::subdivide_to_limit(mesh, scheme, params::vertex_normal_map(normals));
-    return numbers<float>(mesh);
-  };
-  EXPECT_EQ(with(PN::Any_scheme<float>(PN::Loop_scheme())), with(PN::Loop_scheme()));
+  long_test([](auto) {
+    const auto with = [](const auto& scheme) {
+      Mesh_of<float> mesh = control_mesh<float>(true);
+      auto normals = add_normals<float>(mesh);
+      PN::subdivide_to_limit(mesh, scheme, params::vertex_normal_map(normals));
+      return numbers<float>(mesh);
+    };
+    EXPECT_EQ(with(PN::Any_scheme<float>(PN::Loop_scheme())), with(PN::Loop_scheme()));
+  });
 }
 
 TEST(Any_scheme, ByName)

@@ -7,6 +7,7 @@
 // Author(s): PN_subdivision_3 developers
 // p = q + w H n: with roundness of the vertices a round lies between the linear one and the point-normal one.
 
+#include "Extent.h"
 #include "Messages.h"
 #include "Scheme_runs.h"
 #include "Schemes.h"
@@ -338,26 +339,28 @@ TEST(Roundness_of_values, MayBeFloatsAndConstant)
 
 TEST(Roundness_of_values, IsExactInExactNumbers)
 {
-  using Exact = CGAL::Simple_cartesian<CGAL::Gmpq>;
-  using Mesh = CGAL::Surface_mesh<Exact::Point_3>;
-  Mesh linear;
-  const auto v = [&](int x, int y, int z) { return linear.add_vertex(Exact::Point_3(x, y, z)); };
-  const auto a = v(1, 0, 0), b = v(0, 2, 0), c = v(0, 0, 3), d = v(-1, -1, -1);
-  for (const auto& f :
-       {std::array{a, b, c}, std::array{a, c, d}, std::array{a, d, b}, std::array{b, d, c}})
-    linear.add_face(f[0], f[1], f[2]);
-  Mesh round = linear, half = linear;
-  const auto np = [](Mesh& m, int n) {
-    auto normals = m.add_property_map<Mesh::Vertex_index, Exact::Vector_3>("n").first;
-    for (auto w : m.vertices()) normals[w] = Exact::Vector_3(0, n * 3, n * 4);
-    return normals;
-  };
-  PN::subdivide(round, PN::Loop_scheme(), CGAL::parameters::vertex_normal_map(np(round, 1)));
-  PN::subdivide(half, PN::Loop_scheme(),
-                PN::parameters::roundness(CGAL::Gmpq(1, 2)).vertex_normal_map(np(half, 1)));
-  PN::subdivide(linear, PN::linear(PN::Loop_scheme()));
-  for (auto w : half.vertices())
-    EXPECT_EQ(half.point(w), CGAL::midpoint(linear.point(w), round.point(w)));
+  long_test([](auto) {
+    using Exact = CGAL::Simple_cartesian<CGAL::Gmpq>;
+    using Mesh = CGAL::Surface_mesh<Exact::Point_3>;
+    Mesh linear;
+    const auto v = [&](int x, int y, int z) { return linear.add_vertex(Exact::Point_3(x, y, z)); };
+    const auto a = v(1, 0, 0), b = v(0, 2, 0), c = v(0, 0, 3), d = v(-1, -1, -1);
+    for (const auto& f :
+         {std::array{a, b, c}, std::array{a, c, d}, std::array{a, d, b}, std::array{b, d, c}})
+      linear.add_face(f[0], f[1], f[2]);
+    Mesh round = linear, half = linear;
+    const auto np = [](Mesh& m, int n) {
+      auto normals = m.add_property_map<Mesh::Vertex_index, Exact::Vector_3>("n").first;
+      for (auto w : m.vertices()) normals[w] = Exact::Vector_3(0, n * 3, n * 4);
+      return normals;
+    };
+    PN::subdivide(round, PN::Loop_scheme(), CGAL::parameters::vertex_normal_map(np(round, 1)));
+    PN::subdivide(half, PN::Loop_scheme(),
+                  PN::parameters::roundness(CGAL::Gmpq(1, 2)).vertex_normal_map(np(half, 1)));
+    PN::subdivide(linear, PN::linear(PN::Loop_scheme()));
+    for (auto w : half.vertices())
+      EXPECT_EQ(half.point(w), CGAL::midpoint(linear.point(w), round.point(w)));
+  });
 }
 
 } // namespace
