@@ -16,13 +16,10 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/normals/face_normals.h>
-#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Uncertain.h>
-#include <CGAL/number_type_basic.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -35,50 +32,21 @@
 namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
-// The area vector of a face, in the number type up to the end, scaled to a length of about 1.
-template <class FT>
-Coordinates<double, 3> direction_of_face(const Level_connectivity& level,
-                                         const std::vector<Coordinates<FT, 3>>& points,
-                                         Level_connectivity::Index f)
-{
-  using Index = Level_connectivity::Index;
-  using Vector = Coordinates<FT, 3>;
-  const Index first = level.halfedge_of_face(f);
-  const Vector& origin = points[level.target(first)];
-  // relative to the longest diagonal, or about so with intervals, so that nothing overflows
-  FT size(0);
-  for (Index h = level.next(first); h != first; h = level.next(h)) {
-    const FT length = length_of(difference(points[level.target(h)], origin));
-    if (CGAL::possibly(is_greater(length, size)) &&
-        !(CGAL::to_double(length) < CGAL::to_double(size)))
-      size = length;
-  }
-  if (!CGAL::certainly(is_greater(size, FT(0)))) return {0, 0, 0};
-  Vector area = zero_vector<FT, 3>(), before = area;
-  for (Index h = level.next(first); h != first; h = level.next(h)) {
-    Vector v = difference(points[level.target(h)], origin);
-    for (FT& x : v) x /= size;
-    add_multiple(area, FT(1), cross(before, v));
-    before = v;
-  }
-  return to_double_3(area);
-}
-
 // Edges are sharp from this on above the angle that is asked for: meshes have many edges at exactly 30 or 45
 // degrees, and only rounding would tell on which side they are.
 constexpr double margin_of_crease_angles = 0.1;
 
 // inner edges whose faces' area vectors are more than an angle and the margin apart
-template <class FT>
-std::vector<bool> edges_of_greater_angle(const Level_connectivity& level,
-                                         const std::vector<Coordinates<FT, 3>>& points,
+template <class FT, class Values>
+std::vector<bool> edges_of_greater_angle(const Level_connectivity& level, const Values& values,
                                          double degrees)
 {
   using Index = Level_connectivity::Index;
   const double greatest = (degrees + margin_of_crease_angles) * std::acos(-1.) / 180;
+  const Scaled_differences<FT, Values> difference(level, values);
   std::vector<Coordinates<double, 3>> direction;
   for (Index f = 0; f < level.number_of_faces(); ++f)
-    direction.push_back(direction_of_face<FT>(level, points, f));
+    direction.push_back(area_of_face(level, difference, f).unit());
   std::vector<bool> result(level.number_of_edges(), false);
   for (Index e = 0; e < level.number_of_edges(); ++e) {
     if (level.is_border_edge(e)) continue;
@@ -99,9 +67,9 @@ take as creases.
 An edge with two faces becomes `true` in the map if the angle between the area vectors of the faces is more than 0.1
 degrees greater than the given one. So rounding does not decide about edges at exactly this angle, which are not
 creases. All others, including border edges, become `false`. In a map of numbers they become infinitely sharp (of
-integers: the largest number) and 0. Edges of faces without area do not count as sharp. Choose the angle between that
-of the true edges of the shape and those of its approximation: the sides of a prism of n sides, which may stand for a
-cylinder, differ by 360/n degrees.
+integers: the largest number) and 0. Edges of faces without area, or with one that rounding may have made, do not count
+as sharp. Choose the angle between that of the true edges of the shape and those of its approximation: the sides of a
+prism of n sides, which may stand for a cylinder, differ by 360/n degrees.
 
 Angles are computed in `double` from area vectors of polygons; `Polygon_mesh_processing::detect_sharp_edges()` takes three corners of each, and all border edges.
 
@@ -142,9 +110,9 @@ std::size_t detect_creases(const PolygonMesh& mesh, double degrees, EdgeMap edge
         "PN_subdivision_3: the angle of creases must be between 0 and 180 degrees");
     return internal::with_mesh_access(mesh, [&](const auto& access) {
       const Level_connectivity level = internal::checked_level(access);
-      const auto values = internal::read_values<Linear_average<FT, 3>>(
-        access, level, Parameters::const_point_map(mesh, np), internal::Not_given(),
-        Control_normal_estimate::angle);
+      const auto values = internal::read_given_values<Linear_average<FT, 3>>(
+        access, Parameters::const_point_map(mesh, np), internal::Not_given(),
+        level.number_of_vertices());
       const std::vector<bool> is_sharp =
         internal::edges_of_greater_angle<FT>(level, values, degrees);
       std::size_t number = 0;

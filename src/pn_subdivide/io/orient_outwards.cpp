@@ -154,15 +154,18 @@ private:
   // Strackee, 1983), over the full one.
   double winding_number(const Component& c, const Triple& point) const
   {
+    constexpr double nothing = 1e-10; // of what is computed from differences, to their product
     double sum = 0;
-    for_each_triangle(c, point, size_of(c),
-                      [&sum](const Triple& p, const Triple& q, const Triple& r) {
-                        const double a = length(p), b = length(q), d = length(r);
-                        const double volume = scalar_product(p, cross_product(q, r));
-                        const double share = a * b * d + scalar_product(p, q) * d +
-                                             scalar_product(q, r) * a + scalar_product(r, p) * b;
-                        if (volume != 0 || share != 0) sum += 2 * std::atan2(volume, share);
-                      });
+    for_each_triangle(
+      c, point, size_of(c), [&sum](const Triple& p, const Triple& q, const Triple& r) {
+        const double a = length(p), b = length(q), d = length(r);
+        const double volume = scalar_product(p, cross_product(q, r));
+        const double share = a * b * d + scalar_product(p, q) * d + scalar_product(q, r) * a +
+                             scalar_product(r, p) * b;
+        // on a triangle, rounding would decide on which side: half a turn is left out
+        const bool is_on = std::abs(volume) <= nothing * a * b * d && share <= nothing * a * b * d;
+        if (!is_on) sum += 2 * std::atan2(volume, share);
+      });
     return sum / (4 * boost::math::constants::pi<double>());
   }
 

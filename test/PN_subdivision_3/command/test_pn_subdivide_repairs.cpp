@@ -41,8 +41,9 @@ struct Bodies
   void add_prism(const Triple& center, double size, int sign, bool is_turned)
   {
     std::vector<Triple> corners;
+    const double turn = std::acos(-1.) * 2 / 5;
     for (int i = 0; i < 5; ++i)
-      corners.push_back(sum(center, {std::cos(1.2566 * i), std::sin(1.2566 * i), -1}, size));
+      corners.push_back(sum(center, {std::cos(turn * i), std::sin(turn * i), -1}, size));
     add(prism(corners, center[2] + size), sign, is_turned);
   }
 

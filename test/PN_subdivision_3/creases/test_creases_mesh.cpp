@@ -490,6 +490,26 @@ TEST(Creases_of_meshes, Edges_at_exactly_the_angle)
     }
 }
 
+// A tetrahedron with a triangle without area, but for rounding, between two sides, whose other one has a vertex on that edge.
+TEST(Creases_of_meshes, Faces_without_area_have_no_angles)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(0.1, 0.9);
+  for (int pose = 0; pose < 100; ++pose) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random),
+                 at = uniform(random);
+    Control c;
+    c.points = {{x, y, z}, {x + 1, y + z, 3 * z}, {-1, x, 1}, {0, y - 3, -2 * x}};
+    Triple middle;
+    for (std::size_t k = 0; k < 3; ++k) middle[k] = (1 - at) * c.points[0][k] + at * c.points[1][k];
+    c.points.push_back(middle);
+    c.faces = {{0, 1, 2}, {1, 0, 4}, {0, 3, 4}, {4, 3, 1}, {1, 3, 2}, {0, 2, 3}};
+    Tagged<Surface_mesh> t(c);
+    EXPECT_EQ(PN::detect_creases(t.mesh, 5, t.sharp), 5u)
+      << pose; // but {0, 1}, {0, 4}, {4, 1} and {3, 4}
+  }
+}
+
 // of all corners, with the weights that are asked for
 TEST(Creases_of_meshes, Estimates_of_corners_by_angles)
 {

@@ -31,14 +31,14 @@ namespace CGAL::PN_subdivision_3::internal {
 
 // Differences of points in double. Where squares of the size of the mesh would leave the range of
 // double, all is scaled by a power of two.
-template <class FT>
+template <class FT, class Values = Point_normals<FT>>
 class Scaled_differences
 {
 public:
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<double, 3>;
 
-  Scaled_differences(const Level_connectivity& level, const Point_normals<FT>& values)
+  Scaled_differences(const Level_connectivity& level, const Values& values)
     : values_(values)
   {
     constexpr double most = 0x1p200;
@@ -52,7 +52,7 @@ public:
   Vector operator()(Index v, Index origin) const
   {
     using T = At_least_double<FT>;
-    const auto &p = values_[v].point, &q = values_[origin].point;
+    const auto &p = point_of(values_[v]), &q = point_of(values_[origin]);
     Vector d = to_double_3<T>({T(p[0]) - T(q[0]), T(p[1]) - T(q[1]), T(p[2]) - T(q[2])});
     if (exponent_ != 0)
       for (double& x : d) x = std::ldexp(x, exponent_);
@@ -67,14 +67,14 @@ public:
       return of_double * size;
     else {
       const auto epsilon = static_cast<double>(CGAL::to_double(machine_epsilon<FT>()));
-      double coordinate = largest_coordinate(to_double_3<FT>(values_[origin].point));
+      double coordinate = largest_coordinate(to_double_3<FT>(point_of(values_[origin])));
       if (exponent_ != 0) coordinate = std::ldexp(coordinate, exponent_);
       return (std::max)(epsilon * (coordinate + size), of_double * size);
     }
   }
 
 private:
-  const Point_normals<FT>& values_;
+  const Values& values_;
   int exponent_ = 0;
 };
 
@@ -100,6 +100,28 @@ struct Area_sum
   double rounding = 0;
 };
 
+// twice the area vector of a face, with what rounding may have made of it
+template <class FT, class Values>
+Area_sum area_of_face(const Level_connectivity& level,
+                      const Scaled_differences<FT, Values>& difference, Level_connectivity::Index f)
+{
+  using Index = Level_connectivity::Index;
+  const Index first = level.halfedge_of_face(f), origin = level.target(first);
+  Index h = level.next(first);
+  Area_sum result;
+  auto before = difference(level.target(h), origin);
+  double size = largest_coordinate(before);
+  for (h = level.next(h); h != first; h = level.next(h)) {
+    const auto d = difference(level.target(h), origin);
+    add_multiple(result.area, 1, cross(before, d));
+    size = (std::max)(size, largest_coordinate(d));
+    before = d;
+  }
+  result.rounding = 16 * size * difference.rounding(origin, size) +
+                    3 * vanishing_tolerance<FT>() * largest_coordinate(result.area);
+  return result;
+}
+
 // adds the areas of all faces to sum_of(v) of the vertices v at their corners
 template <class FT, class Sum_of>
 void add_areas(const Level_connectivity& level, const Scaled_differences<FT>& difference,
@@ -107,20 +129,9 @@ void add_areas(const Level_connectivity& level, const Scaled_differences<FT>& di
 {
   using Index = Level_connectivity::Index;
   for (Index f = 0; f < level.number_of_faces(); ++f) {
-    const Index first = level.halfedge_of_face(f), origin = level.target(first);
-    Index h = level.next(first);
-    Area_sum::Vector area{0, 0, 0}, before = difference(level.target(h), origin);
-    double size = largest_coordinate(before);
-    for (h = level.next(h); h != first; h = level.next(h)) {
-      const auto d = difference(level.target(h), origin);
-      add_multiple(area, 1, cross(before, d));
-      size = (std::max)(size, largest_coordinate(d));
-      before = d;
-    }
-    const double rounding = 16 * size * difference.rounding(origin, size) +
-                            3 * vanishing_tolerance<FT>() * largest_coordinate(area);
-    for (const Index g : halfedges_around_face(level, first))
-      sum_of(level.target(g)).add(area, rounding);
+    const Area_sum face = area_of_face(level, difference, f);
+    for (const Index h : halfedges_around_face(level, level.halfedge_of_face(f)))
+      sum_of(level.target(h)).add(face.area, face.rounding);
   }
 }
 
