@@ -125,8 +125,8 @@ public:
   {
     if (word == in_pieces) return is_in_pieces() ? title_of_pieces : "";
     const std::size_t end = (std::min)(word.find('='), word.size());
-    const std::string option = word.substr(0, end), values = word.substr(end);
-    const std::string value = value_of(option);
+    std::string option = word.substr(0, end);
+    const std::string values = word.substr(end), value = value_of(option);
     if (value.empty() || (values.empty() && value == "false")) return {};
     if (values.empty()) return option;
     const bool is_meant =

@@ -201,7 +201,7 @@ void Obj_attributes::put_colors(Mesh_data& mesh)
 
 std::string Obj_tags::read(Text_reader& in)
 {
-  const std::string name(in.word());
+  std::string name(in.word());
   const bool is_crease = name == "crease", is_corner = name == "corner";
   if (!is_crease && !is_corner) return name;
   const auto [integers, floats, strings] = read_counts(in);

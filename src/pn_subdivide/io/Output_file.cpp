@@ -53,7 +53,7 @@ void remove_folder(const Slot& slot)
   static char file[sizeof slot.file + 40];
   const std::size_t length = std::strlen(slot.file);
   std::memcpy(file, slot.file, length); // NOLINT(bugprone-not-null-terminated-result): more follows
-  std::memcpy(file + length, "/piece_", 7);
+  std::memcpy(file + length, "/piece_", 8);
   for (std::size_t i = 0; i < slot.pieces; ++i) {
     char* end = file + length + 7;
     std::size_t divisor = 1;

@@ -13,7 +13,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <iterator>
 #include <string>
@@ -103,7 +102,7 @@ struct Ply_content
     std::size_t corner = mesh.first_corner(f);
     for (const Index v : mesh.face(f)) {
       const Triple& n = mesh.corner_control_normals[corner++];
-      are_others = are_others || std::memcmp(&n, &mesh.control_normals[v], sizeof n) != 0;
+      are_others = are_others || n != mesh.control_normals[v];
       numbers.insert(numbers.end(), n.begin(), n.end());
     }
     if (!are_others) numbers.clear();

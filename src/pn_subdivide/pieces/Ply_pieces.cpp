@@ -133,7 +133,7 @@ public:
       normals.kind,  has_short_lists_, normals.with_roundness, attributes.has_texture()};
     const Attributes like = attributes.like();
     header_ = ply_header(shape, like);
-    bytes_of_vertex_ = 8 * normals_.numbers() + bytes_of(like.of_vertices);
+    bytes_of_vertex_ = std::uint64_t(8) * normals_.numbers() + bytes_of(like.of_vertices);
     const std::uint64_t list = has_short_lists_ ? 1 : 4;
     bytes_of_face_ = list + bytes_of(like.of_faces);
     bytes_of_corner_ = 4;

@@ -214,7 +214,7 @@ private:
     const fs::path parent = job_.names.target.parent_path();
     const fs::space_info space = fs::space(parent.empty() ? fs::path(".") : parent, error);
     if (error) return;
-    const double all = double(job_.pieces->number());
+    const auto all = double(job_.pieces->number());
     const double needed = double(output_->size()) * (all - double(finished)) / all;
     if (double(space.available) < needed)
       throw Error("the disk has " + in_megabytes(double(space.available)) +

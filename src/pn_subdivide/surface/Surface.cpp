@@ -231,7 +231,7 @@ std::optional<Roundness_map> roundness_of(const Surface& surface)
 
 Roundness_map add_roundness(Surface& surface)
 {
-  const Roundness_map roundness = surface.add_property_map<Vertex, double>(roundness_name, 1).first;
+  Roundness_map roundness = surface.add_property_map<Vertex, double>(roundness_name, 1).first;
   for (const Vertex v : surface.vertices()) roundness[v] = 1;
   return roundness;
 }
@@ -266,7 +266,7 @@ Corner_normal_map add_corner_normals(Surface& surface)
 {
   const Normal_map of_vertices = *normals_of(surface);
   const std::optional<Roundness_map> roundness = roundness_of(surface);
-  const Corner_normal_map normals{
+  Corner_normal_map normals{
     surface.add_property_map<Halfedge, Corner_value>(corner_normals_name).first};
   for (const Halfedge h : surface.halfedges()) {
     const Vertex v = surface.target(h);

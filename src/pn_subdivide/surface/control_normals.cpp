@@ -91,7 +91,8 @@ Vector_3 unit_normal(const Vector_3& n)
 }
 
 // Vertices in one of whose wedges the corners have different normals.
-std::size_t mixed_vertices(const Surface& surface, const Wedges& wedges, Corner_normal_map normals)
+std::size_t mixed_vertices(const Surface& surface, const Wedges& wedges,
+                           const Corner_normal_map& normals)
 {
   std::vector<Triple> first(wedges.vertex.size());
   std::vector<bool> is_known(first.size(), false), is_mixed(surface.number_of_vertices(), false);

@@ -40,7 +40,7 @@ struct Refinement
 
 // f(named parameters) of the normals of vertices, and the roundness if there is some
 template <class Function>
-auto with_normals_of_vertices(const Surface& surface, Normal_map normals, const Function& f)
+auto with_normals_of_vertices(const Surface& surface, const Normal_map& normals, const Function& f)
 {
   const auto np = CGAL::parameters::vertex_normal_map(normals);
   if (const std::optional<Roundness_map> roundness = roundness_of(surface))

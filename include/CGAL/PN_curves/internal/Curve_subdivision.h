@@ -181,7 +181,7 @@ private:
 template <class Mask>
 constexpr bool is_linear_mask_v = false;
 template <class Mask>
-constexpr bool is_linear_mask_v<Linear_mask<Mask>> = true;
+inline constexpr bool is_linear_mask_v<Linear_mask<Mask>> = true;
 
 // The rows of the normals: the points' own, or those of another mask with the same center.
 template <class FT, class Mask>

@@ -340,12 +340,12 @@ using Mask_in_round = std::decay_t<decltype(mask_in_round(std::declval<const Mas
 template <class Mask>
 constexpr bool is_level_dependent_v = false;
 template <class Function>
-constexpr bool is_level_dependent_v<Level_dependent_mask<Function>> = true;
+inline constexpr bool is_level_dependent_v<Level_dependent_mask<Function>> = true;
 
 template <class Mask>
 constexpr bool is_listed_v = false;
 template <class Mask>
-constexpr bool is_listed_v<Level_dependent_mask<Listed_masks<Mask>>> = true;
+inline constexpr bool is_listed_v<Level_dependent_mask<Listed_masks<Mask>>> = true;
 
 } // namespace internal
 } // namespace CGAL::PN_subdivision_3

@@ -103,7 +103,7 @@ private:
     const auto n = Eigen::Index(q_.size());
     r_.col(n).head(n) = part;
     r_(n, n) = height;
-    q_.push_back(change / height);
+    q_.emplace_back(change / height);
     steps_.push_back(step);
   }
 

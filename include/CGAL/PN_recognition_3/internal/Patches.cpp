@@ -207,7 +207,7 @@ private:
     std::sort(pairs.begin(), pairs.end());
     for (const auto& [p, q, e] : pairs) {
       if (result_.joints.empty() || result_.joints.back().p != p || result_.joints.back().q != q) {
-        const Index number = Index(result_.joints.size());
+        const auto number = Index(result_.joints.size());
         result_.patches[p].joints.push_back(number);
         result_.patches[q].joints.push_back(number);
         result_.joints.push_back({p, q, {}});

@@ -280,7 +280,7 @@ private:
         flats.push_back(e);
       else
         next = (std::max)(next, step(run, e));
-    const Index number = Index(flats.size());
+    const auto number = Index(flats.size());
     run.widest = widest;
     if (number == run.edges() || !(number <= 2 || 10 * number <= run.edges()) ||
         !(widest > 1.75 * next))

@@ -31,7 +31,7 @@ inline void guess_by_apexes(const Context& c, Found_regions& found)
     std::sort(seeds.begin(), seeds.end());
     seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
     if (seeds.size() < 5) continue;
-    const double n = double(directions.size());
+    const auto n = double(directions.size());
     Vec3 mean;
     for (const Vec3& d : directions) mean += (1 / n) * d;
     Covariance covariance;

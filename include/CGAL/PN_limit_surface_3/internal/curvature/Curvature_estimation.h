@@ -199,7 +199,7 @@ private:
 
   void add_row(double weight, const Row& row, double right_side)
   {
-    rows_.push_back(weight * row);
+    rows_.emplace_back(weight * row);
     right_sides_.push_back(weight * right_side);
   }
 

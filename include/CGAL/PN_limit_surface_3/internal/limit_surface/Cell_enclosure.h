@@ -42,7 +42,6 @@ public:
   // degree: of the faces; valence: the one at a corner with the largest gamma is decisive, see include()
   explicit Proven_bound(unsigned degree)
     : is_quads_(degree == 4)
-    , gamma_(0.5)
     , sigma2_(is_quads_ ? 0.75 : 0.4258)
     , d0_(is_quads_ ? 4 : 2)
   {}
@@ -81,7 +80,7 @@ public:
 
 private:
   bool is_quads_;
-  double gamma_, sigma2_, d0_;
+  double gamma_ = 0.5, sigma2_, d0_;
 };
 
 // the error that computing with the points of a net adds to a bound, per unit of the largest coordinate

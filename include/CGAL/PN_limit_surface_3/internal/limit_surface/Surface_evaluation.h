@@ -351,8 +351,8 @@ make_surface_evaluation(const Scheme& scheme,
                         Valued_level<typename Average_of_scheme<Scheme, double>::Value>&& level,
                         Level_creases&& creases)
 {
-  return std::make_unique<Scheme_evaluation<Scheme, Level_creases>>(scheme, std::move(level),
-                                                                    std::move(creases));
+  return std::make_unique<Scheme_evaluation<Scheme, Level_creases>>(
+    scheme, std::move(level), std::forward<Level_creases>(creases));
 }
 
 // for the library CGAL::PN_subdivision_3_limits, see limits_at_slots.h

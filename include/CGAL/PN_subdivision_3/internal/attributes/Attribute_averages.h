@@ -187,7 +187,7 @@ public:
       if (own != shares_.end())
         own->second += weight * added.second;
       else
-        shares_.push_back({added.first, weight * added.second});
+        shares_.emplace_back(added.first, weight * added.second);
     }
   }
 

@@ -40,7 +40,7 @@ namespace CGAL::PN_subdivision_3::internal {
 template <class FT, class = void>
 constexpr bool has_number_traits_v = false;
 template <class FT>
-constexpr bool has_number_traits_v<
+inline constexpr bool has_number_traits_v<
   FT, std::enable_if_t<
         std::is_same_v<typename Real_embeddable_traits<FT>::Is_real_embeddable, Tag_true> &&
         std::is_invocable_v<typename Real_embeddable_traits<FT>::To_double, const FT&> &&
@@ -56,20 +56,20 @@ constexpr bool is_field_v =
 template <class FT, class = void>
 constexpr bool has_ends_v = false;
 template <class FT>
-constexpr bool has_ends_v<
+inline constexpr bool has_ends_v<
   FT, std::void_t<decltype(lower(std::declval<const FT&>()), upper(std::declval<const FT&>()))>> =
   !std::is_same_v<std::decay_t<decltype(lower(std::declval<const FT&>()))>, FT>;
 
 template <class Kernel, class = void>
 constexpr bool has_points_v = false;
 template <class Kernel>
-constexpr bool has_points_v<Kernel, std::void_t<typename Kernel::FT, typename Kernel::Point_3>> =
-  true;
+inline constexpr bool
+  has_points_v<Kernel, std::void_t<typename Kernel::FT, typename Kernel::Point_3>> = true;
 
 template <class Kernel, class = void>
 constexpr bool is_homogeneous_v = false;
 template <class Kernel>
-constexpr bool is_homogeneous_v<Kernel, std::void_t<typename Kernel::Kernel_tag>> =
+inline constexpr bool is_homogeneous_v<Kernel, std::void_t<typename Kernel::Kernel_tag>> =
   std::is_same_v<typename Kernel::Kernel_tag, Homogeneous_tag>;
 
 enum class Kernel_fault { none, no_points, homogeneous, no_traits, no_field, interval_of_bool };
@@ -122,7 +122,7 @@ constexpr bool check_kernel()
 template <class T, class FT, class = void>
 constexpr bool has_coordinates_3_v = false;
 template <class T, class FT>
-constexpr bool has_coordinates_3_v<
+inline constexpr bool has_coordinates_3_v<
   T, FT,
   std::void_t<decltype(T(std::declval<FT>(), std::declval<FT>(), std::declval<FT>())),
               decltype(FT(std::declval<const T&>().x())),

@@ -293,14 +293,14 @@ private:
 template <class Mesh>
 constexpr bool is_usual_mesh_v = false;
 template <class Point>
-constexpr bool is_usual_mesh_v<Surface_mesh<Point>> =
+inline constexpr bool is_usual_mesh_v<Surface_mesh<Point>> =
   is_one_of_v<typename Kernel_traits<Point>::type, Simple_cartesian<double>, Epick>;
 
 template <class Scheme>
 constexpr bool is_usual_scheme_v =
   is_one_of_v<Scheme, CatmullClark_scheme, Loop_scheme, DooSabin_scheme, Sqrt3_scheme>;
 template <class Host>
-constexpr bool is_usual_scheme_v<Scheme_on_host<Host, double>> = true;
+inline constexpr bool is_usual_scheme_v<Scheme_on_host<Host, double>> = true;
 
 template <class Mesh>
 using Usual_normal_map = typename Mesh::template Property_map<

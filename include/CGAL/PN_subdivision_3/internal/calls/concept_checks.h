@@ -67,7 +67,7 @@ template <class Mesh>
 struct Vertex_or_halfedge_of
 {};
 template <class Map, class Mesh>
-constexpr bool is_property_map_of_v<Map, Vertex_or_halfedge_of<Mesh>> =
+inline constexpr bool is_property_map_of_v<Map, Vertex_or_halfedge_of<Mesh>> =
   is_property_map_of_v<Map, Vertex_of<Mesh>> || is_property_map_of_v<Map, Halfedge_of<Mesh>>;
 template <class Key>
 using Key_itself = Key;
@@ -96,7 +96,7 @@ constexpr bool is_roundness_v = is_sharpness_v<T, Parameters> && !std::is_same_v
 template <class T, class, class = void>
 constexpr bool is_limit_point_v = false;
 template <class T, class Parameters>
-constexpr bool is_limit_point_v<
+inline constexpr bool is_limit_point_v<
   T, Parameters,
   std::void_t<decltype(std::declval<T>().point), decltype(std::declval<T>().control_normal),
               decltype(std::declval<T>().surface_normal)>> = true;
@@ -285,7 +285,8 @@ constexpr bool check_attributes()
 template <class Mesh, class = void>
 constexpr bool has_add_edge_v = false;
 template <class Mesh>
-constexpr bool has_add_edge_v<Mesh, std::void_t<decltype(add_edge(std::declval<Mesh&>()))>> = true;
+inline constexpr bool has_add_edge_v<Mesh, std::void_t<decltype(add_edge(std::declval<Mesh&>()))>> =
+  true;
 
 template <class Mesh>
 constexpr bool check_mutable_mesh()
@@ -306,7 +307,7 @@ constexpr bool check_mutable_mesh()
 template <class Scheme, class FT, class = void>
 constexpr bool is_scheme_v = false;
 template <class Scheme, class FT>
-constexpr bool is_scheme_v<
+inline constexpr bool is_scheme_v<
   Scheme, FT,
   std::void_t<typename Scheme::Host, decltype(std::declval<const Scheme&>().template mask<FT>(
                                        std::declval<const Level_connectivity&>(), 0u))>> = true;

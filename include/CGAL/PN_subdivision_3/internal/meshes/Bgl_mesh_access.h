@@ -94,9 +94,9 @@ void read_connectivity(const Access& access, const Graph& graph, const Vertex_nu
 {
   using Traits = boost::graph_traits<Graph>;
   using Index = Level_connectivity::Index;
-  const Index vertices = static_cast<Index>(access.size().vertices);
-  const Index halfedges = static_cast<Index>(2 * access.size().edges);
-  const Index faces = static_cast<Index>(access.size().faces);
+  const auto vertices = static_cast<Index>(access.size().vertices);
+  const auto halfedges = static_cast<Index>(2 * access.size().edges);
+  const auto faces = static_cast<Index>(access.size().faces);
   for (Index h = 0; h < halfedges; ++h) {
     const auto d = access.halfedge_at(h);
     level.set_target(h, vertex_number(target(d, graph)));

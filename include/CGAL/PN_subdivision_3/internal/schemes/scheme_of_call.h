@@ -203,7 +203,7 @@ struct Is_with_roundness<With_roundness<Scheme, FT, creases_may_end, is_linked>>
 template <class Scheme>
 constexpr bool creases_may_end_v = true;
 template <class Scheme, class FT, bool creases_may_end, bool is_linked>
-constexpr bool creases_may_end_v<With_roundness<Scheme, FT, creases_may_end, is_linked>> =
+inline constexpr bool creases_may_end_v<With_roundness<Scheme, FT, creases_may_end, is_linked>> =
   creases_may_end;
 
 template <class T, class... Others>
