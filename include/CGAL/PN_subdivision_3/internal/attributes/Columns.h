@@ -247,6 +247,7 @@ struct Parent : Without_rows
   }
 };
 
+// The column of what a store holds: element i has `width` values there, from i * width on, which are read and put by a conversion.
 template <class Store, class Conversion>
 class Column_of final : public Column<typename Conversion::Number>
 {
@@ -255,7 +256,6 @@ public:
   using Base = Column<Number>;
   using typename Base::Index;
 
-  // an element has `width` values in the store
   template <class... Arguments>
   explicit Column_of(std::size_t width, Arguments&&... arguments)
     : store_(std::forward<Arguments>(arguments)...)

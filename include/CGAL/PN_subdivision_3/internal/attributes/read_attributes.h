@@ -106,7 +106,7 @@ struct Given_rule
   static constexpr Attribute_rule of = rule;
 };
 
-// the values of a map by a rule, null if they do not have it
+// the values of a map by a rule, null if they do not have it; a rule that is not named here is an average
 template <class FT, class Keys, Attribute_rule rule, class Access, class Map>
 std::unique_ptr<Row_values<FT>> rows_of_map(const Access& access, const Level_connectivity& level,
                                             const Map& map)

@@ -79,7 +79,7 @@ struct Crease_halfedge
   Index side;
 };
 
-enum class Vertex_rule { smooth, dart, crease, corner };
+enum class Vertex_rule { smooth, dart, crease, corner }; // dart: a single crease edge ends there
 
 // The star of a vertex with crease edges or a sharpness of its own: the vertex, the ends of these edges there, its wedges.
 struct Crease_star

@@ -146,7 +146,7 @@ private:
   }
 };
 
-// what a call says of the scheme that it takes
+// what an Any_scheme has to fit: the number type of a call, and whether its normals are those of corners
 template <class PolygonMesh, class NamedParameters>
 struct Surface_call
 {
