@@ -42,12 +42,11 @@ FOLDERS = ("include", "test_support", "src", "python", "examples", "demo", "test
 COMMENTS = {".h": "//", ".cpp": "//", ".ts": "//", ".mjs": "//", ".py": "#", ".sh": "#"}
 # Folders of these names hold what is not the package's: interfaces that are only documented, libraries.
 NOT_OURS = {"Concepts", "node_modules"}
-# The README is the first visit; what needs more words has pages of its own in doc/.
+MANUAL = ROOT / "doc" / NAME / f"{NAME}.txt"
+# What is read first; what needs more words has pages of its own in doc/.
 WORDS_OF_README = 700
-# So is the user manual the first reading.
 BYTES_OF_MANUAL = 32000
-# And so are the first programs, without comments and blank lines.
-LINES_OF_FIRST_STEPS = 20
+LINES_OF_FIRST_STEPS = 20  # without comments and blank lines
 # The version of CGAL from whose headers the list of dependencies is derived: each names its package.
 REFERENCE_CGAL = "5.5"
 
@@ -205,14 +204,18 @@ def check_macros() -> list[str]:
     return wrong
 
 
-MANUAL = ROOT / "doc" / "PN_subdivision_3" / "PN_subdivision_3.txt"
-
-
 def check_names() -> list[str]:
-    """Headers and examples that the first page of the manual names."""
+    """Headers and examples that the first page of the manual names, and what the page on the layout says is in headers."""
     there = {path.name for folder in ("include", "examples") for path in (ROOT / folder).rglob("*.*")}
     named = re.findall(r"`(?:[\w/]+/)?(\w+\.(?:h|cpp))`", MANUAL.read_text())
-    return [f"{MANUAL.relative_to(ROOT)} names {name}, which is not there" for name in named if name not in there]
+    wrong = [f"{MANUAL.relative_to(ROOT)} names {name}, which is not there" for name in named if name not in there]
+    layout = (MANUAL.parent / "layout.txt").read_text()
+    for folder, lines in re.findall(r"(?s)below `([\w/]+)`[^\\]*\\verbatim(.*?)\\endverbatim", layout):
+        for file, name in re.findall(r"(\S+\.h): (\w+)", lines):
+            path = ROOT / "include" / "CGAL" / folder / file
+            if not path.is_file() or not re.search(rf"\b((class|struct) {name}\b|{name}\()", path.read_text()):
+                wrong.append(f"layout.txt: there is no {name} in {folder}/{file}")
+    return wrong
 
 
 def check_example() -> list[str]:
@@ -246,10 +249,6 @@ def check_conflicts() -> list[str]:
             if re.search(r"(?m)^(<{7}|>{7})( |$)", path.read_text(errors="replace"))]
 
 
-def check_moves() -> list[str]:
-    return [f"scripts/moves.tsv: {new} is not there" for _, new in moves.table("moves.tsv") if not (ROOT / new).is_file()]
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--compiler", default="c++ -I/usr/include/eigen3", type=shlex.split,
@@ -257,7 +256,8 @@ def main() -> None:
     parser.add_argument("--fix", action="store_true", help="write what can be derived")
     arguments = parser.parse_args()
     wrong = check_notices(arguments.fix) + check_version() + check_links() + check_macros() + check_names() + check_example() + check_lengths()
-    wrong += check_conflicts() + check_moves() + enclosure_constants.wrong() + check_dependencies(arguments.compiler, arguments.fix)
+    wrong += check_conflicts() + enclosure_constants.wrong() + check_dependencies(arguments.compiler, arguments.fix)
+    wrong += [f"scripts/moves.tsv: {new} is not there" for _, new in moves.table("moves.tsv") if not (ROOT / new).is_file()]
     if wrong:
         sys.exit("\n".join([*wrong, "scripts/check_sources.py --fix mends notices and dependencies."]))
 

@@ -11,6 +11,7 @@
 
 #include "Mesh_cases.h"
 #include "Messages.h"
+#include "Turns.h"
 #include "support/Options.h"
 
 #include <CGAL/IO/Color.h>
@@ -173,6 +174,19 @@ TEST(Attributes, OfEveryType)
   }
   EXPECT_TRUE(has_overshoot);
   EXPECT_EQ(b[V(0)][0], 255);
+}
+
+// One number each, in rows of one length, but with differences of their own: between 0.1 and 0.9 of a turn is 0.
+TEST(Attributes, NumbersAreAveragedByTheirOwnDifferences)
+{
+  Mesh mesh;
+  build(cube(), mesh, mesh.points());
+  const auto turns = add<V, Turns>(mesh, "v:turns");
+  for (const V v : mesh.vertices()) turns[v].part = v.idx() % 2 == 0 ? 0.1 : 0.9;
+  PN::subdivide(mesh, PN::CatmullClark_scheme(),
+                PN::parameters::attributes(PN::parameters::vertex_attribute(turns)));
+  for (const V v : mesh.vertices())
+    EXPECT_LE(std::abs(turns[v].part - std::round(turns[v].part)), 0.1 + 1e-15) << v;
 }
 
 TEST(Attributes, FacesAndEdgesInherit)

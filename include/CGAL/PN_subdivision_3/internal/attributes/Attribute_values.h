@@ -177,7 +177,7 @@ private:
   void averages(const Stencil_block<FT>& rows, Number* results) const
   {
     const std::size_t number = rows.number_of_rows();
-    if constexpr (std::is_floating_point_v<Number>) // of whatever Kind
+    if constexpr (std::is_floating_point_v<Number> && std::is_same_v<Kind, Number_values<FT>>)
       if (n_ == 1 && rows.uniform_length() > 1)
         return scalar_averages(rows.begin(0), rows.uniform_length(), number, old_.data(), results);
     for (std::size_t r = 0; r < number; ++r)
