@@ -78,7 +78,6 @@ public:
   }
 
   bool is_full() const { return count_ == copies_; }
-  bool is_empty() const { return count_ == 0; }
 
   // adds a ring, given by value(place), whose result is to be stored in `result`
   template <class Value_of>

@@ -51,7 +51,6 @@ template <class Value, class Level_creases>
 struct Adaptive_level
 {
   using Index = Level_connectivity::Index;
-  using Slot_value = Value;
 
   Valued_level<Value> level; // values are those of the slots
   Level_creases creases;

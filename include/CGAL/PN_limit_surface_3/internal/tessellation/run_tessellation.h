@@ -274,7 +274,6 @@ public:
 
   // the nodes of the last run
   std::deque<Tessellation_node> take_nodes() { return std::move(nodes_); }
-  unsigned number() const { return number_; }
 
   // The triangles of the leaves, once needless splits are taken back.
   template <class Refinement>
