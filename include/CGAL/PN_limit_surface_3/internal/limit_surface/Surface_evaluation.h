@@ -113,9 +113,9 @@ public:
         throw std::invalid_argument("PN_subdivision_3: no enclosure is proven for " +
                                     name_in_message(cells_.scheme()) +
                                     ", except for Catmull-Clark and Loop: use bbox()");
-      require_proof(cells_, face, degree);
+      require_proof(cells_, face);
     }
-    Cell_enclosure<Cells> enclosure(cells_, degree, is_pn, is_proven, rounds, more_rounds);
+    Cell_enclosure<Cells> enclosure(cells_, is_proven, rounds, more_rounds);
     enclosure.add(cells_.of_face(face));
     return enclosure.result();
   }
