@@ -284,7 +284,7 @@ auto Limit_evaluation<Scheme, FT, kinds>::evaluate_settled(const Level& level,
       else if (has_final_rules(v)) {
         const auto* kind = &kind_of(v, valences[in_part]);
         rings.add({v, &result, kind}, [&](std::vector<Index>& ring) {
-          Rules_cache::append_ring(level.level, v, *kind, ring);
+          Vertex_ring::append(level.level, v, kind->rings, ring);
         });
         if (rings.is_full()) put_rings(level.level, rings, limits);
       } else
