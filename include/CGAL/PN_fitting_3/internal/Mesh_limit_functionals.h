@@ -213,7 +213,7 @@ private:
   {
     const auto& [kind, rule] = of_kind;
     ring.clear();
-    Ring_rules_cache<Scheme, double>::append_ring(stage.level, v, *kind, ring);
+    Vertex_ring::append(stage.level, v, kind->rings, ring);
     f.run(of_ring, rule, stage.values, ring,
           precision_at(*kind->ring_rules, stage.level.is_border_vertex(v)));
     if (precision_.second_forms > 0)

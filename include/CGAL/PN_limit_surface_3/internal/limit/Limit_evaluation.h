@@ -9,12 +9,10 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_EVALUATION_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_LIMIT_LIMIT_EVALUATION_H
 
-#include <CGAL/PN_limit_surface_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_planes.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules_cache.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/made_levels.h>
 #include <CGAL/PN_subdivision_3/internal/concepts/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
@@ -27,7 +25,6 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -285,7 +282,7 @@ auto Limit_evaluation<Scheme, FT, kinds>::evaluate_settled(const Level& level,
       else if (has_final_rules(v)) {
         const auto* kind = &kind_of(v, valences[in_part]);
         rings.add({v, &result, kind}, [&](std::vector<Index>& ring) {
-          Rules_cache::append_ring(level.level, v, *kind, ring);
+          Vertex_ring::append(level.level, v, kind->rings, ring);
         });
         if (rings.is_full()) put_rings(level.level, rings, limits);
       } else

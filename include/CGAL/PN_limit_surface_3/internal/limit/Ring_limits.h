@@ -15,11 +15,10 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules_cache.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
-#include <CGAL/Uncertain.h>
-#include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +26,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -78,7 +76,6 @@ public:
   }
 
   bool is_full() const { return count_ == copies_; }
-  bool is_empty() const { return count_ == 0; }
 
   // adds a ring, given by value(place), whose result is to be stored in `result`
   template <class Value_of>
@@ -348,7 +345,14 @@ public:
     }
     Limits& limits = *limits_[last_].limits;
     limits.add(value, *vertex.result);
-    if (limits.is_full()) evaluate(limits, vertex.v);
+    if (!limits.is_full()) return;
+    // with number types that may not decide a comparison one ring is refined at once
+    name_undecided<FT>([&] { limits.evaluate(); },
+                       [&] {
+                         return "whether a normal next to vertex number " +
+                                std::to_string(vertex.v) +
+                                " vanishes or is opposite to a neighbor's";
+                       });
   }
 
   // the rest
@@ -358,22 +362,6 @@ public:
   }
 
 private:
-  // with number types that may not decide a comparison one ring is refined at once
-  static void evaluate(Limits& limits, [[maybe_unused]] Index v)
-  {
-    if constexpr (std::is_floating_point_v<FT>)
-      limits.evaluate();
-    else
-      try {
-        limits.evaluate();
-      } catch (const Uncertain_conversion_exception&) {
-        throw std::domain_error(
-          "PN_subdivision_3: the precision of the number type does not decide whether a normal "
-          "next to vertex number " +
-          std::to_string(v) + " vanishes or is opposite to a neighbor's: use a higher precision");
-      }
-  }
-
   struct Kind_limits
   {
     const Kind* kind;

@@ -110,28 +110,19 @@ Ring_matrix<FT> product(const Ring_matrix<FT>& last, const Ring_matrix<FT>& firs
 // Rows over rings that lie side by side, the values of place p of ring c at p * copies + c, ready for
 // the average of a block.
 template <class FT>
-class Ring_rows
+std::vector<Stencil_block<FT>> ring_blocks(const Ring_matrix<FT>& matrix, std::size_t copies)
 {
-public:
-  static constexpr std::size_t most = Stencil_block<FT>::maximum_number_of_rows;
-
-  Ring_rows() = default;
-  Ring_rows(const Ring_matrix<FT>& matrix, std::size_t copies)
-  {
-    for (const auto& row : matrix)
-      for (std::size_t c = 0; c < copies; ++c) {
-        if (blocks_.empty() || blocks_.back().number_of_rows() == most) blocks_.emplace_back();
-        for (const auto& [place, weight] : row)
-          blocks_.back().row().add(static_cast<std::uint32_t>(place * copies + c), weight);
-        blocks_.back().close_row();
-      }
-  }
-
-  const std::vector<Stencil_block<FT>>& blocks() const { return blocks_; }
-
-private:
-  std::vector<Stencil_block<FT>> blocks_;
-};
+  constexpr std::size_t most = Stencil_block<FT>::maximum_number_of_rows;
+  std::vector<Stencil_block<FT>> blocks;
+  for (const auto& row : matrix)
+    for (std::size_t c = 0; c < copies; ++c) {
+      if (blocks.empty() || blocks.back().number_of_rows() == most) blocks.emplace_back();
+      for (const auto& [place, weight] : row)
+        blocks.back().row().add(static_cast<std::uint32_t>(place * copies + c), weight);
+      blocks.back().close_row();
+    }
+  return blocks;
+}
 
 // All that rings of one kind share, made of the rows of the scheme's own mask: their matrix, the limit
 // mask, the tangent masks.
@@ -170,10 +161,7 @@ public:
       transfer_valence_ = static_cast<Level_connectivity::Index>(layout.number);
     is_at_border_ = layout.at_border;
     if (layout.first == 1) number_of_neighbors_ = layout.number;
-    lambda_ = masks->lambda;
-    normal_ratio_ = masks->normal_ratio;
-    largest_other_ = masks->largest_other;
-    tangents_ = masks->tangents;
+    masks_ = *masks;
     is_valid_ = true;
   }
 
@@ -190,21 +178,15 @@ public:
 
   // the rows as they are, for the points and for the normals
   const Ring_matrix<FT>& matrix() const { return points_.matrix; }
-  const Ring_matrix<FT>& normal_matrix() const
-  {
-    return has_normal_rows_ ? normals_.matrix : points_.matrix;
-  }
+  const Ring_matrix<FT>& normal_matrix() const { return of_normals().matrix; }
   const Ring_row<FT>& limit_row() const { return points_.limit_row; }
-  const Ring_row<FT>& normal_limit_row() const
-  {
-    return has_normal_rows_ ? normals_.limit_row : points_.limit_row;
-  }
+  const Ring_row<FT>& normal_limit_row() const { return of_normals().limit_row; }
 
-  bool has_tangents() const { return !tangents_[0].empty(); }
-  const std::array<std::vector<double>, 2>& tangents() const { return tangents_; }
-  double lambda() const { return lambda_; }
-  double normal_ratio() const { return normal_ratio_; }
-  double largest_other() const { return largest_other_; }
+  bool has_tangents() const { return !tangents()[0].empty(); }
+  const std::array<std::vector<double>, 2>& tangents() const { return masks_.tangents; }
+  double lambda() const { return masks_.lambda; }
+  double normal_ratio() const { return masks_.normal_ratio; }
+  double largest_other() const { return masks_.largest_other; }
   bool is_at_border() const { return is_at_border_; }
   bool has_own_normals() const { return has_normal_rows_; }
   // the neighbors of the vertex at place 0; 0 about faces
@@ -226,8 +208,8 @@ public:
   // falls by 1/2 a round, and its effect on L by lambda^2 more.
   double error_ratio() const
   {
-    const double lambda2 = lambda_ * lambda_;
-    const double ratio = (std::max)(lambda2 * lambda2, largest_other_ * largest_other_);
+    const double lambda2 = lambda() * lambda();
+    const double ratio = (std::max)(lambda2 * lambda2, largest_other() * largest_other());
     return (std::min)(0.9, transfer_valence_ == 0 ? ratio : (std::max)(ratio, lambda2 / 2));
   }
   double error_factor() const { return limit_error_factor(error_ratio()); }
@@ -249,11 +231,13 @@ public:
 private:
   static constexpr bool may_have_normal_rows = Has_normal_mask<Scheme>::value;
 
+  using Blocks = std::vector<Stencil_block<FT>>;
+
   // the weights of points, or of normals
   struct Weights
   {
-    std::vector<Ring_rows<FT>> rows; // of each round
-    Ring_rows<FT> limit;
+    std::vector<Blocks> rows; // of each round
+    Blocks limit;
     Ring_matrix<FT> matrix; // of all rounds
     Ring_row<FT> limit_row;
   };
@@ -261,8 +245,10 @@ private:
   struct Tangents
   {
     std::array<std::vector<double>, 2> tangents;
-    double lambda, normal_ratio, largest_other;
+    double lambda = 0, normal_ratio = 0, largest_other = 0;
   };
+
+  const Weights& of_normals() const { return has_normal_rows_ ? normals_ : points_; }
 
   // mask_of(number, round) gives the mask of a round in a number type
   template <class Mask_of>
@@ -279,12 +265,12 @@ private:
       if (!rows || !real_rows) return std::nullopt;
       rules.matrix = after<FT>(*rows, rules.matrix);
       real_matrix = after<Real>(*real_rows, real_matrix);
-      rules.rows.emplace_back(*rows, copies_);
+      rules.rows.push_back(ring_blocks<FT>(*rows, copies_));
     }
     const Ring_eigenvectors masks(real_matrix, layout);
     if (masks.limit().empty()) return std::nullopt;
     rules.limit_row = limit_weights<FT>(masks.limit(), rules.matrix);
-    rules.limit = Ring_rows<FT>({rules.limit_row}, copies_);
+    rules.limit = ring_blocks<FT>({rules.limit_row}, copies_);
     Tangents result{{}, masks.lambda(), masks.normal_ratio(), masks.largest_other()};
     if (masks.has_tangents())
       for (std::size_t i = 0; i < 2; ++i)
@@ -302,23 +288,14 @@ private:
     return last;
   }
 
-  void average(const Ring_rows<FT>& rows, const Ring_rows<FT>* normal_rows, const Value* old,
-               Value* result) const
+  void average(const Blocks& rows, const Blocks* normal_rows, const Value* old, Value* result) const
   {
-    for (std::size_t b = 0; b < rows.blocks().size(); ++b) {
-      const Stencil_block<FT>& part = rows.blocks()[b];
-      average_part(part, normal_rows == nullptr ? nullptr : &normal_rows->blocks()[b], old, result);
-      result += part.number_of_rows();
+    for (std::size_t b = 0; b < rows.size(); ++b) {
+      if (normal_rows == nullptr) block_(rows[b], old, result);
+      if constexpr (may_have_normal_rows)
+        if (normal_rows != nullptr) block_(rows[b], (*normal_rows)[b], old, result);
+      result += rows[b].number_of_rows();
     }
-  }
-
-  void average_part(const Stencil_block<FT>& rows,
-                    [[maybe_unused]] const Stencil_block<FT>* normal_rows, const Value* old,
-                    Value* result) const
-  {
-    if constexpr (may_have_normal_rows)
-      if (normal_rows != nullptr) return block_(rows, *normal_rows, old, result);
-    block_(rows, old, result);
   }
 
   Block block_;
@@ -326,8 +303,7 @@ private:
   bool is_valid_ = false, is_interpolating_ = false, is_at_border_ = false;
   bool has_normal_rows_ = false; // otherwise the normals are refined by the rows of the points
   Weights points_, normals_;
-  std::array<std::vector<double>, 2> tangents_;
-  double lambda_ = 0, normal_ratio_ = 0, largest_other_ = 0;
+  Tangents masks_;
   Level_connectivity::Index transfer_valence_ = 0;
 };
 

@@ -155,13 +155,6 @@ public:
     const Kind* kind_ = nullptr;
   };
 
-  // the ring of a vertex of the kind
-  static void append_ring(const Level_connectivity& level, Index v, const Kind& kind,
-                          std::vector<Index>& ring)
-  {
-    Vertex_ring::append(level, v, kind.rings, ring);
-  }
-
 private:
   static constexpr bool is_sqrt3 = std::is_same_v<Host, Sqrt3_host>;
   static constexpr unsigned most_rings = 3;
@@ -181,10 +174,6 @@ private:
     return kind;
   }
 
-  Level_connectivity refined(const Level_connectivity& level) const
-  {
-    return refined(level, any_round_);
-  }
   static Level_connectivity refined(const Level_connectivity& level, unsigned round)
   {
     return child_level<Host>(level, round, For_chunks());
@@ -196,7 +185,7 @@ private:
     constexpr auto nothing =
       Sub_level::Keeps::nothing; // so that it is the same at all vertices of the kind
     Sub_level around(level, {v}, 2, nothing);
-    const Level_connectivity fine = refined(refined(around.level));
+    const Level_connectivity fine = refined(refined(around.level, any_round_), any_round_);
     const bool at_border = level.is_border_vertex(v);
     Kind kind;
     for (kind.rings = 1; kind.rings <= most_rings; ++kind.rings) {
@@ -204,7 +193,7 @@ private:
       const Index c = cut.centers.front();
       Ring_pair rings;
       Vertex_ring::append(cut.level, c, kind.rings, rings.ring);
-      Vertex_ring::append(refined(cut.level), c, kind.rings, rings.next_ring);
+      Vertex_ring::append(refined(cut.level, any_round_), c, kind.rings, rings.next_ring);
       Ring_layout layout;
       layout.number = cut.level.valence(c);
       layout.at_border = at_border;
@@ -236,8 +225,8 @@ private:
     Kind kind;
     for (unsigned r = 0; r < 2; ++r) {
       rounds.push_back({levels[r], first + r, {}});
-      append_ring(levels[r], 0, kind, rounds.back().rings.ring);
-      append_ring(levels[r + 1], 0, kind, rounds.back().rings.next_ring);
+      Vertex_ring::append(levels[r], 0, kind.rings, rounds.back().rings.ring);
+      Vertex_ring::append(levels[r + 1], 0, kind.rings, rounds.back().rings.next_ring);
     }
     Ring_layout layout;
     layout.number = valence;

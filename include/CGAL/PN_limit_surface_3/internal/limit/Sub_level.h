@@ -329,7 +329,8 @@ public:
   // `whole_centers` has no vertex twice, and none without edges
   Sub_level(const Level_connectivity& whole, const std::vector<Index>& whole_centers,
             unsigned rings, Keeps keeps = Keeps::order)
-    : Sub_level(whole, whole_centers, Ring_candidates(whole, whole_centers, rings, keeps))
+    : Sub_level(whole, whole_centers,
+                Extraction(whole, Ring_candidates(whole, whole_centers, rings, keeps), false))
   {}
 
   // the centers' numbers in this level, in their order
@@ -338,10 +339,6 @@ public:
 private:
   using Extraction = Piece_extraction<Ring_candidates>;
 
-  Sub_level(const Level_connectivity& whole, const std::vector<Index>& whole_centers,
-            const Ring_candidates& candidates)
-    : Sub_level(whole, whole_centers, Extraction(whole, candidates, false))
-  {}
   Sub_level(const Level_connectivity& whole, const std::vector<Index>& whole_centers,
             Extraction&& extraction)
     : Level_part(extraction, true)

@@ -94,9 +94,8 @@ public:
   using Index = Level_connectivity::Index;
   using Cell = typename Cells::Cell;
 
-  Cell_net(const Cell& cell, unsigned degree)
+  explicit Cell_net(const Cell& cell)
     : cell_(cell)
-    , degree_(degree)
   {}
 
   // calls f(half-edge) with all of the faces
@@ -113,7 +112,8 @@ public:
   bool has_uniform_faces() const
   {
     bool all = true;
-    for_each_halfedge([&](Index h) { all = all && cell_.level.level.has_degree(h, degree_); });
+    for_each_halfedge(
+      [&](Index h) { all = all && cell_.level.level.has_degree(h, Cells::degree); });
     return all;
   }
 
@@ -142,7 +142,7 @@ public:
   // how far the limit is from that of the linear scheme, with such differences
   double proven_distance(double delta, double d) const
   {
-    Proven_bound bound(degree_);
+    Proven_bound bound(Cells::degree);
     for (const Index h : cell_.halfedges()) {
       const auto valence =
         static_cast<unsigned>(cell_.level.level.valence(cell_.level.level.target(h)));
@@ -154,7 +154,6 @@ public:
 
 private:
   const Cell& cell_;
-  const unsigned degree_;
 };
 
 // A box of the limit of a face, and how far the limit is at most from that of the linear scheme on the nets that were looked at.
@@ -173,11 +172,8 @@ public:
   using Index = Level_connectivity::Index;
   using Cell = typename Cells::Cell;
 
-  Cell_enclosure(const Cells& cells, unsigned degree, bool is_pn, bool is_proven, unsigned rounds,
-                 unsigned more_rounds)
+  Cell_enclosure(const Cells& cells, bool is_proven, unsigned rounds, unsigned more_rounds)
     : cells_(cells)
-    , degree_(degree)
-    , is_pn_(is_pn)
     , is_proven_(is_proven)
     , rounds_(rounds)
     , more_rounds_(more_rounds)
@@ -187,7 +183,7 @@ public:
   {
     const Level_connectivity& level = cell.level.level;
     const bool is_known =
-      level.has_degree(cell.base, degree_) && Cell_net<Cells>(cell, degree_).has_uniform_faces();
+      level.has_degree(cell.base, Cells::degree) && Cell_net<Cells>(cell).has_uniform_faces();
     if (is_known && cell.rounds >= rounds_ && add_box(cell)) return;
     if (cell.rounds >= rounds_ + more_rounds_)
       throw std::domain_error("PN_subdivision_3: the normals of neighbors differ so much that no "
@@ -195,7 +191,7 @@ public:
                               std::to_string(cell.rounds) + " rounds: use bbox()");
     const auto n = static_cast<Index>(cell.halfedges().size());
     const typename Cells::Round round(cells_, std::move(cell));
-    for (Index i = 0; i < (degree_ == 3 ? 4 : n); ++i) add(round.child(i));
+    for (Index i = 0; i < (Cells::degree == 3 ? 4 : n); ++i) add(round.child(i));
   }
 
   const Surface_box& result() const { return result_; }
@@ -204,15 +200,15 @@ private:
   // false if there is no finite bound
   bool add_box(const Cell& cell)
   {
-    const Cell_net<Cells> net(cell, degree_);
+    const Cell_net<Cells> net(cell);
     Bbox_3 box;
     double largest = 0;
     const auto [delta, d] = net.differences([&](const auto& p) {
       box += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
       for (const double x : p) largest = (std::max)(largest, std::abs(x));
     });
-    double distance = is_pn_ ? net.proven_distance(delta, d) : 0;
-    if (is_pn_ && !is_proven_)
+    double distance = is_pn ? net.proven_distance(delta, d) : 0;
+    if (is_pn && !is_proven_)
       distance = (std::min)(distance, estimated_part() * (std::min)(delta, 2.) * d);
     if (!std::isfinite(distance)) return false;
     const double growth = distance + rounding_of_bound * largest;
@@ -224,11 +220,12 @@ private:
 
   // Of a surface with two equal curvatures a round raises points by 1/4 of delta d, or 3/16 in triangles, and all rounds by 4/3 of
   // this.
-  double estimated_part() const { return degree_ == 4 ? 0.4 : 0.3; }
+  static double estimated_part() { return Cells::degree == 4 ? 0.4 : 0.3; }
+
+  static constexpr bool is_pn = is_pn_v<typename Cells::Scheme_type>;
 
   const Cells& cells_;
-  const unsigned degree_;
-  const bool is_pn_, is_proven_;
+  const bool is_proven_;
   const unsigned rounds_, more_rounds_;
   Surface_box result_;
 };
@@ -273,8 +270,7 @@ bool has_normals_about(const Cells& cells, Level_connectivity::Index v)
 // Calls f(vertex, what) with what the proof does not cover about a face. Rounding may take half of a tolerance: it counts on
 // the surface and on its sides, and points may be farther out than those of the control mesh.
 template <class Cells, class Function>
-void for_each_unproven(const Cells& cells, Level_connectivity::Index face, unsigned degree,
-                       const Function& f,
+void for_each_unproven(const Cells& cells, Level_connectivity::Index face, const Function& f,
                        double tolerance = std::numeric_limits<double>::infinity())
 {
   using Index = Level_connectivity::Index;
@@ -303,7 +299,7 @@ void for_each_unproven(const Cells& cells, Level_connectivity::Index face, unsig
       if (!(w >= 0 && w <= 1)) f(v, std::string("whose roundness is not from 0 to 1"));
     }
     for_each_halfedge_to(level, v, [&](Index g) {
-      if (degree == 4 && !is_covered(level.degree(g)))
+      if (Cells::degree == 4 && !is_covered(level.degree(g)))
         f(v, std::string("which has a face with more than 12 corners"));
     });
   });
@@ -311,9 +307,9 @@ void for_each_unproven(const Cells& cells, Level_connectivity::Index face, unsig
 
 // Refuses that, naming the first vertex of the face.
 template <class Cells>
-void require_proof(const Cells& cells, Level_connectivity::Index face, unsigned degree)
+void require_proof(const Cells& cells, Level_connectivity::Index face)
 {
-  for_each_unproven(cells, face, degree, [](Level_connectivity::Index v, const std::string& what) {
+  for_each_unproven(cells, face, [](Level_connectivity::Index v, const std::string& what) {
     throw std::invalid_argument("PN_subdivision_3: no enclosure is proven at vertex number " +
                                 std::to_string(v) + ", " + what + ": use bbox()");
   });
@@ -337,7 +333,7 @@ void require_proof_of_all(const Cells& cells, double tolerance)
     why = what;
   };
   for (Index f = 0; f < cells.control().level.number_of_faces(); ++f)
-    for_each_unproven(cells, f, Cells::degree, note, tolerance);
+    for_each_unproven(cells, f, note, tolerance);
   if (first != Level_connectivity::null)
     throw std::invalid_argument("PN_subdivision_3: no distance is proven at vertex number " +
                                 std::to_string(first) + ", " + why + rest);

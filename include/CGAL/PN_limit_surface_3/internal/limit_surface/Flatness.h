@@ -31,7 +31,7 @@ using Vector = Coordinates<double, 3>;
 inline Vector unit(const Vector& v)
 {
   const double l = quick_length(v);
-  return l > 0 ? Vector{v[0] / l, v[1] / l, v[2] / l} : Vector{};
+  return l > 0 ? quotient(v, l) : Vector{};
 }
 inline Vector between(const Vector& a, const Vector& b, double t)
 {

@@ -215,7 +215,7 @@ private:
 
 // between the corners of a triangle or quadrilateral, whose weights are set
 template <class Corners>
-Jet_average patch_average(Corners corners, double u, double v, bool is_pn = true)
+Jet_average patch_average(Corners corners, double u, double v)
 {
   const Jet x = Jet::of_u(u), y = Jet::of_v(v);
   const Jet rest_x = x * -1 + 1, rest_y = y * -1 + 1;
@@ -229,7 +229,7 @@ Jet_average patch_average(Corners corners, double u, double v, bool is_pn = true
     corners[2].weight = x * y;
     corners[3].weight = rest_x * y;
   }
-  return Jet_average(corners, is_pn);
+  return Jet_average(corners, true);
 }
 
 } // namespace CGAL::PN_subdivision_3::internal

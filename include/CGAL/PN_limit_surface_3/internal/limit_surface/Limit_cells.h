@@ -28,9 +28,7 @@ namespace CGAL::PN_subdivision_3::internal {
 
 // The slots of the corners of a level.
 template <class Level_creases>
-class Slots_of_corners;
-template <>
-class Slots_of_corners<No_creases>
+class Slots_of_corners
 {
 public:
   using Index = Level_connectivity::Index;
@@ -45,7 +43,6 @@ private:
 template <class FT>
 class Slots_of_corners<Creases<FT>> : public Corner_slots<FT>
 {
-public:
   using Corner_slots<FT>::Corner_slots;
 };
 
@@ -167,6 +164,13 @@ public:
     std::optional<Cell_slots> slots_;
   };
 
+  static std::vector<Index> distinct(std::vector<Index> all)
+  {
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+  }
+
   // \name What is known of the vertices
   // calls f(level, base, kind) with the level of a cell cut open, the base there, and kind(v)
   template <class Function>
@@ -225,13 +229,6 @@ private:
       if (part.halfedge(g) == base) cell.base = g;
     cell.level.level = std::move(part.level);
     return cell;
-  }
-
-  static std::vector<Index> distinct(std::vector<Index> all)
-  {
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
   }
 
   const Scheme scheme_;

@@ -60,13 +60,6 @@ public:
   {
     return degree_ == 4 ? added(quad_weights(u, v)) : added(triangle_weights(u, v));
   }
-  // the vertices alone
-  std::vector<Index> vertices() const
-  {
-    std::vector<Index> result;
-    for (const Entry& e : added(std::array<Jet, 16>())) result.push_back(e.vertex);
-    return result;
-  }
 
   // calls f(point, sides) with the Bezier points, whose convex hull contains the piece; bit i of `sides`: the point belongs to
   // the side from corner i on. point(v): of a vertex. \pre no vertex is extrapolated

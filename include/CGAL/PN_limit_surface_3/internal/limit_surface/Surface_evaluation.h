@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -113,9 +112,9 @@ public:
         throw std::invalid_argument("PN_subdivision_3: no enclosure is proven for " +
                                     name_in_message(cells_.scheme()) +
                                     ", except for Catmull-Clark and Loop: use bbox()");
-      require_proof(cells_, face, degree);
+      require_proof(cells_, face);
     }
-    Cell_enclosure<Cells> enclosure(cells_, degree, is_pn, is_proven, rounds, more_rounds);
+    Cell_enclosure<Cells> enclosure(cells_, is_proven, rounds, more_rounds);
     enclosure.add(cells_.of_face(face));
     return enclosure.result();
   }
@@ -256,9 +255,7 @@ private:
 
     std::vector<Corner> limits(Cell& cell)
     {
-      std::vector<Index> vertices = cell.corners();
-      std::sort(vertices.begin(), vertices.end());
-      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+      const std::vector<Index> vertices = Cells::distinct(cell.corners());
       Level_creases creases = cell.creases; // gets the tangents of the limit
       const auto results = limits_(cell.level, creases, cell.rounds + 1, &vertices);
       const typename Cells::Cell_slots slot_of(cell.level.level, cell.creases);
@@ -290,8 +287,7 @@ private:
 
     static double rounding(const std::array<double, 3>& p)
     {
-      return 16 * std::numeric_limits<double>::epsilon() *
-             (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+      return 16 * std::numeric_limits<double>::epsilon() * largest_coordinate(p);
     }
 
     // The next approximation; what the last one was off by tells of its error. It falls by 1/16 a round in regular pieces.

@@ -9,13 +9,10 @@
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_PIECES_PIECE_LIMITS_H
 
 #include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_writer.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_limit_surface_3/internal/pieces/Piece_refiner.h>
 #include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
-#include <CGAL/PN_subdivision_3/internal/package_parameters.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 
 #include <cstddef>
 #include <memory>

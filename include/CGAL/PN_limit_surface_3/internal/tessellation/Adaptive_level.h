@@ -51,7 +51,6 @@ template <class Value, class Level_creases>
 struct Adaptive_level
 {
   using Index = Level_connectivity::Index;
-  using Slot_value = Value;
 
   Valued_level<Value> level; // values are those of the slots
   Level_creases creases;
@@ -87,20 +86,15 @@ void cut_adaptive_level(Level& level, Face_marks kept, unsigned rings)
   Piece_extraction<Ring_candidates> extraction(whole, candidates, false);
   Level_part part(extraction, true);
   auto [creases, origins] = part.creases_and_slots(whole, level.creases);
-  Level left{{},
+  Level left{{std::move(part.level), values_of_part(level.level.values, origins)},
              std::move(creases),
-             {},
+             values_of_part(level.slot_ids, origins),
              values_of_part(level.edges, part.edges),
-             values_of_part(level.faces, part.faces),
-             {},
-             {}};
-  left.level.values = values_of_part(level.level.values, origins);
-  left.slot_ids = values_of_part(level.slot_ids, origins);
+             values_of_part(level.faces, part.faces)};
   for (const auto& plane : level.planes) left.planes.push_back(values_of_part(plane, origins));
   if (!level.corners.empty())
     for (const Level_part::Index f : part.faces)
       left.corners.push_back(std::move(level.corners[f]));
-  left.level.level = std::move(part.level);
   level = std::move(left);
 }
 

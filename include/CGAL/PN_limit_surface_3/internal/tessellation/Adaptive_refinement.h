@@ -348,18 +348,13 @@ private:
       next.faces[f].seen = parent.seen == Adaptive_face::Seen::none
                              ? Adaptive_face::Seen::none
                              : Adaptive_face::Seen::of_parent;
-      number_edges(next, f);
+      for_each_halfedge_of_face(next.level.level, f, [&](Index h) {
+        Index& e = next.edges[Level_connectivity::edge(h)];
+        if (e == null) e = all_.add_edge();
+      });
     }
     if constexpr (carries_attributes)
       if (!level.corners.empty()) attributes_.split_corners(level, host, next);
-  }
-
-  void number_edges(Level& level, Index f)
-  {
-    for_each_halfedge_of_face(level.level.level, f, [&](Index h) {
-      Index& e = level.edges[Level_connectivity::edge(h)];
-      if (e == null) e = all_.add_edge();
-    });
   }
 
   void split_face(const Level& level, Index f, [[maybe_unused]] const Host& host,

@@ -9,7 +9,6 @@
 #ifndef CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_FACE_SELECTION_H
 #define CGAL_PN_LIMIT_SURFACE_3_INTERNAL_TESSELLATION_FACE_SELECTION_H
 
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Adaptive_level.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Split_edges.h>
 #include <CGAL/PN_limit_surface_3/tessellation/Tessellation_result.h>

@@ -100,7 +100,7 @@ private:
   // adds what the hull of a cell tells; whether it is one of Bezier points
   bool measure(Cell& cell, unsigned sides, Search& search) const
   {
-    const Cell_net<Cells> net(cell, degree);
+    const Cell_net<Cells> net(cell);
     if (!net.has_uniform_faces()) {
       search.surface = infinity;
       return false;

@@ -14,7 +14,6 @@
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Adaptive_level.h>
 #include <CGAL/PN_limit_surface_3/internal/tessellation/Leaf_triangles.h>
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Attribute_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>

@@ -183,7 +183,9 @@ public:
     level_ = Level_connectivity(size);
     level_.set_uniform_degree(3);
     connect(triangles.number_of_edges());
-    find_isolated(size);
+    for (Index v = 0; v < level_.number_of_vertices(); ++v)
+      if (level_.is_isolated(v)) ++size.isolated_vertices;
+    level_.set_size(size);
   }
 
   const Level_connectivity& level() const { return level_; }
@@ -248,13 +250,6 @@ private:
     level_.set_halfedge_of_vertex(target, h);
   }
 
-  void find_isolated(Level_size size)
-  {
-    for (Index v = 0; v < level_.number_of_vertices(); ++v)
-      if (level_.is_isolated(v)) ++size.isolated_vertices;
-    level_.set_size(size);
-  }
-
   const Split_edges<FT>& all_;
   const std::vector<Tessellation_triangle>& triangles_;
   Level_connectivity level_;
@@ -274,7 +269,6 @@ public:
 
   // the nodes of the last run
   std::deque<Tessellation_node> take_nodes() { return std::move(nodes_); }
-  unsigned number() const { return number_; }
 
   // The triangles of the leaves, once needless splits are taken back.
   template <class Refinement>
@@ -343,16 +337,6 @@ private:
   std::deque<Tessellation_node> nodes_;
 };
 
-// the vertices that triangles use
-template <class FT>
-std::vector<bool> used_vertices(const Split_edges<FT>& all, const Leaf_triangles<FT>& triangles)
-{
-  std::vector<bool> used(all.number_of_vertices(), false);
-  for (const Tessellation_triangle& t : triangles.triangles())
-    for (const Level_connectivity::Index slot : t.slot_ids) used[all.slot(slot).vertex] = true;
-  return used;
-}
-
 // Whether a call names attributes, without which what carries them is not compiled. The library is for all calls.
 template <class NamedParameters>
 constexpr bool may_carry_attributes()
@@ -386,8 +370,10 @@ bool run_tessellation(
   refinement(std::move(control), std::move(creases), runs.take_nodes(), attributes);
   const Leaf_triangles<FT> triangles = runs.triangles(refinement, dimension_of_corners);
   if (runs.go_on(refinement, triangles)) return true;
-  std::vector<bool> used = used_vertices(refinement.all(), triangles);
+  std::vector<bool> used(refinement.all().number_of_vertices(), false);
   std::fill_n(used.begin(), control_vertices, true);
+  for (const Tessellation_triangle& t : triangles.triangles())
+    for (const Index slot : t.slot_ids) used[refinement.all().slot(slot).vertex] = true;
   refinement.remove_unused(used);
   const Tessellation_mesh<FT> mesh(refinement.all(), triangles);
   [[maybe_unused]] Carried<carries_attributes, Attribute_table> carried;
