@@ -268,14 +268,14 @@ public:
   // whether the facets are together in a region of this kind already
   bool is_known(Kind kind, const Seeds& seeds) const;
 
-  enum class Guess { exact, may_be_fitted };
-  bool try_shape(Shape s, const Seeds& seeds, Guess guess = Guess::exact);
-  // tries a shape of facets that may be all facets of the surface
-  bool try_whole(Shape s, const Seeds& seeds);
+  enum class Guess {
+    exact,
+    may_be_fitted,
+    whole // may be fitted, and the facets may be all facets of the surface
+  };
+  void try_shape(Shape s, const Seeds& seeds, Guess guess = Guess::exact);
 
 private:
-  bool may_be(Shape& s, const Seeds& seeds, Guess guess, double t) const;
-  bool try_region(const Shape& s, const Seeds& seeds, double t);
   double first_tolerance(const Seeds& seeds) const;
   double least_width(const Seeds& seeds) const;
   bool are_on(const Shape& s, const Seeds& seeds, double t) const;
