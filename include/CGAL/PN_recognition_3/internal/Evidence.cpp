@@ -32,44 +32,23 @@ inline int Grower::side_of(const Shape& s, Index p) const
   return dot(s.normal(patch.mean), patch.normal) < 0 ? -1 : 1;
 }
 
-inline void Grower::begin()
-{
-  ++now_;
-  for (const Index p : banned_) stamp_[p] = now_;
-}
-
-inline void Grower::take(Index p, std::vector<Index>& result)
-{
-  stamp_[p] = now_;
-  result.push_back(p);
-}
-
 inline std::vector<Index> Grower::grow(const Shape& s, const std::vector<Index>& seeds, double t,
                                        int side)
 {
-  begin();
+  ++now_;
+  for (const Index p : banned_) stamp_[p] = now_;
   std::vector<Index> result;
-  for (const Index p : seeds)
-    if (stamp_[p] != now_ && is_on(s, p, t, side)) take(p, result);
+  const auto try_patch = [&](Index p) {
+    if (std::exchange(stamp_[p], now_) != now_ && is_on(s, p, t, side)) result.push_back(p);
+  };
+  for (const Index p : seeds) try_patch(p);
   for (std::size_t i = 0; i < result.size(); ++i)
     for (const Index number : c_.patches[result[i]].joints) {
       const Joint& j = c_.patches.joints[number];
-      if (!j.is_smooth) continue;
-      const Index q = j.other(result[i]);
-      if (stamp_[q] == now_) continue;
-      if (is_on(s, q, t, side))
-        take(q, result);
-      else
-        stamp_[q] = now_;
+      if (j.is_smooth) try_patch(j.other(result[i]));
     }
   std::sort(result.begin(), result.end());
   return result;
-}
-
-inline void Grower::refit(Region& r) const
-{
-  const std::vector<Vec3> points = c_.points_of(c_.vertices_of(r.patches));
-  if (points.size() >= facts_of(r.shape.kind).least_points) fit_shape(r.shape, points, 3);
 }
 
 inline bool Grower::settle_from(Region& r, const std::vector<Index>& seeds, double t,
@@ -82,7 +61,8 @@ inline bool Grower::settle_from(Region& r, const std::vector<Index>& seeds, doub
     if (r.patches.empty()) return false;
     if (t <= c_.tolerance() && r.patches == before) break;
     before = r.patches;
-    refit(r);
+    const std::vector<Vec3> points = c_.points_of(c_.vertices_of(r.patches));
+    if (points.size() >= facts_of(r.shape.kind).least_points) fit_shape(r.shape, points, 3);
     t = (std::max)(t / 10, c_.tolerance());
   }
   return true;
@@ -267,8 +247,7 @@ inline bool take_flats_out(const Context& c, Grower& grower, Region& r)
     const bool are_few = flats.size() <= 2 || 10 * flats.size() <= r.patches.size();
     if (rest.empty() || !are_few || !(r.turn.widest > 1.75 * next)) break;
     for (const Index p : flats) grower.ban(p);
-    const bool has_rest = grow_rest(c, grower, r, rest);
-    if (!has_rest) {
+    if (!grow_rest(c, grower, r, rest)) {
       grower.lift_bans();
       return false;
     }

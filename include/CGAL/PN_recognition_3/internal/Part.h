@@ -235,10 +235,6 @@ public:
 private:
   std::vector<Index> grow(const Shape& s, const std::vector<Index>& seeds, double t, int side);
   bool settle_from(Region& r, const std::vector<Index>& seeds, double t, std::size_t& first_size);
-  void refit(Region& r) const;
-
-  void begin();
-  void take(Index p, std::vector<Index>& result);
 
   const Context& c_;
   double cosine_;
