@@ -145,10 +145,6 @@ public:
     , ring_(context.patches.size(), 0)
   {}
 
-  void operator()()
-  {
-    for (Index p = 0; p < c_.patches.size(); ++p) fit_at(p);
-  }
   void fit_at(Index p)
   {
     for (int rings = 1; rings <= 3 && !found_.has_region(p); ++rings) {
@@ -279,7 +275,7 @@ inline std::vector<Region> find_regions(const Context& context)
   guess_by_apexes(context, found);
   guess_by_rulings(context, found);
   for (Index p = 0; p < context.patches.size(); ++p) guess_by_rows(context, found, p);
-  by_fits();
+  for (Index p = 0; p < context.patches.size(); ++p) by_fits.fit_at(p);
   return choose_regions(context, found.take_regions());
 }
 

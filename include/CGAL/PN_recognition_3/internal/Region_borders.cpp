@@ -213,19 +213,13 @@ private:
       if (label == null || !is_good_for(f, labels_[label].shape, quality)) continue;
       auto it = borders.begin();
       while (it != borders.end() && it->first != label) ++it;
-      if (it == borders.end())
-        borders.emplace_back(label, c_.part.length(edge));
-      else
-        it->second += c_.part.length(edge);
+      if (it == borders.end()) it = borders.emplace(it, label, 0.);
+      it->second += c_.part.length(edge);
     }
-    Index best = null;
-    double longest = -1;
-    for (const auto& b : borders)
-      if (b.second > longest) {
-        best = b.first;
-        longest = b.second;
-      }
-    return best;
+    const auto best =
+      std::max_element(borders.begin(), borders.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    return best == borders.end() ? null : best->first;
   }
   bool is_good_for(Index f, const Shape& s, int quality) const
   {

@@ -245,7 +245,7 @@ private:
   // neighbors on one surface
   void join_equal()
   {
-    fill_faces();
+    for (Index f = 0; f < label_.size(); ++f) labels_[label_[f]].faces.push_back(f);
     for (const Part::Edge& e : c_.part.edges) {
       if (e.g == null) continue;
       Index a = label_[e.f], b = label_[e.g];
@@ -271,10 +271,6 @@ private:
           return false;
       }
     return true;
-  }
-  void fill_faces()
-  {
-    for (Index f = 0; f < label_.size(); ++f) labels_[label_[f]].faces.push_back(f);
   }
 
   // collects the segments in the order of their first faces
