@@ -328,9 +328,6 @@ struct Segments
 
 Segments make_segments(const Context& c, const std::vector<Region>& regions,
                        const std::vector<Index>& owners, const std::vector<double>& prism_step);
-// Gives slivers, which have no normal, to the segments beside them.
-void give_slivers_away(const Context& c, const Lists& edges_of_face, std::vector<Index>& label,
-                       std::vector<Segments::Segment>& labels);
 
 } // namespace CGAL::PN_subdivision_3::internal::recognition
 
