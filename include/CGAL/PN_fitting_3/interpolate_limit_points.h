@@ -65,14 +65,8 @@ interpolate_without_creases(const Access& access, const Scheme& scheme,
   auto result = find_control_net < is_pn_v<Scheme> && !has_normal_map,
        may_be_strict > (surface, options, normal_estimate(scheme), data);
   multiply_by_size<FT>(data, result);
-  const auto write = [&](auto normals) {
-    write_control_net<FT>(access, Parameters::point_map(mesh, np), normals, data.points,
-                          result.points, old_normals, result.normals);
-  };
-  if constexpr (finds_normals)
-    write(normal_map);
-  else
-    write(Not_given());
+  write_control_net<FT, finds_normals>(access, Parameters::point_map(mesh, np), normal_map,
+                                       data.points, old_normals, result);
   natural.commit();
   return result.report;
 }
