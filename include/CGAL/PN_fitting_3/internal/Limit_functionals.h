@@ -189,7 +189,6 @@ class Curve_limit_functionals final : public Limit_source<dimension, 1>
 {
 public:
   using Index = std::uint32_t;
-  using Value = Point_normal<double, dimension>;
   using typename Limit_source<dimension, 1>::Functionals;
   using typename Limit_source<dimension, 1>::Values;
 
