@@ -31,7 +31,6 @@
 #  include <sstream>
 #  include <stdexcept>
 #  include <string>
-#  include <type_traits>
 #  include <vector>
 
 namespace CGAL::PN_subdivision_3 {
