@@ -14,7 +14,6 @@
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
 #include <CGAL/PN_fitting_3/internal/interpolate_mesh.h>
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
-#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 

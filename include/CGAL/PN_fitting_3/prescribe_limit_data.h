@@ -17,8 +17,6 @@
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <cmath>
 #include <limits>
 #include <optional>

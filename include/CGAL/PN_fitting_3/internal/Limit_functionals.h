@@ -9,7 +9,6 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_LIMIT_FUNCTIONALS_H
 #define CGAL_PN_FITTING_3_INTERNAL_LIMIT_FUNCTIONALS_H
 
-#include <CGAL/PN_curves/masks/curve_masks.h>
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
 #include <CGAL/PN_fitting_3/internal/Limit_distance.h>
 #include <CGAL/PN_fitting_3/internal/Ring_limit_functionals.h>

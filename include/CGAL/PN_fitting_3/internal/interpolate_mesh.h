@@ -11,9 +11,7 @@
 
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
-#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
@@ -30,7 +28,6 @@
 #endif
 
 #include <Eigen/Core>
-#include <boost/property_map/property_map.hpp>
 
 #include <array>
 #include <cstddef>
