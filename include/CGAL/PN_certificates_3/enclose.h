@@ -17,7 +17,6 @@
 #  include <CGAL/Gmpfi.h>
 #  include <CGAL/Gmpfr.h>
 #  include <CGAL/PN_certificates_3/internal/measure_number.h>
-#  include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #  include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #  include <CGAL/PN_subdivision_3/subdivide.h>
 #  include <CGAL/Simple_cartesian.h>
@@ -31,7 +30,6 @@
 #  include <sstream>
 #  include <stdexcept>
 #  include <string>
-#  include <type_traits>
 #  include <vector>
 
 namespace CGAL::PN_subdivision_3 {

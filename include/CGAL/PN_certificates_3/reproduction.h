@@ -23,6 +23,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -166,6 +167,30 @@ Number unit_of_last_place()
     return Number(std::numeric_limits<double>::epsilon());
   else
     return measure_number<Number>(machine_epsilon<FT>());
+}
+
+// of the items of a range; element(item, i) names the i-th one
+template <class Range, class Point_map, class Normal_map, class Shape, class Name_element>
+auto deviation_of(const Range& range, const char* kind, Point_map points,
+                  [[maybe_unused]] Normal_map normals, const Shape& shape,
+                  const Name_element& element)
+{
+  using Point = std::decay_t<typename boost::property_traits<Point_map>::value_type>;
+  using FT = FT_of<Point>;
+  using Element = decltype(element(*std::begin(range), std::size_t()));
+  const auto measure = shape_for<Point>(shape);
+  Deviation_of_all<FT, Deviation<Deviation_number<FT>, Element>, decltype(measure)> all(measure);
+  std::size_t i = 0;
+  const auto name = [&] { return kind + std::to_string(i); };
+  for (const auto& item : range) {
+    const auto p = checked_coordinates<Point>(get(points, item), "position", name);
+    all.add_point(element(item, i), p);
+    if constexpr (is_there_v<Normal_map>)
+      all.add_normal(element(item, i), p,
+                     checked_coordinates<Point>(get(normals, item), "normal", name));
+    ++i;
+  }
+  return all.result();
 }
 
 inline double checked_tolerance(double tolerance)
@@ -336,26 +361,9 @@ auto mesh_deviation(const PolygonMesh& mesh, const Shape& shape,
   internal::check_are_read<NamedParameters>();
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
   using Vertex = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
-  const auto points = Parameters::const_point_map(mesh, np);
-  using Point =
-    std::decay_t<typename boost::property_traits<std::decay_t<decltype(points)>>::value_type>;
-  const auto measure = internal::shape_for<Point>(shape);
-  internal::Deviation_of_all<internal::FT_of<Point>,
-                             Deviation<Deviation_number<internal::FT_of<Point>>, Vertex>,
-                             decltype(measure)>
-    all(measure);
-  std::size_t i = 0;
-  const auto name = [&] { return "vertex " + std::to_string(i); };
-  for (Vertex v : vertices(mesh)) {
-    const auto p = internal::checked_coordinates<Point>(get(points, v), "position", name);
-    all.add_point(v, p);
-    if constexpr (internal::is_there_v<typename Parameters::Normal_map>)
-      all.add_normal(
-        v, p,
-        internal::checked_coordinates<Point>(get(Parameters::normal_map(np), v), "normal", name));
-    ++i;
-  }
-  return all.result();
+  return internal::deviation_of(vertices(mesh), "vertex ", Parameters::const_point_map(mesh, np),
+                                Parameters::normal_map(np), shape,
+                                [](Vertex v, std::size_t) { return v; });
 }
 
 /*!
@@ -381,25 +389,8 @@ auto curve_deviation(const Range& curve, const Shape& shape,
 {
   internal::check_are_read<NamedParameters>();
   using Points = internal::Curve_points<Range, NamedParameters>;
-  using Point = typename Points::Point;
-  const auto measure = internal::shape_for<Point>(shape);
-  internal::Deviation_of_all<internal::FT_of<Point>,
-                             Deviation<Deviation_number<internal::FT_of<Point>>, std::size_t>,
-                             decltype(measure)>
-    all(measure);
-  const auto points = Points::point_map(np);
-  const auto normals = Points::normal_map(np);
-  std::size_t i = 0;
-  const auto name = [&] { return "point " + std::to_string(i); };
-  for (const auto& item : curve) {
-    const auto p = internal::checked_coordinates<Point>(get(points, item), "position", name);
-    all.add_point(i, p);
-    if constexpr (Points::has_normals)
-      all.add_normal(i, p,
-                     internal::checked_coordinates<Point>(get(normals, item), "normal", name));
-    ++i;
-  }
-  return all.result();
+  return internal::deviation_of(curve, "point ", Points::point_map(np), Points::normal_map(np),
+                                shape, [](const auto&, std::size_t i) { return i; });
 }
 
 } // namespace CGAL::PN_subdivision_3

@@ -14,7 +14,6 @@
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
 #include <CGAL/PN_fitting_3/internal/interpolate_mesh.h>
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
-#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
@@ -65,14 +64,8 @@ interpolate_without_creases(const Access& access, const Scheme& scheme,
   auto result = find_control_net < is_pn_v<Scheme> && !has_normal_map,
        may_be_strict > (surface, options, normal_estimate(scheme), data);
   multiply_by_size<FT>(data, result);
-  const auto write = [&](auto normals) {
-    write_control_net<FT>(access, Parameters::point_map(mesh, np), normals, data.points,
-                          result.points, old_normals, result.normals);
-  };
-  if constexpr (finds_normals)
-    write(normal_map);
-  else
-    write(Not_given());
+  write_control_net<FT, finds_normals>(access, Parameters::point_map(mesh, np), normal_map,
+                                       data.points, old_normals, result);
   natural.commit();
   return result.report;
 }

@@ -17,14 +17,11 @@
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -149,14 +146,9 @@ Limit_interpolation prescribe_on(const Access& access, Mesh& mesh, const Scheme&
     prescribe(fitted_surface(scheme, level, for_chunks), options, data, std::move(prescribed),
               forms, [&](Level_connectivity::Index v) { return access.vertex_name(v); });
   multiply_by_size<FT>(data, result);
-  const auto write = [&](auto normal_map) {
-    write_control_net<FT>(access, Parameters::point_map(mesh, np), normal_map, data.points,
-                          result.points, data.normals, result.normals);
-  };
-  if constexpr (has_curvatures)
-    write(Parameters::normal_map(np));
-  else
-    write(Not_given());
+  write_control_net<FT, has_curvatures>(access, Parameters::point_map(mesh, np),
+                                        Parameters::normal_map(np), data.points, data.normals,
+                                        result);
   return result.report;
 }
 

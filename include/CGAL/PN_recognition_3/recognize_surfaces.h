@@ -11,7 +11,6 @@
 #include <CGAL/PN_recognition_3/internal/recognition.h>
 #include <CGAL/PN_recognition_3/surfaces/Recognized_surface.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
-#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -95,17 +96,11 @@ private:
 
   bool constrain()
   {
-    std::vector<std::pair<std::size_t, Triangulation::Vertex_handle>> handles;
-    for (const auto v : triangulation_.finite_vertex_handles()) handles.emplace_back(v->info(), v);
-    const auto is_less = [](const auto& a, const auto& b) { return a.first < b.first; };
-    std::sort(handles.begin(), handles.end(), is_less);
-    const auto handle = [&](std::size_t v) {
-      return std::lower_bound(handles.begin(), handles.end(),
-                              std::make_pair(v, Triangulation::Vertex_handle()), is_less)
-        ->second;
-    };
+    std::map<std::size_t, Triangulation::Vertex_handle> handles;
+    for (const auto v : triangulation_.finite_vertex_handles()) handles.emplace(v->info(), v);
     try {
-      for (const Edge& e : rims_) triangulation_.insert_constraint(handle(e[0]), handle(e[1]));
+      for (const Edge& e : rims_)
+        triangulation_.insert_constraint(handles.at(e[0]), handles.at(e[1]));
     } catch (const Triangulation::Intersection_of_constraints_exception&) {
       return false;
     }

@@ -15,7 +15,6 @@
 #include <CGAL/Dimension.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/number_type_basic.h>
 #include <CGAL/property_map.h>
 
 #include <array>

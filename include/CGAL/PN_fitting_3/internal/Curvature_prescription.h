@@ -16,7 +16,6 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -43,14 +42,13 @@ class Curvature_prescription
 public:
   using Index = Level_connectivity::Index;
   using Functionals = Surface_limits::Functionals;
+  using Names = Function_ref<std::string(Index)>;
 
-  // names: takes a vertex. Where no point or normal is prescribed but a curvature, they stay.
+  // Where no point or normal is prescribed but a curvature, they stay.
   // \throws std::invalid_argument where curvature cannot be prescribed
-  template <class Names>
   Curvature_prescription(const Level_connectivity& level, const Interpolation_data<dimension>& data,
                          Surface_limits& source, std::vector<Prescribed_vertex> prescribed,
-                         const std::vector<Prescribed_form>& forms, unsigned rings,
-                         const Names& names)
+                         const std::vector<Prescribed_form>& forms, unsigned rings, Names names)
     : data_(data)
     , source_(source)
     , targets_(targets(forms))
@@ -116,9 +114,8 @@ private:
   }
 
   // Checks where the curvatures are, and adds their points and normals to what is prescribed.
-  template <class Names>
   std::vector<Prescribed_vertex> with_targets(std::vector<Prescribed_vertex> prescribed,
-                                              const Names& names)
+                                              Names names)
   {
     Limit_precision precision = second_form_precision();
     precision.tangents = 1e-13;
@@ -169,8 +166,7 @@ private:
                      "their limit: subdivide the mesh first");
   }
 
-  template <class Names>
-  void set_forms(const std::vector<Prescribed_form>& forms, const Names& names)
+  void set_forms(const std::vector<Prescribed_form>& forms, Names names)
   {
     for (std::size_t i = 0; i < forms.size(); ++i) {
       const Prescribed_form& f = forms[i];

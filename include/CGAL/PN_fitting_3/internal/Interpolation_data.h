@@ -70,7 +70,7 @@ struct Interpolation_data
   std::vector<double> roundness;   // of all vertices; empty: 1
   std::vector<char> is_at_border;  // of all vertices
   std::vector<double> edge_length; // the mean of the edges at each vertex
-  std::vector<Index> components;   // to which each vertex belongs; empty: all to one
+  std::vector<Index> components;   // to which each vertex belongs
   bool takes_normals = true;       // if not, the scheme is linear
   int exponent = 0;                // of the power of two by which lengths have been divided
   double tolerance = 0;            // absolute

@@ -9,7 +9,6 @@
 #ifndef CGAL_PN_FITTING_3_INTERNAL_LIMIT_FUNCTIONALS_H
 #define CGAL_PN_FITTING_3_INTERNAL_LIMIT_FUNCTIONALS_H
 
-#include <CGAL/PN_curves/masks/curve_masks.h>
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
 #include <CGAL/PN_fitting_3/internal/Limit_distance.h>
 #include <CGAL/PN_fitting_3/internal/Ring_limit_functionals.h>
@@ -189,7 +188,6 @@ class Curve_limit_functionals final : public Limit_source<dimension, 1>
 {
 public:
   using Index = std::uint32_t;
-  using Value = Point_normal<double, dimension>;
   using typename Limit_source<dimension, 1>::Functionals;
   using typename Limit_source<dimension, 1>::Values;
 

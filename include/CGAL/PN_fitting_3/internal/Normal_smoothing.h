@@ -109,14 +109,8 @@ Fairness fairness(const Scheme_& rules, const Level_connectivity& control, const
   using Value = Point_normal<double, 3>;
   const Scheme scheme{{rules}};
   typename Refiner::Values values;
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    const auto &p = points[v], &n = normals[v];
-    Value value;
-    value.point = {p[0], p[1], p[2]};
-    value.normal = {n[0], n[1], n[2]};
-    value.roundness = roundness;
-    values.push_back(value);
-  }
+  for (std::size_t v = 0; v < points.size(); ++v)
+    values.push_back(Value{to_coordinates<3>(points[v]), to_coordinates<3>(normals[v]), roundness});
   Refiner refiner(scheme, Level_connectivity(control), std::move(values));
   for (int k = 0; k < 2; ++k) refiner.refine();
   const Level_connectivity& level = refiner.level();
@@ -124,7 +118,7 @@ Fairness fairness(const Scheme_& rules, const Level_connectivity& control, const
   std::vector<bool> counts;
   for (Index v = 0; v < level.number_of_vertices(); ++v) {
     const Value value = refiner.values()[v];
-    refined.emplace_back(value.point[0], value.point[1], value.point[2]);
+    refined.push_back(to_eigen<3>(value.point));
     counts.push_back(!level.is_isolated(v) && !level.is_border_vertex(v));
   }
   std::vector<std::array<std::size_t, 3>> triangles;

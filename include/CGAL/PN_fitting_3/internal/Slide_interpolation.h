@@ -84,6 +84,7 @@ void set_curve_surroundings(bool is_closed, Interpolation_data<dimension>& data)
   using Vector = Eigen_vector<dimension>;
   const std::size_t n = data.points.size();
   data.is_at_border.assign(n, 0);
+  data.components.assign(n, 0);
   for (std::size_t i = 0; i < n; ++i) {
     const bool is_end = !is_closed && (i == 0 || i + 1 == n);
     data.is_at_border[i] = is_end ? 1 : 0;
@@ -126,7 +127,7 @@ public:
       Directions& d = directions_.emplace_back();
       d.col(0) = data.normals[v];
       if constexpr (freedom == 2) d.col(1) = data.binormals[v];
-      const std::size_t component = data.components.empty() ? 0 : data.components[v];
+      const std::size_t component = data.components[v];
       if (components_.size() <= component) components_.resize(component + 1);
       components_[component].push_back(i);
     }
@@ -274,14 +275,11 @@ interpolate_by_sliding(Interpolation_data<dimension>& data,
     return farthest_point(to_values<dimension>(points, result.normals, data), data.points,
                           data.vertices, data.tolerance / 8);
   };
-  const auto component = [&](std::size_t v) {
-    return data.components.empty() ? 0 : data.components[v];
-  };
   Farthest_point farthest = farthest_of(result.points);
   for (unsigned k = 0; k < most_changes && report.slip_of_edge > coarse_slip; ++k) {
     Vectors<dimension> points = result.points;
     for (std::size_t v = 0; v < points.size(); ++v)
-      if (component(v) == component(farthest.vertex)) points[v] = data.points[v];
+      if (data.components[v] == data.components[farthest.vertex]) points[v] = data.points[v];
     const Farthest_point next = farthest_of(points);
     if (!(next.distance < farthest.distance)) break;
     farthest = next;

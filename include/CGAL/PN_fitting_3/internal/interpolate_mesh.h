@@ -11,9 +11,7 @@
 
 #include <CGAL/PN_fitting_3/internal/Interpolation_data.h>
 #include <CGAL/PN_fitting_3/interpolation/Limit_interpolation.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
-#include <CGAL/PN_subdivision_3/internal/calls/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_values.h>
@@ -30,9 +28,7 @@
 #endif
 
 #include <Eigen/Core>
-#include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <stdexcept>
@@ -60,17 +56,16 @@ void put_changed(Undoable& map, const Vectors<3>& old, const Vectors<3>& now)
 }
 
 // Writes the control net in place of the data; points and normals that are the same stay untouched.
-template <class FT, class Access, class Point_map, class Normal_map>
+template <class FT, bool has_new_normals, class Access, class Point_map, class Normal_map>
 void write_control_net(const Access& access, Point_map points, [[maybe_unused]] Normal_map normals,
-                       const Vectors<3>& old_points, const Vectors<3>& new_points,
-                       [[maybe_unused]] const Vectors<3>& old_normals,
-                       [[maybe_unused]] const Vectors<3>& new_normals)
+                       const Vectors<3>& old_points, [[maybe_unused]] const Vectors<3>& old_normals,
+                       const Interpolation_result<3>& result)
 {
   Undoable_vertices<Access, Point_map> new_point(access, points);
-  put_changed<FT>(new_point, old_points, new_points);
-  if constexpr (is_there_v<Normal_map>) {
+  put_changed<FT>(new_point, old_points, result.points);
+  if constexpr (has_new_normals && is_there_v<Normal_map>) {
     Undoable_vertices<Access, Normal_map> new_normal(access, normals);
-    put_changed<FT>(new_normal, old_normals, new_normals);
+    put_changed<FT>(new_normal, old_normals, result.normals);
     new_normal.commit();
   }
   new_point.commit();

@@ -32,44 +32,23 @@ inline int Grower::side_of(const Shape& s, Index p) const
   return dot(s.normal(patch.mean), patch.normal) < 0 ? -1 : 1;
 }
 
-inline void Grower::begin()
-{
-  ++now_;
-  for (const Index p : banned_) stamp_[p] = now_;
-}
-
-inline void Grower::take(Index p, std::vector<Index>& result)
-{
-  stamp_[p] = now_;
-  result.push_back(p);
-}
-
 inline std::vector<Index> Grower::grow(const Shape& s, const std::vector<Index>& seeds, double t,
                                        int side)
 {
-  begin();
+  ++now_;
+  for (const Index p : banned_) stamp_[p] = now_;
   std::vector<Index> result;
-  for (const Index p : seeds)
-    if (stamp_[p] != now_ && is_on(s, p, t, side)) take(p, result);
+  const auto try_patch = [&](Index p) {
+    if (std::exchange(stamp_[p], now_) != now_ && is_on(s, p, t, side)) result.push_back(p);
+  };
+  for (const Index p : seeds) try_patch(p);
   for (std::size_t i = 0; i < result.size(); ++i)
     for (const Index number : c_.patches[result[i]].joints) {
       const Joint& j = c_.patches.joints[number];
-      if (!j.is_smooth) continue;
-      const Index q = j.other(result[i]);
-      if (stamp_[q] == now_) continue;
-      if (is_on(s, q, t, side))
-        take(q, result);
-      else
-        stamp_[q] = now_;
+      if (j.is_smooth) try_patch(j.other(result[i]));
     }
   std::sort(result.begin(), result.end());
   return result;
-}
-
-inline void Grower::refit(Region& r) const
-{
-  const std::vector<Vec3> points = c_.points_of(c_.vertices_of(r.patches));
-  if (points.size() >= facts_of(r.shape.kind).least_points) fit_shape(r.shape, points, 3);
 }
 
 inline bool Grower::settle_from(Region& r, const std::vector<Index>& seeds, double t,
@@ -82,7 +61,8 @@ inline bool Grower::settle_from(Region& r, const std::vector<Index>& seeds, doub
     if (r.patches.empty()) return false;
     if (t <= c_.tolerance() && r.patches == before) break;
     before = r.patches;
-    refit(r);
+    const std::vector<Vec3> points = c_.points_of(c_.vertices_of(r.patches));
+    if (points.size() >= facts_of(r.shape.kind).least_points) fit_shape(r.shape, points, 3);
     t = (std::max)(t / 10, c_.tolerance());
   }
   return true;
@@ -104,138 +84,131 @@ inline bool Grower::settle(Region& r, const std::vector<Index>& seeds, double t)
 
 // --- evidence ---
 
-// Whether a region has more vertices on its shape than any facets would have, so that it is no accident.
-class Evidence
+inline bool has_sensible_size(const Context& c, const Region& r)
 {
-public:
-  explicit Evidence(const Context& context)
-    : c_(context)
-  {}
+  const Shape& s = r.shape;
+  switch (s.kind) {
+  case Kind::unknown:
+  case Kind::plane:
+    break;
+  case Kind::cylinder:
+  case Kind::sphere:
+    return s.radius <= 50 * c.part.size;
+  case Kind::cone:
+    return s.angle > radians(0.5) && s.angle < radians(89.5);
+  case Kind::torus:
+    return s.radius <= 20 * c.part.size;
+  }
+  return false;
+}
 
-  bool operator()(const Region& r) const
-  {
-    if (!has_sensible_size(r) || !bends(r)) return false;
-    if (r.turn.widest > c_.greatest_smooth_angle || r.meridian.widest > c_.greatest_smooth_angle)
-      return false;
-    switch (r.shape.kind) {
-    case Kind::cylinder:
-      return is_cylinder(r);
-    case Kind::cone:
-      return is_cone(r);
-    case Kind::sphere:
-      return r.vertices.size() >= 7 && r.inner_vertices >= 1 && !is_fan(r);
-    case Kind::torus:
-      return is_torus(r);
-    case Kind::unknown:
-    case Kind::plane:
-      break;
-    }
+inline bool is_bend_visible(const Context& c, const Region& r, double sagitta,
+                            std::size_t positions)
+{
+  const double tolerance = c.tolerance();
+  return !(r.residual > sagitta / 10 && sagitta < 10 * tolerance) &&
+         sagitta * double(positions) >= 4 * tolerance;
+}
+
+inline bool bends(const Context& c, const Region& r)
+{
+  const Shape& s = r.shape;
+  const auto sagitta = [](double radius, double step) { return radius * (1 - std::cos(step / 2)); };
+  const Kind_facts facts = facts_of(s.kind);
+  if (!facts.turns_about_axis)
+    return is_bend_visible(c, r, sagitta(s.radius, r.widest_angle), r.vertices.size());
+  const double factor = s.kind == Kind::cone ? s.cosine : 1;
+  if (!is_bend_visible(c, r, factor * sagitta(r.greatest_rho, r.turn.widest),
+                       r.turn.positions.size()))
     return false;
-  }
+  return !facts.has_tube ||
+         is_bend_visible(c, r, sagitta(s.tube, r.meridian.widest), r.meridian.positions.size());
+}
 
-private:
-  bool has_sensible_size(const Region& r) const
-  {
-    const Shape& s = r.shape;
-    switch (s.kind) {
-    case Kind::unknown:
-    case Kind::plane:
-      break;
-    case Kind::cylinder:
-    case Kind::sphere:
-      return s.radius <= 50 * c_.part.size;
-    case Kind::cone:
-      return s.angle > radians(0.5) && s.angle < radians(89.5);
-    case Kind::torus:
-      return s.radius <= 20 * c_.part.size;
-    }
+// a facet alone may have its vertices at many angles
+inline std::size_t number_of_positions(const Region& r)
+{
+  return (std::min)(r.turn.positions.size(), r.patches.size() + 1);
+}
+
+inline bool is_cylinder(const Region& r)
+{
+  const std::size_t n = number_of_positions(r);
+  const int ends = r.number_of_tangent_ends();
+  if (n >= 5) return true;
+  if (n == 4)
+    return ends > 0 || (r.turn.widest <= 1.02 * r.turn.least && r.turn.widest <= radians(31));
+  return n == 3 && ends == 2;
+}
+
+inline bool are_others_in_a_plane(const Context& c, const Region& r, Index hub)
+{
+  Vec3 mean;
+  for (const Index v : r.vertices)
+    if (v != hub) mean += (1 / double(r.vertices.size() - 1)) * c.point(v);
+  Covariance covariance;
+  for (const Index v : r.vertices)
+    if (v != hub) covariance.add(c.point(v) - mean);
+  const Vec3 normal = covariance.least_direction();
+  for (const Index v : r.vertices)
+    if (v != hub && std::abs(dot(normal, c.point(v) - mean)) > 4 * c.tolerance()) return false;
+  return true;
+}
+
+// a circle and a point are on a sphere anyway
+inline bool is_fan(const Context& c, const Region& r)
+{
+  const std::vector<Index>& first = c.patches[r.patches[0]].vertices;
+  return std::any_of(first.begin(), first.end(), [&](Index v) {
+    return c.have_vertex(r.patches, v) && are_others_in_a_plane(c, r, v);
+  });
+}
+
+inline bool is_cone(const Region& r)
+{
+  return number_of_positions(r) >= 4 && r.vertices.size() >= (r.turn.is_full ? 7u : 8u);
+}
+
+inline bool has_even_gaps(const Turn& turn)
+{
+  double least = 0, most = 0;
+  for (std::size_t i = 0; i + 1 < turn.positions.size(); ++i) {
+    const double gap = turn.positions[i + 1] - turn.positions[i];
+    least = i == 0 ? gap : (std::min)(least, gap);
+    most = (std::max)(most, gap);
+  }
+  return most <= 1.75 * least;
+}
+
+inline bool is_torus(const Region& r)
+{
+  const std::size_t n = r.turn.positions.size(), m = r.meridian.positions.size();
+  return r.inner_vertices >= 2 && n >= 4 && m >= (r.has_tangent_end ? 3u : 4u) &&
+         (n > 4 || has_even_gaps(r.turn)) && (m > 4 || has_even_gaps(r.meridian)) &&
+         (r.has_tangent_end || r.patches.size() >= 10);
+}
+
+// whether a region has more vertices on its shape than any facets would have, so that it is no accident
+inline bool is_evident(const Context& c, const Region& r)
+{
+  if (!has_sensible_size(c, r) || !bends(c, r)) return false;
+  if (r.turn.widest > c.greatest_smooth_angle || r.meridian.widest > c.greatest_smooth_angle)
     return false;
+  switch (r.shape.kind) {
+  case Kind::cylinder:
+    return is_cylinder(r);
+  case Kind::cone:
+    return is_cone(r);
+  case Kind::sphere:
+    return r.vertices.size() >= 7 && r.inner_vertices >= 1 && !is_fan(c, r);
+  case Kind::torus:
+    return is_torus(r);
+  case Kind::unknown:
+  case Kind::plane:
+    break;
   }
-
-  bool is_bend_visible(const Region& r, double sagitta, std::size_t positions) const
-  {
-    const double tolerance = c_.tolerance();
-    return !(r.residual > sagitta / 10 && sagitta < 10 * tolerance) &&
-           sagitta * double(positions) >= 4 * tolerance;
-  }
-  bool bends(const Region& r) const
-  {
-    const Shape& s = r.shape;
-    const auto sagitta = [](double radius, double step) {
-      return radius * (1 - std::cos(step / 2));
-    };
-    const Kind_facts facts = facts_of(s.kind);
-    if (!facts.turns_about_axis)
-      return is_bend_visible(r, sagitta(s.radius, r.widest_angle), r.vertices.size());
-    const double factor = s.kind == Kind::cone ? s.cosine : 1;
-    if (!is_bend_visible(r, factor * sagitta(r.greatest_rho, r.turn.widest),
-                         r.turn.positions.size()))
-      return false;
-    return !facts.has_tube ||
-           is_bend_visible(r, sagitta(s.tube, r.meridian.widest), r.meridian.positions.size());
-  }
-
-  // a facet alone may have its vertices at many angles
-  static std::size_t number_of_positions(const Region& r)
-  {
-    return (std::min)(r.turn.positions.size(), r.patches.size() + 1);
-  }
-
-  bool is_cylinder(const Region& r) const
-  {
-    const std::size_t n = number_of_positions(r);
-    const int ends = r.number_of_tangent_ends();
-    if (n >= 5) return true;
-    if (n == 4)
-      return ends > 0 || (r.turn.widest <= 1.02 * r.turn.least && r.turn.widest <= radians(31));
-    return n == 3 && ends == 2;
-  }
-  // a circle and a point are on a sphere anyway
-  bool is_fan(const Region& r) const
-  {
-    const std::vector<Index>& first = c_.patches[r.patches[0]].vertices;
-    return std::any_of(first.begin(), first.end(), [&](Index v) {
-      return c_.have_vertex(r.patches, v) && are_others_in_a_plane(r, v);
-    });
-  }
-  bool are_others_in_a_plane(const Region& r, Index hub) const
-  {
-    Vec3 mean;
-    for (const Index v : r.vertices)
-      if (v != hub) mean += (1 / double(r.vertices.size() - 1)) * c_.point(v);
-    Covariance covariance;
-    for (const Index v : r.vertices)
-      if (v != hub) covariance.add(c_.point(v) - mean);
-    const Vec3 normal = covariance.least_direction();
-    for (const Index v : r.vertices)
-      if (v != hub && std::abs(dot(normal, c_.point(v) - mean)) > 4 * c_.tolerance()) return false;
-    return true;
-  }
-
-  static bool is_cone(const Region& r)
-  {
-    return number_of_positions(r) >= 4 && r.vertices.size() >= (r.turn.is_full ? 7u : 8u);
-  }
-  static bool has_even_gaps(const Turn& turn)
-  {
-    double least = 0, most = 0;
-    for (std::size_t i = 0; i + 1 < turn.positions.size(); ++i) {
-      const double gap = turn.positions[i + 1] - turn.positions[i];
-      least = i == 0 ? gap : (std::min)(least, gap);
-      most = (std::max)(most, gap);
-    }
-    return most <= 1.75 * least;
-  }
-  static bool is_torus(const Region& r)
-  {
-    const std::size_t n = r.turn.positions.size(), m = r.meridian.positions.size();
-    return r.inner_vertices >= 2 && n >= 4 && m >= (r.has_tangent_end ? 3u : 4u) &&
-           (n > 4 || has_even_gaps(r.turn)) && (m > 4 || has_even_gaps(r.meridian)) &&
-           (r.has_tangent_end || r.patches.size() >= 10);
-  }
-
-  const Context& c_;
-};
+  return false;
+}
 
 // again from the rest
 inline bool grow_rest(const Context& c, Grower& grower, Region& r, const std::vector<Index>& rest)
@@ -267,8 +240,7 @@ inline bool take_flats_out(const Context& c, Grower& grower, Region& r)
     const bool are_few = flats.size() <= 2 || 10 * flats.size() <= r.patches.size();
     if (rest.empty() || !are_few || !(r.turn.widest > 1.75 * next)) break;
     for (const Index p : flats) grower.ban(p);
-    const bool has_rest = grow_rest(c, grower, r, rest);
-    if (!has_rest) {
+    if (!grow_rest(c, grower, r, rest)) {
       grower.lift_bans();
       return false;
     }
@@ -280,13 +252,13 @@ inline bool take_flats_out(const Context& c, Grower& grower, Region& r)
 inline bool has_evidence(const Context& c, Grower& grower, Region& r)
 {
   measure(c, r);
-  return take_flats_out(c, grower, r) && Evidence(c)(r);
+  return take_flats_out(c, grower, r) && is_evident(c, r);
 }
 
 inline bool still_has_evidence(const Context& c, Region& r)
 {
   measure(c, r);
-  return Evidence(c)(r);
+  return is_evident(c, r);
 }
 
 } // namespace CGAL::PN_subdivision_3::internal::recognition

@@ -31,35 +31,18 @@ inline bool Found_regions::is_known(Kind kind, const Seeds& seeds) const
   return std::any_of(known_[seeds[0]].begin(), known_[seeds[0]].end(), have);
 }
 
-inline bool Found_regions::try_shape(Shape s, const Seeds& seeds, Guess guess)
+inline void Found_regions::try_shape(Shape s, const Seeds& seeds, Guess guess)
 {
   const double t = first_tolerance(seeds);
-  return !is_known(s.kind, seeds) && may_be(s, seeds, guess, t) && goes_on(s, seeds, t) &&
-         try_region(s, seeds, t);
-}
-
-inline bool Found_regions::try_whole(Shape s, const Seeds& seeds)
-{
-  const double t = first_tolerance(seeds);
-  return !is_known(s.kind, seeds) && may_be(s, seeds, Guess::may_be_fitted, t) &&
-         try_region(s, seeds, t);
-}
-
-// fits the shape if it has to be
-inline bool Found_regions::may_be(Shape& s, const Seeds& seeds, Guess guess, double t) const
-{
-  return are_on(s, seeds, t) ||
-         (guess == Guess::may_be_fitted && fit_to(seeds, s) && are_on(s, seeds, t));
-}
-
-inline bool Found_regions::try_region(const Shape& s, const Seeds& seeds, double t)
-{
+  if (is_known(s.kind, seeds)) return;
+  if (!are_on(s, seeds, t) && (guess == Guess::exact || !fit_to(seeds, s) || !are_on(s, seeds, t)))
+    return;
+  if (guess != Guess::whole && !goes_on(s, seeds, t)) return;
   Region r;
   r.shape = s;
-  if (!grower_.settle(r, seeds, t)) return false;
+  if (!grower_.settle(r, seeds, t)) return;
   const bool holds = has_evidence(c_, grower_, r);
   if (holds || r.patches.size() >= 12) remember(std::move(r), holds);
-  return holds;
 }
 
 inline double Found_regions::first_tolerance(const Seeds& seeds) const
@@ -162,10 +145,6 @@ public:
     , ring_(context.patches.size(), 0)
   {}
 
-  void operator()()
-  {
-    for (Index p = 0; p < c_.patches.size(); ++p) fit_at(p);
-  }
   void fit_at(Index p)
   {
     for (int rings = 1; rings <= 3 && !found_.has_region(p); ++rings) {
@@ -296,7 +275,7 @@ inline std::vector<Region> find_regions(const Context& context)
   guess_by_apexes(context, found);
   guess_by_rulings(context, found);
   for (Index p = 0; p < context.patches.size(); ++p) guess_by_rows(context, found, p);
-  by_fits();
+  for (Index p = 0; p < context.patches.size(); ++p) by_fits.fit_at(p);
   return choose_regions(context, found.take_regions());
 }
 

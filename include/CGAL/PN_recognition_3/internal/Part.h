@@ -235,10 +235,6 @@ public:
 private:
   std::vector<Index> grow(const Shape& s, const std::vector<Index>& seeds, double t, int side);
   bool settle_from(Region& r, const std::vector<Index>& seeds, double t, std::size_t& first_size);
-  void refit(Region& r) const;
-
-  void begin();
-  void take(Index p, std::vector<Index>& result);
 
   const Context& c_;
   double cosine_;
@@ -268,14 +264,14 @@ public:
   // whether the facets are together in a region of this kind already
   bool is_known(Kind kind, const Seeds& seeds) const;
 
-  enum class Guess { exact, may_be_fitted };
-  bool try_shape(Shape s, const Seeds& seeds, Guess guess = Guess::exact);
-  // tries a shape of facets that may be all facets of the surface
-  bool try_whole(Shape s, const Seeds& seeds);
+  enum class Guess {
+    exact,
+    may_be_fitted,
+    whole // may be fitted, and the facets may be all facets of the surface
+  };
+  void try_shape(Shape s, const Seeds& seeds, Guess guess = Guess::exact);
 
 private:
-  bool may_be(Shape& s, const Seeds& seeds, Guess guess, double t) const;
-  bool try_region(const Shape& s, const Seeds& seeds, double t);
   double first_tolerance(const Seeds& seeds) const;
   double least_width(const Seeds& seeds) const;
   bool are_on(const Shape& s, const Seeds& seeds, double t) const;
@@ -332,9 +328,6 @@ struct Segments
 
 Segments make_segments(const Context& c, const std::vector<Region>& regions,
                        const std::vector<Index>& owners, const std::vector<double>& prism_step);
-// Gives slivers, which have no normal, to the segments beside them.
-void give_slivers_away(const Context& c, const Lists& edges_of_face, std::vector<Index>& label,
-                       std::vector<Segments::Segment>& labels);
 
 } // namespace CGAL::PN_subdivision_3::internal::recognition
 

@@ -116,10 +116,9 @@ private:
 
   void add(const std::vector<Index>& faces)
   {
-    Patches::Patch patch;
+    Patches::Patch& patch = result_.patches.emplace_back();
     patch.faces = faces;
     patch.is_planar = is_in_plane(faces);
-    result_.patches.push_back(std::move(patch));
   }
 
   void measure(Patches::Patch& patch) const

@@ -123,118 +123,99 @@ private:
   std::vector<std::pair<double, double>> all_, intervals_;
 };
 
-// Fills in what follows from the shape and the patches.
-class Measure_region
+inline void measure_angles(const Context& c, Region& r)
 {
-public:
-  explicit Measure_region(const Context& context)
-    : c_(context)
-  {}
-
-  void operator()(Region& r) const
-  {
-    std::sort(r.patches.begin(), r.patches.end());
-    r.vertices = c_.vertices_of(r.patches);
-    r.residual = greatest_distance(r.shape, c_.points_of(r.vertices));
-    r.greatest_rho = 0;
-    const Kind_facts facts = facts_of(r.shape.kind);
-    if (facts.turns_about_axis)
-      for (const Index v : r.vertices)
-        r.greatest_rho = (std::max)(r.greatest_rho, r.shape.local(c_.point(v)).rho);
-    r.turn = r.meridian = Turn();
-    r.widest_angle = 0;
-    if (facts.turns_about_axis)
-      measure_turns(r);
-    else
-      measure_angles(r);
-    for (const Index p : r.patches) c_.is_inside[p] = true;
-    count_inner_vertices(r);
-    find_tangent_ends(r);
-    for (const Index p : r.patches) c_.is_inside[p] = false;
-  }
-
-private:
-  void measure_angles(Region& r) const
-  {
-    for (const Index p : r.patches) {
-      const Patches::Patch& patch = c_.patches[p];
-      const double width = (patch.vertices.size() == 3 ? 2 : 1) * patch.width;
-      r.turn.spans.push_back(width / r.shape.radius);
-      r.turn.widest = (std::max)(r.turn.widest, r.turn.spans.back());
-      for (const Index f : patch.faces) {
-        const Lists::Range corners = c_.part.corners[f];
-        for (std::size_t i = 0; i < corners.size(); ++i)
-          for (std::size_t j = 0; j < i; ++j)
-            r.widest_angle =
-              (std::max)(r.widest_angle, angle_between(c_.point(corners[i]) - r.shape.center,
-                                                       c_.point(corners[j]) - r.shape.center));
-      }
+  for (const Index p : r.patches) {
+    const Patches::Patch& patch = c.patches[p];
+    const double width = (patch.vertices.size() == 3 ? 2 : 1) * patch.width;
+    r.turn.spans.push_back(width / r.shape.radius);
+    r.turn.widest = (std::max)(r.turn.widest, r.turn.spans.back());
+    for (const Index f : patch.faces) {
+      const Lists::Range corners = c.part.corners[f];
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          r.widest_angle =
+            (std::max)(r.widest_angle, angle_between(c.point(corners[i]) - r.shape.center,
+                                                     c.point(corners[j]) - r.shape.center));
     }
   }
+}
 
-  void measure_turns(Region& r) const
-  {
-    const Shape& s = r.shape;
-    const bool has_tube = facts_of(s.kind).has_tube;
-    const Cross_section across(s.axis);
-    Make_turn turn, meridian;
-    std::vector<std::pair<double, double>> about_axis, about_tube;
-    for (const Index p : r.patches) {
-      about_axis.clear();
-      about_tube.clear();
-      for (const Index v : c_.patches[p].vertices) {
-        const Cylindrical q = s.local(c_.point(v));
-        if (has_tube) about_tube.emplace_back(s.meridian_angle(c_.point(v)), margin(s.tube));
-        if (q.rho > 1e-3 * r.greatest_rho)
-          about_axis.emplace_back(across.angle(q.outward), margin(q.rho));
-      }
-      turn.add_facet(about_axis);
-      if (has_tube) meridian.add_facet(about_tube);
+inline void measure_turns(const Context& c, Region& r)
+{
+  const Shape& s = r.shape;
+  const bool has_tube = facts_of(s.kind).has_tube;
+  const Cross_section across(s.axis);
+  const auto margin = [&](double radius) { return 1e-9 + 4 * c.tolerance() / radius; };
+  Make_turn turn, meridian;
+  std::vector<std::pair<double, double>> about_axis, about_tube;
+  for (const Index p : r.patches) {
+    about_axis.clear();
+    about_tube.clear();
+    for (const Index v : c.patches[p].vertices) {
+      const Cylindrical q = s.local(c.point(v));
+      if (has_tube) about_tube.emplace_back(s.meridian_angle(c.point(v)), margin(s.tube));
+      if (q.rho > 1e-3 * r.greatest_rho)
+        about_axis.emplace_back(across.angle(q.outward), margin(q.rho));
     }
-    r.turn = turn();
-    r.meridian = meridian();
+    turn.add_facet(about_axis);
+    if (has_tube) meridian.add_facet(about_tube);
   }
-  double margin(double radius) const { return 1e-9 + 4 * c_.tolerance() / radius; }
+  r.turn = turn();
+  r.meridian = meridian();
+}
 
-  void count_inner_vertices(Region& r) const
-  {
-    r.inner_vertices = 0;
-    for (const Index v : r.vertices) {
-      bool is_inner = !c_.part.on_border[v];
-      for (const Index f : c_.part.faces_around[v]) {
-        const Index p = c_.patches.patch_of_face[f];
-        is_inner = is_inner && (p == null || c_.is_inside[p]);
-      }
-      r.inner_vertices += is_inner;
+inline void count_inner_vertices(const Context& c, Region& r)
+{
+  r.inner_vertices = 0;
+  for (const Index v : r.vertices) {
+    bool is_inner = !c.part.on_border[v];
+    for (const Index f : c.part.faces_around[v]) {
+      const Index p = c.patches.patch_of_face[f];
+      is_inner = is_inner && (p == null || c.is_inside[p]);
     }
+    r.inner_vertices += is_inner;
   }
+}
 
-  void find_tangent_ends(Region& r) const
-  {
-    r.tangent_ends[0] = r.tangent_ends[1] = r.has_tangent_end = false;
-    const Cross_section across(r.shape.axis);
-    for (const Index p : r.patches)
-      for (const Index number : c_.patches[p].joints) {
-        const Joint& j = c_.patches.joints[number];
-        const Index outside = j.other(p);
-        if (c_.is_inside[outside] || !j.is_smooth ||
-            !is_tangent_along(c_, j, outside, r.shape, r.side))
-          continue;
-        r.has_tangent_end = true;
-        if (!facts_of(r.shape.kind).turns_about_axis) continue;
-        const Vec3 e = r.shape.local(c_.point(j.v)).outward + r.shape.local(c_.point(j.w)).outward;
-        const int end = r.turn.end_at(across.angle(e));
-        if (end >= 0) r.tangent_ends[end] = true;
-      }
-  }
-
-  const Context& c_;
-};
+inline void find_tangent_ends(const Context& c, Region& r)
+{
+  r.tangent_ends[0] = r.tangent_ends[1] = r.has_tangent_end = false;
+  const Cross_section across(r.shape.axis);
+  for (const Index p : r.patches)
+    for (const Index number : c.patches[p].joints) {
+      const Joint& j = c.patches.joints[number];
+      const Index outside = j.other(p);
+      if (c.is_inside[outside] || !j.is_smooth || !is_tangent_along(c, j, outside, r.shape, r.side))
+        continue;
+      r.has_tangent_end = true;
+      if (!facts_of(r.shape.kind).turns_about_axis) continue;
+      const Vec3 e = r.shape.local(c.point(j.v)).outward + r.shape.local(c.point(j.w)).outward;
+      const int end = r.turn.end_at(across.angle(e));
+      if (end >= 0) r.tangent_ends[end] = true;
+    }
+}
 
 inline void measure(const Context& c, Region& r)
 {
-  const Measure_region fill(c);
-  fill(r);
+  std::sort(r.patches.begin(), r.patches.end());
+  r.vertices = c.vertices_of(r.patches);
+  r.residual = greatest_distance(r.shape, c.points_of(r.vertices));
+  r.greatest_rho = 0;
+  const Kind_facts facts = facts_of(r.shape.kind);
+  if (facts.turns_about_axis)
+    for (const Index v : r.vertices)
+      r.greatest_rho = (std::max)(r.greatest_rho, r.shape.local(c.point(v)).rho);
+  r.turn = r.meridian = Turn();
+  r.widest_angle = 0;
+  if (facts.turns_about_axis)
+    measure_turns(c, r);
+  else
+    measure_angles(c, r);
+  for (const Index p : r.patches) c.is_inside[p] = true;
+  count_inner_vertices(c, r);
+  find_tangent_ends(c, r);
+  for (const Index p : r.patches) c.is_inside[p] = false;
 }
 
 } // namespace CGAL::PN_subdivision_3::internal::recognition

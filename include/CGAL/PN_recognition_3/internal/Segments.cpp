@@ -47,7 +47,7 @@ public:
     split();
     find_planes();
     join_unknown();
-    give_slivers_away(c_, edges_of_face_, label_, labels_);
+    give_slivers_away();
     join_equal();
     return collect();
   }
@@ -242,10 +242,60 @@ private:
     return result;
   }
 
+  // Slivers have no normal. Labels them from the edge of what has labels on, by the longest common border among the best.
+  void give_slivers_away()
+  {
+    std::vector<Index> slivers;
+    for (Index f = 0; f < label_.size(); ++f)
+      if (label_[f] == null) slivers.push_back(f);
+    for (int quality = 0; quality < 3 && !slivers.empty();) {
+      std::vector<std::pair<Index, Index>> given;
+      std::vector<Index> rest;
+      for (const Index f : slivers) {
+        const Index label = label_for_sliver(f, quality);
+        if (label == null)
+          rest.push_back(f);
+        else
+          given.emplace_back(f, label);
+      }
+      for (const auto& g : given) label_[g.first] = g.second;
+      quality = given.empty() ? quality + 1 : 0;
+      slivers = rest;
+    }
+    if (slivers.empty()) return;
+    const Index label = new_label(Shape()); // components of nothing but slivers
+    for (const Index f : slivers) label_[f] = label;
+  }
+  Index label_for_sliver(Index f, int quality) const
+  {
+    std::vector<std::pair<Index, double>> borders;
+    for (const Index e : edges_of_face_[f]) {
+      const Part::Edge& edge = c_.part.edges[e];
+      const Index label = label_[c_.part.across(f, e)];
+      if (label == null || !is_good_for(f, labels_[label].shape, quality)) continue;
+      auto it = borders.begin();
+      while (it != borders.end() && it->first != label) ++it;
+      if (it == borders.end()) it = borders.emplace(it, label, 0.);
+      it->second += c_.part.length(edge);
+    }
+    const auto best =
+      std::max_element(borders.begin(), borders.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    return best == borders.end() ? null : best->first;
+  }
+  bool is_good_for(Index f, const Shape& s, int quality) const
+  {
+    if (quality == 2) return true;
+    if (quality == 1 || s.kind == Kind::unknown) return quality == 1 && s.kind == Kind::unknown;
+    for (const Index v : c_.part.corners[f])
+      if (!(std::abs(s.distance(c_.point(v))) <= 8 * c_.tolerance())) return false;
+    return true;
+  }
+
   // neighbors on one surface
   void join_equal()
   {
-    fill_faces();
+    for (Index f = 0; f < label_.size(); ++f) labels_[label_[f]].faces.push_back(f);
     for (const Part::Edge& e : c_.part.edges) {
       if (e.g == null) continue;
       Index a = label_[e.f], b = label_[e.g];
@@ -271,10 +321,6 @@ private:
           return false;
       }
     return true;
-  }
-  void fill_faces()
-  {
-    for (Index f = 0; f < label_.size(); ++f) labels_[label_[f]].faces.push_back(f);
   }
 
   // collects the segments in the order of their first faces

@@ -118,177 +118,158 @@ inline double greatest_distance(const Shape& s, const std::vector<Vec3>& points)
   return largest;
 }
 
-// Least squares by the method of Gauss and Newton for the distances of points from a shape. The unknowns are a shift of
-// the center (along the axis only where this changes the shape), a turn of the axis and the shape's own numbers.
-class Shape_fit
+// the center among the points, so that turns are about what is there
+inline void recenter(const std::vector<Vec3>& points, Shape& s)
 {
-public:
-  Shape_fit(const std::vector<Vec3>& points, std::size_t steps)
-    : points_(points)
-    , steps_(steps)
-  {}
+  if (!facts_of(s.kind).is_ruled) return;
+  double z = 0;
+  for (const Vec3& p : points) z += dot(p - s.center, s.axis);
+  z /= double(points.size());
+  s.center += z * s.axis;
+  if (s.kind == Kind::cone) s.radius += z * std::tan(s.angle);
+}
 
-  // Stops as soon as the distances do not get less; whether it has been any good. With a `hopeless` distance it gives up
-  // if the first step leaves more than that and more than a quarter.
-  bool operator()(Shape& s, double hopeless = 0) const
-  {
-    double before = greatest_distance(s, points_);
-    bool is_better = false;
-    for (std::size_t k = 0; k < steps_ && before > 1e-15; ++k) {
-      Shape next = s;
-      if (!step(next)) break;
-      const double after = greatest_distance(next, points_);
-      if (!(after < before)) break;
-      const bool settles = after > 0.9 * before && k > 0;
-      s = next;
-      is_better = true;
-      if (hopeless > 0 && after > hopeless && after > before / 4) return false;
-      before = after;
-      if (settles) break;
-    }
-    return is_better;
+inline bool step_of_sphere(const std::vector<Vec3>& points, Shape& s)
+{
+  Least_squares system(facts_of(s.kind).unknowns);
+  for (const Vec3& p : points) {
+    const Vec3 n = s.normal(p);
+    system.add({-n[0], -n[1], -n[2], -1}, -s.distance(p));
   }
+  const Least_squares::Row x = system.solve();
+  s.center += Vec3{x[0], x[1], x[2]};
+  s.radius += x[3];
+  return s.radius > 0;
+}
 
-private:
-  // the center among the points, so that turns are about what is there
-  void recenter(Shape& s) const
-  {
-    if (!facts_of(s.kind).is_ruled) return;
-    double z = 0;
-    for (const Vec3& p : points_) z += dot(p - s.center, s.axis);
-    z /= double(points_.size());
-    s.center += z * s.axis;
-    if (s.kind == Kind::cone) s.radius += z * std::tan(s.angle);
+inline void add_row(const Shape& s, const Cross_section& across, const Cylindrical& q,
+                    Least_squares& system)
+{
+  const double eu = dot(q.outward, across.u), ev = dot(q.outward, across.v);
+  double along_rho = 1, along_z = 0, f = q.rho - s.radius;
+  Least_squares::Row row{};
+  switch (s.kind) {
+  case Kind::unknown:
+  case Kind::plane:
+  case Kind::sphere:
+    return; // turn about no axis
+  case Kind::cylinder:
+    break;
+  case Kind::cone:
+    along_rho = s.cosine;
+    along_z = -s.sine;
+    row[5] = -f * s.sine - q.z * s.cosine;
+    f = f * s.cosine - q.z * s.sine;
+    break;
+  case Kind::torus: {
+    const double d = std::hypot(f, q.z);
+    if (d == 0) return;
+    along_rho = f / d;
+    along_z = q.z / d;
+    row[5] = -1;
+    row[6] = -along_z;
+    f = d - s.tube;
+    break;
   }
-
-  bool step(Shape& s) const
-  {
-    recenter(s);
-    switch (s.kind) {
-    case Kind::unknown:
-    case Kind::plane:
-      break;
-    case Kind::sphere:
-      return step_of_sphere(s);
-    case Kind::cylinder:
-    case Kind::cone:
-    case Kind::torus:
-      return step_of_revolution(s);
-    }
-    return false;
   }
+  row[4] = -along_rho;
+  const double turn = along_z * q.rho - along_rho * q.z;
+  row[0] = -along_rho * eu;
+  row[1] = -along_rho * ev;
+  row[2] = turn * eu;
+  row[3] = turn * ev;
+  system.add(row, -f);
+}
 
-  bool step_of_sphere(Shape& s) const
-  {
-    Least_squares system(facts_of(s.kind).unknowns);
-    for (const Vec3& p : points_) {
-      const Vec3 n = s.normal(p);
-      system.add({-n[0], -n[1], -n[2], -1}, -s.distance(p));
-    }
-    const Least_squares::Row x = system.solve();
-    s.center += Vec3{x[0], x[1], x[2]};
-    s.radius += x[3];
-    return s.radius > 0;
+// the point is the apex: three rows
+inline void add_apex(const Shape& s, const Cross_section& across, const Vec3& p,
+                     Least_squares& system)
+{
+  const Vec3 q = p - s.apex();
+  const double tangent = std::tan(s.angle), t = s.radius / tangent;
+  system.add({-1, 0, t, 0}, -dot(q, across.u));
+  system.add({0, -1, 0, t}, -dot(q, across.v));
+  system.add({0, 0, 0, 0, 1 / tangent, -s.radius / (s.sine * s.sine)}, -dot(q, s.axis));
+}
+
+// 0, 1: shift across; 2, 3: turn; then radius; tube and shift along, or angle
+inline bool step_of_revolution(const std::vector<Vec3>& points, Shape& s)
+{
+  const Cross_section across(s.axis);
+  Least_squares system(facts_of(s.kind).unknowns);
+  double largest_rho = 0;
+  for (const Vec3& p : points) largest_rho = (std::max)(largest_rho, s.local(p).rho);
+  for (const Vec3& p : points) {
+    const Cylindrical q = s.local(p);
+    if (q.rho > 1e-3 * largest_rho)
+      add_row(s, across, q, system);
+    else if (s.kind == Kind::cone)
+      add_apex(s, across, p, system);
   }
-
-  // 0, 1: shift across; 2, 3: turn; then radius; tube and shift along, or angle
-  bool step_of_revolution(Shape& s) const
-  {
-    const Cross_section across(s.axis);
-    Least_squares system(facts_of(s.kind).unknowns);
-    double largest_rho = 0;
-    for (const Vec3& p : points_) largest_rho = (std::max)(largest_rho, s.local(p).rho);
-    for (const Vec3& p : points_) {
-      const Cylindrical q = s.local(p);
-      if (q.rho > 1e-3 * largest_rho)
-        add_row(s, across, q, system);
-      else if (s.kind == Kind::cone)
-        add_apex(s, across, p, system);
-    }
-    const Least_squares::Row x = system.solve();
-    const Vec3 axis = s.axis;
-    s.center += x[0] * across.u + x[1] * across.v;
-    s.radius += x[4];
-    s.axis = unit(axis + x[2] * across.u + x[3] * across.v);
-    switch (s.kind) {
-    case Kind::unknown:
-    case Kind::plane:
-    case Kind::cylinder:
-    case Kind::sphere:
-      break;
-    case Kind::cone: {
-      const double angle = s.angle + x[5];
-      if (angle < 0) s.axis = -s.axis;
-      s.set_angle(std::abs(angle));
-      if (!(s.angle < radians(89.9) && s.angle > 1e-6)) return false;
-      break;
-    }
-    case Kind::torus:
-      s.tube += x[5];
-      s.center += x[6] * axis;
-      if (!(s.tube > 0)) return false;
-      break;
-    }
-    return s.radius > 0;
+  const Least_squares::Row x = system.solve();
+  const Vec3 axis = s.axis;
+  s.center += x[0] * across.u + x[1] * across.v;
+  s.radius += x[4];
+  s.axis = unit(axis + x[2] * across.u + x[3] * across.v);
+  switch (s.kind) {
+  case Kind::unknown:
+  case Kind::plane:
+  case Kind::cylinder:
+  case Kind::sphere:
+    break;
+  case Kind::cone: {
+    const double angle = s.angle + x[5];
+    if (angle < 0) s.axis = -s.axis;
+    s.set_angle(std::abs(angle));
+    if (!(s.angle < radians(89.9) && s.angle > 1e-6)) return false;
+    break;
   }
-
-  static void add_row(const Shape& s, const Cross_section& across, const Cylindrical& q,
-                      Least_squares& system)
-  {
-    const double eu = dot(q.outward, across.u), ev = dot(q.outward, across.v);
-    double along_rho = 1, along_z = 0, f = q.rho - s.radius;
-    Least_squares::Row row{};
-    switch (s.kind) {
-    case Kind::unknown:
-    case Kind::plane:
-    case Kind::sphere:
-      return; // turn about no axis
-    case Kind::cylinder:
-      break;
-    case Kind::cone:
-      along_rho = s.cosine;
-      along_z = -s.sine;
-      row[5] = -f * s.sine - q.z * s.cosine;
-      f = f * s.cosine - q.z * s.sine;
-      break;
-    case Kind::torus: {
-      const double d = std::hypot(f, q.z);
-      if (d == 0) return;
-      along_rho = f / d;
-      along_z = q.z / d;
-      row[5] = -1;
-      row[6] = -along_z;
-      f = d - s.tube;
-      break;
-    }
-    }
-    row[4] = -along_rho;
-    const double turn = along_z * q.rho - along_rho * q.z;
-    row[0] = -along_rho * eu;
-    row[1] = -along_rho * ev;
-    row[2] = turn * eu;
-    row[3] = turn * ev;
-    system.add(row, -f);
+  case Kind::torus:
+    s.tube += x[5];
+    s.center += x[6] * axis;
+    if (!(s.tube > 0)) return false;
+    break;
   }
+  return s.radius > 0;
+}
 
-  // the point is the apex: three rows
-  static void add_apex(const Shape& s, const Cross_section& across, const Vec3& p,
-                       Least_squares& system)
-  {
-    const Vec3 q = p - s.apex();
-    const double tangent = std::tan(s.angle), t = s.radius / tangent;
-    system.add({-1, 0, t, 0}, -dot(q, across.u));
-    system.add({0, -1, 0, t}, -dot(q, across.v));
-    system.add({0, 0, 0, 0, 1 / tangent, -s.radius / (s.sine * s.sine)}, -dot(q, s.axis));
+inline bool step(const std::vector<Vec3>& points, Shape& s)
+{
+  recenter(points, s);
+  switch (s.kind) {
+  case Kind::unknown:
+  case Kind::plane:
+    break;
+  case Kind::sphere:
+    return step_of_sphere(points, s);
+  case Kind::cylinder:
+  case Kind::cone:
+  case Kind::torus:
+    return step_of_revolution(points, s);
   }
+  return false;
+}
 
-  const std::vector<Vec3>& points_;
-  std::size_t steps_;
-};
-
+// Least squares by the method of Gauss and Newton for the distances of points from a shape. The unknowns are a shift of
+// the center (along the axis only where this changes the shape), a turn of the axis and the shape's own numbers. Stops as
+// soon as the distances do not get less.
 inline bool fit_shape(Shape& s, const std::vector<Vec3>& points, std::size_t steps, double hopeless)
 {
-  return Shape_fit(points, steps)(s, hopeless);
+  double before = greatest_distance(s, points);
+  bool is_better = false;
+  for (std::size_t k = 0; k < steps && before > 1e-15; ++k) {
+    Shape next = s;
+    if (!step(points, next)) break;
+    const double after = greatest_distance(next, points);
+    if (!(after < before)) break;
+    const bool settles = after > 0.9 * before && k > 0;
+    s = next;
+    is_better = true;
+    if (hopeless > 0 && after > hopeless && after > before / 4) return false;
+    before = after;
+    if (settles) break;
+  }
+  return is_better;
 }
 
 inline bool sphere_through(const std::vector<Vec3>& points, Shape& s)

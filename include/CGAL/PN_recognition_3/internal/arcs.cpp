@@ -38,7 +38,8 @@ public:
 
   std::vector<Arc_run> operator()()
   {
-    if (n_ < 3) return n_ < 2 ? std::vector<Arc_run>() : std::vector<Arc_run>{unknown(0, edges_)};
+    if (n_ < 2) return {};
+    if (n_ < 3) return {Arc_run{Kind::unknown, 0, edges_}};
     find(Kind::line);
     find(Kind::circle);
     choose();
@@ -63,13 +64,6 @@ private:
   {
     const Point a = edge(i - 1), b = edge(i);
     return std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
-  }
-  static Arc_run unknown(Index first, Index last)
-  {
-    Arc_run run;
-    run.first = first;
-    run.last = last;
-    return run;
   }
 
   // --- fits ---
@@ -239,8 +233,7 @@ private:
   {
     std::vector<Arc_run> result;
     for (Index i = first; i < last; ++i) {
-      Arc_run run = unknown(i, i + 1);
-      run.kind = Kind::line;
+      Arc_run run{Kind::line, i, i + 1};
       fit_line(run);
       result.push_back(run);
     }
@@ -254,8 +247,7 @@ private:
     std::vector<bool> is_known(points_.size(), false);
     for (Index i = closed_ ? 0 : 1; i < edges_; ++i) {
       if (is_known[edge_number(i - 1)] && is_known[edge_number(i)]) continue;
-      Arc_run run = unknown(i - 1, i + 1);
-      run.kind = kind;
+      Arc_run run{kind, i - 1, i + 1};
       if (std::abs(turn(i)) > greatest_step() || !settle(run)) continue;
       new_flats_.clear();
       if (!take_flats_out(run) || !is_over_determined(run)) {
@@ -369,7 +361,7 @@ private:
       is_known = is_known || result.back().edges() > 1;
     }
     if (!is_known) return lines(0, edges_); // corners everywhere
-    if (!has_owner) return {unknown(0, edges_)};
+    if (!has_owner) return {Arc_run{Kind::unknown, 0, edges_}};
     std::vector<Arc_run> all;
     for (const Arc_run& run : result)
       if ((run.kind == Kind::circle && !is_round(run)) ||

@@ -45,7 +45,7 @@ inline void guess_by_apexes(const Context& c, Found_regions& found)
     const double height = s.cosine * length / n;
     s.center = c.point(v) + height * s.axis;
     s.radius = height * std::tan(s.angle);
-    found.try_whole(s, seeds);
+    found.try_shape(s, seeds, Found_regions::Guess::whole);
   }
 }
 

@@ -36,7 +36,7 @@ using Kind = Recognized_surface::Kind;
 struct Kind_facts
 {
   bool turns_about_axis = false, is_ruled = false, is_doubly_curved = false, has_tube = false;
-  int unknowns = 0;             // of Shape_fit
+  int unknowns = 0;             // of fit_shape()
   std::size_t least_points = 0; // that it is fitted to
   int rank = 0;                 // of regions that are alike the one of the least rank is taken
 
