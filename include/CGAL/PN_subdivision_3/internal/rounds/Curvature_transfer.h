@@ -211,10 +211,10 @@ public:
     ring_.resize(ring.size());
     for (std::size_t j = 0; j < ring.size(); ++j)
       for (std::size_t c = 0; c < 3; ++c) {
-        largest = (std::max)(largest, absolute_value(real(FT(origin[c] + ring[j].point[c]))));
-        ring_[j].point[c] = real(FT(ring[j].point[c] - ring[0].point[c]));
-        ring_[j].normal[c] = real(ring[j].normal[c]);
-        size = (std::max)(size, std::abs(size_of(ring_[j].point[c])));
+        largest = (std::max)(largest, absolute_value(as<Real>(FT(origin[c] + ring[j].point[c]))));
+        ring_[j].point[c] = as<Real>(FT(ring[j].point[c] - ring[0].point[c]));
+        ring_[j].normal[c] = as<Real>(ring[j].normal[c]);
+        size = (std::max)(size, std::abs(as<Size>(ring_[j].point[c])));
       }
     constexpr int harmless = 64;
     exponent_ = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
@@ -245,18 +245,12 @@ public:
   }
 
 private:
-  static Real real(const FT& x)
-  {
-    if constexpr (std::is_floating_point_v<FT> || std::is_same_v<FT, Real>)
-      return x;
-    else
-      return close_double(x);
-  }
   // a size whose exponent is asked
   using Size = std::conditional_t<std::is_floating_point_v<Real>, Real, double>;
-  static Size size_of(const Real& x)
+  template <class To, class From>
+  static To as(const From& x)
   {
-    if constexpr (std::is_floating_point_v<Real>)
+    if constexpr (std::is_floating_point_v<From> || std::is_same_v<From, To>)
       return x;
     else
       return close_double(x);

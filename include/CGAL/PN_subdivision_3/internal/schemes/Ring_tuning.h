@@ -220,17 +220,8 @@ public:
     if (separated.empty()) valence_.clear();
   }
 
-  // the separated vertices in ascending order
-  std::vector<Index> vertices() const
-  {
-    std::vector<Index> result;
-    for (Index v = 0; v < valence_.size(); ++v)
-      if (valence_[v] != 0) result.push_back(v);
-    return result;
-  }
-
-  // vertices of at least that valence
-  std::vector<Index> vertices_of_valence(Index least) const
+  // the separated vertices of at least that valence, in ascending order
+  std::vector<Index> vertices(Index least = 1) const
   {
     std::vector<Index> result;
     if (weights_.empty() || weights_.rbegin()->first < least) return result;
@@ -274,8 +265,7 @@ public:
   template <class Separated>
   Long_rings(const Level_connectivity& level, const Separated& separated)
   {
-    for (const Index v : separated.vertices_of_valence(longest_walked + 1))
-      rings_.emplace(v, Ring(level, v));
+    for (const Index v : separated.vertices(longest_walked + 1)) rings_.emplace(v, Ring(level, v));
   }
 
   // calls f(w) for the neighbors of the target of h, clockwise, from the source of h on
