@@ -147,7 +147,8 @@ public:
   {
     const Element_parent parent = parent_of_vertex(new_vertex);
     if (parent.kind == Element_parent::Kind::vertex) {
-      if (is_on_refined_border(parent.index))
+      if (has_refined_border() && !level_.is_isolated(parent.index) &&
+          level_.is_border_vertex(parent.index))
         mask.border_vertex(level_.halfedge_of_vertex(parent.index), s);
       else
         mask.vertex(parent.index, s);
@@ -208,11 +209,6 @@ private:
       face_of_center_.push_back(f);
       ++border_faces;
     }
-  }
-
-  bool is_on_refined_border(Index v) const
-  {
-    return has_refined_border() && !level_.is_isolated(v) && level_.is_border_vertex(v);
   }
 
   // the half-edge of a triangle whose opposite is on a border that is refined, null if there is

@@ -57,10 +57,7 @@ Coordinates<FT, 3> least_norm_solution(std::array<Coordinates<FT, 3>, 3> columns
         }
     }
   FT largest(0);
-  for (const auto& column : columns) {
-    const FT square = dot(column, column);
-    if (square > largest) largest = square;
-  }
+  for (const auto& column : columns) largest = (std::max)(largest, dot(column, column));
   Coordinates<FT, 3> x{};
   for (std::size_t k = 0; k < 3; ++k) {
     const FT square = dot(columns[k], columns[k]);
