@@ -81,19 +81,13 @@ private:
 
   void place_results(Index stars, Index edges)
   {
-    const auto wedges = [&](Index refined_star) {
-      return refined_star == null ? Index(1)
-                                  : refined_.creases.stars[refined_star].number_of_wedges;
-    };
     std::size_t n = 0;
-    for (Index i = 0; i < stars; ++i) {
+    const auto place = [&](Index refined_star) {
       first_result_.push_back(n);
-      n += wedges(refined_.star[i]);
-    }
-    for (Index i = 0; i < edges; ++i) {
-      first_result_.push_back(n);
-      n += wedges(star_of_edge(i));
-    }
+      n += refined_star == null ? 1 : refined_.creases.stars[refined_star].number_of_wedges;
+    };
+    for (Index i = 0; i < stars; ++i) place(refined_.star[i]);
+    for (Index i = 0; i < edges; ++i) place(star_of_edge(i));
     results_.resize(n);
   }
   Index star_of_edge(Index crease) const

@@ -318,12 +318,13 @@ public:
       throw std::invalid_argument("PN_subdivision_3: the transfer of curvature is computed in "
                                   "double, and its results are not "
                                   "intervals: take another scheme or number type");
+    std::vector<Index> vertices; // of the rings
     std::vector<std::size_t> begin{0};
     for (const Index v : separated) {
-      append_ring(v, vertices_);
-      begin.push_back(vertices_.size());
+      append_ring(v, vertices);
+      begin.push_back(vertices.size());
     }
-    std::vector<Point_normal<FT, 3>> values(vertices_.size());
+    std::vector<Point_normal<FT, 3>> values(vertices.size());
     std::vector<char> is_changed(separated.size(), 0);
     for_chunks.in_precision<FT>(static_cast<Index>(separated.size()), [&](Index first, Index last) {
       std::map<std::size_t, Normal_transfer<FT>> transfers; // for each size of a ring
@@ -331,7 +332,7 @@ public:
       for (Index i = first; i < last; ++i) {
         const std::size_t size = begin[i + 1] - begin[i];
         ring.resize(size);
-        evaluate(&vertices_[begin[i]], static_cast<Index>(size), ring.data());
+        evaluate(&vertices[begin[i]], static_cast<Index>(size), ring.data());
         auto transfer = transfers.find(size);
         if (transfer == transfers.end())
           transfer =
@@ -347,8 +348,7 @@ public:
     for (std::size_t i = 0; i < separated.size(); ++i)
       if (is_changed[i] != 0)
         for (std::size_t j = begin[i]; j < begin[i + 1]; ++j)
-          normals_.emplace_back(vertices_[j], values[j].normal);
-    std::vector<Index>().swap(vertices_);
+          normals_.emplace_back(vertices[j], values[j].normal);
     std::sort(normals_.begin(), normals_.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
   }
@@ -365,7 +365,6 @@ public:
   }
 
 private:
-  std::vector<Index> vertices_; // of the rings
   std::vector<std::pair<Index, Coordinates<FT, 3>>> normals_;
 };
 

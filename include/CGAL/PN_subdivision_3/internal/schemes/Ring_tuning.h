@@ -38,23 +38,18 @@ Number capped(const Number& x, const Number& bound)
   return x;
 }
 
-inline const Scheme_parameter& checked_cap(const Scheme_parameter& cap)
-{
-  if (!(cap.to_double() > 0 && cap.to_double() <= 1))
-    throw std::invalid_argument(
-      "PN_subdivision_3: the cap of a modified scheme must be greater than 0 and at most 1");
-  return cap;
-}
-
 // What becomes of the eigenvalues of the ring matrix of a separated vertex, and from which round on.
 struct Ring_tuning
 {
   Ring_tuning() = default;
   Ring_tuning(const Scheme_parameter& a_cap, unsigned a_first_round, Tuned_valences some_valences)
-    : cap(checked_cap(a_cap))
+    : cap(a_cap)
     , first_round(a_first_round)
     , valences(some_valences)
   {
+    if (!(cap.to_double() > 0 && cap.to_double() <= 1))
+      throw std::invalid_argument(
+        "PN_subdivision_3: the cap of a modified scheme must be greater than 0 and at most 1");
     if (first_round == 0)
       throw std::invalid_argument(
         "PN_subdivision_3: the first round of a modified scheme must be at least 1");
