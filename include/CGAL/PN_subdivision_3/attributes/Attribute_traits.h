@@ -155,16 +155,13 @@ inline constexpr int
     std::is_arithmetic_v<typename T::Scalar> ? int(T::SizeAtCompileTime) : 0;
 
 template <class T, class = void>
-struct Is_color : std::false_type
-{};
+constexpr bool is_color_v = false;
 template <class T>
-struct Is_color<
+inline constexpr bool is_color_v<
   T, std::void_t<decltype(std::declval<T&>().red()), decltype(std::declval<T&>().green()),
                  decltype(std::declval<T&>().blue()), decltype(std::declval<T&>().alpha()),
                  decltype(T(std::declval<unsigned char>(), std::declval<unsigned char>(),
-                            std::declval<unsigned char>(), std::declval<unsigned char>()))>>
-  : std::true_type
-{};
+                            std::declval<unsigned char>(), std::declval<unsigned char>()))>> = true;
 
 } // namespace internal
 
@@ -274,7 +271,7 @@ struct Attribute_traits<
 };
 
 template <class T, class FT>
-struct Attribute_traits<T, FT, std::enable_if_t<internal::Is_color<T>::value>>
+struct Attribute_traits<T, FT, std::enable_if_t<internal::is_color_v<T>>>
   : internal::Components<FT, 4>
 {
   using Sum = typename internal::Components<FT, 4>::Sum;

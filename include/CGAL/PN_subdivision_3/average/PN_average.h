@@ -44,15 +44,11 @@ struct Point_normal
 
 namespace internal {
 
-template <class Value>
-struct Has_normal : std::false_type
-{};
-template <class FT, int dimension>
-struct Has_normal<Point_normal<FT, dimension>> : std::true_type
-{};
 // whether a value is more than a point
 template <class Value>
-constexpr bool has_normal_v = Has_normal<Value>::value;
+constexpr bool has_normal_v = false;
+template <class FT, int dimension>
+inline constexpr bool has_normal_v<Point_normal<FT, dimension>> = true;
 
 template <class FT, std::size_t dimension>
 FT dot(const std::array<FT, dimension>& a, const std::array<FT, dimension>& b)

@@ -73,12 +73,8 @@ public:
     Vector tangent;
   };
 
-  /// averages the entries `[begin, end)`.
-  Crease_average(const Entry* begin, const Entry* end)
-    : Crease_average(begin, end, FT(1))
-  {}
-  /// the point lies at the fraction `roundness` of the way from q.
-  Crease_average(const Entry* begin, const Entry* end, const FT& roundness)
+  /// averages the entries `[begin, end)`; the point lies at the fraction `roundness` of the way from q.
+  Crease_average(const Entry* begin, const Entry* end, const FT& roundness = FT(1))
     : point_(internal::zero_vector<FT, dimension>())
     , tangent_(internal::zero_vector<FT, dimension>())
   {

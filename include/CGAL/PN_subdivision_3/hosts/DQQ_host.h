@@ -111,7 +111,11 @@ public:
     , quads_(corners_ - level.number_of_edges())
   {
     number_corners();
-    if (level.has_border() || level.size().isolated_vertices != 0) number_interior();
+    if (!level.has_border() && level.size().isolated_vertices == 0) return;
+    interior_edges_ =
+      Ranks(level.number_of_edges(), [&](Index e) { return !level.is_border_edge(e); });
+    interior_vertices_ =
+      Ranks(level.number_of_vertices(), [&](Index v) { return is_interior_vertex(v); });
   }
   DQQ_host(const DQQ_host&) = delete;
   DQQ_host& operator=(const DQQ_host&) = delete;
@@ -160,8 +164,10 @@ public:
                              [&](Index f) { connect_face(f, child); });
     internal::for_each_index(for_chunks, level_.number_of_edges(),
                              [&](Index e) { connect_edge(e, child); });
-    internal::for_each_index(for_chunks, level_.number_of_vertices(),
-                             [&](Index v) { connect_vertex(v, child); });
+    internal::for_each_index(for_chunks, level_.number_of_vertices(), [&](Index v) {
+      if (is_interior_vertex(v))
+        child.set_halfedge_of_face(polygon(v), around_vertex(level_.halfedge_of_vertex(v)));
+    });
   }
 
 private:
@@ -186,14 +192,6 @@ private:
         halfedge_[corner++] = h;
       }
     }
-  }
-
-  void number_interior()
-  {
-    interior_edges_ =
-      Ranks(level_.number_of_edges(), [&](Index e) { return !level_.is_border_edge(e); });
-    interior_vertices_ =
-      Ranks(level_.number_of_vertices(), [&](Index v) { return is_interior_vertex(v); });
   }
 
   // New half-edges. An old half-edge h with a face has an inner one inside the smaller face, whose
@@ -272,13 +270,6 @@ private:
       child.set_face(around_vertex(h), polygon(v));
     else
       child.set_border(around_vertex(h));
-  }
-
-  template <class Child>
-  void connect_vertex(Index v, Child& child) const
-  {
-    if (is_interior_vertex(v))
-      child.set_halfedge_of_face(polygon(v), around_vertex(level_.halfedge_of_vertex(v)));
   }
 
   const Level_connectivity& level_;

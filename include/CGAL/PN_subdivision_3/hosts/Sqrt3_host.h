@@ -147,7 +147,8 @@ public:
   {
     const Element_parent parent = parent_of_vertex(new_vertex);
     if (parent.kind == Element_parent::Kind::vertex) {
-      if (is_on_refined_border(parent.index))
+      if (has_refined_border() && !level_.is_isolated(parent.index) &&
+          level_.is_border_vertex(parent.index))
         mask.border_vertex(level_.halfedge_of_vertex(parent.index), s);
       else
         mask.vertex(parent.index, s);
@@ -161,13 +162,19 @@ public:
   template <class Child, class For_chunks>
   void connect(Child& child, const For_chunks& for_chunks) const
   {
-    internal::for_each_index(for_chunks, level_.number_of_vertices(),
-                             [&](Index v) { connect_vertex(v, child); });
+    internal::for_each_index(for_chunks, level_.number_of_vertices(), [&](Index v) {
+      if (level_.is_isolated(v)) return child.set_isolated(v);
+      const Index h = level_.halfedge_of_vertex(v);
+      child.set_halfedge_of_vertex(v, level_.is_border(h) ? h : apex_over(h).to_target);
+    });
     // by edges: both sides of an edge are read from the same place
     internal::for_each_index(for_chunks, level_.number_of_edges(),
                              [&](Index e) { connect_edge(2 * e, child); });
-    internal::for_each_index(for_chunks, level_.number_of_faces(),
-                             [&](Index f) { connect_center(f, child); });
+    // of two new vertices in a face, the triangle on the border sets the half-edges
+    internal::for_each_index(for_chunks, level_.number_of_faces(), [&](Index f) {
+      if (refined_border_halfedge(f) == Level_connectivity::null)
+        child.set_halfedge_of_vertex(vertex_of_face(f), opposite(inner(f, 0)));
+    });
   }
 
 private:
@@ -202,11 +209,6 @@ private:
       face_of_center_.push_back(f);
       ++border_faces;
     }
-  }
-
-  bool is_on_refined_border(Index v) const
-  {
-    return has_refined_border() && !level_.is_isolated(v) && level_.is_border_vertex(v);
   }
 
   // the half-edge of a triangle whose opposite is on a border that is refined, null if there is
@@ -258,14 +260,6 @@ private:
   }
 
   template <class Child>
-  void connect_vertex(Index v, Child& child) const
-  {
-    if (level_.is_isolated(v)) return child.set_isolated(v);
-    const Index h = level_.halfedge_of_vertex(v);
-    child.set_halfedge_of_vertex(v, level_.is_border(h) ? h : apex_over(h).to_target);
-  }
-
-  template <class Child>
   void connect_edge(Index h, Child& child) const
   {
     if (level_.is_border(h)) return connect_border(opposite(h), child);
@@ -282,14 +276,6 @@ private:
       connect_refined_border(h, child);
     else
       connect_kept_border(h, child);
-  }
-
-  // of two new vertices in a face, the triangle on the border sets the half-edges
-  template <class Child>
-  void connect_center(Index f, Child& child) const
-  {
-    if (refined_border_halfedge(f) == Level_connectivity::null)
-      child.set_halfedge_of_vertex(vertex_of_face(f), opposite(inner(f, 0)));
   }
 
   // from `h1`, `h2`, `h3` to their targets

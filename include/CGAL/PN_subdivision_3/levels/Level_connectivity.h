@@ -66,15 +66,7 @@ public:
   Level_connectivity() = default;
 
   /// allocates a level; its elements are undefined until they are set.
-  explicit Level_connectivity(const Level_size& size)
-    : size_(size)
-    , has_border_(size.border_halfedges() != 0)
-    , target_(size.halfedges(), boost::container::default_init)
-    , next_(size.halfedges(), boost::container::default_init)
-    , face_(size.halfedges(), boost::container::default_init)
-    , halfedge_of_vertex_(size.vertices, boost::container::default_init)
-    , halfedge_of_face_(size.faces, boost::container::default_init)
-  {}
+  explicit Level_connectivity(const Level_size& size) { resize(size); }
 
   /// the same, with room for a later `resize()`.
   Level_connectivity(const Level_size& size, const Level_size& room)

@@ -118,11 +118,7 @@ private:
     if (h == null || level_.is_border(h)) return null;
     return Level_connectivity::opposite(level_.next(level_.next(h)));
   }
-  Index right(Index h) const
-  {
-    const Index g = h == null ? null : left(Level_connectivity::opposite(h));
-    return g == null ? null : Level_connectivity::opposite(g);
-  }
+  Index right(Index h) const { return reversed(left(reversed(h))); }
 
   void put(Index h, Index* cell) const
   {

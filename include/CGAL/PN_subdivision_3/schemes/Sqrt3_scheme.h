@@ -52,12 +52,10 @@ public:
   template <class Stencil>
   void vertex(Index v, Stencil& s) const
   {
-    if (level_.is_isolated(v)) return s.add(v, FT(1));
-    const Index h = level_.halfedge_of_vertex(v);
-    if (level_.is_border(h)) return s.add(v, FT(1));
+    if (level_.is_isolated(v) || level_.is_border_vertex(v)) return s.add(v, FT(1));
     const Index n = level_.valence(v);
     const FT weight = neighbor_weight_(n);
-    level_.for_each_neighbor(h, [&](Index w) { s.add(w, weight); });
+    level_.for_each_neighbor(level_.halfedge_of_vertex(v), [&](Index w) { s.add(w, weight); });
     s.add(v, vertex_weight_(n));
   }
 

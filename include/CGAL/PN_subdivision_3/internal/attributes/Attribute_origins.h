@@ -132,14 +132,11 @@ public:
     const auto both = [this](const Origin& o) {
       return Origin_and_face{control_element(o), control_face(o)};
     };
-    const auto vertices = [&](Index v) { return rules.vertex(v); };
-    const auto edges = [&](Index e) { return rules.edge(e); };
-    const auto faces = [&](Index f) { return rules.face(f); };
-    put_columns(columns.edges, size.edges, edges, edge);
-    put_columns(columns.faces, size.faces, faces, face);
-    put_columns(columns.vertex_origins, size.vertices, vertices, both);
-    put_columns(columns.edge_origins, size.edges, edges, both);
-    put_columns(columns.face_origins, size.faces, faces, both);
+    put_columns(columns.edges, size.edges, rules, &Origin_source::edge, edge);
+    put_columns(columns.faces, size.faces, rules, &Origin_source::face, face);
+    put_columns(columns.vertex_origins, size.vertices, rules, &Origin_source::vertex, both);
+    put_columns(columns.edge_origins, size.edges, rules, &Origin_source::edge, both);
+    put_columns(columns.face_origins, size.faces, rules, &Origin_source::face, both);
   }
 
 private:
@@ -165,9 +162,9 @@ private:
   }
 
   // puts the values of copies or the origins of the elements of a kind; of(origin) is what the columns take
-  template <class Columns, class Origin_of, class Function>
-  static void put_columns(const Columns& columns, std::uint64_t number, const Origin_of& origin_of,
-                          const Function& of)
+  template <class Columns, class Function>
+  static void put_columns(const Columns& columns, std::uint64_t number, const Origin_source& rules,
+                          Origin (Origin_source::*origin)(Index) const, const Function& of)
   {
     if (columns.empty()) return;
     constexpr Index most = 64; // at once
@@ -176,7 +173,7 @@ private:
     for (auto& column : columns) column->begin(end);
     for (Index first = 0; first < end; first += most) {
       const Index n = (std::min)(most, end - first);
-      for (Index i = 0; i < n; ++i) values[i] = of(origin_of(first + i));
+      for (Index i = 0; i < n; ++i) values[i] = of((rules.*origin)(first + i));
       for (auto& column : columns) column->put(first, n, values.data());
     }
   }

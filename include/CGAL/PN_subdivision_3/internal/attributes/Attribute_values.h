@@ -244,12 +244,10 @@ private:
       set(begin, row);
       for (Index g = child_.next(begin); g != begin; g = child_.next(g)) {
         const Element_parent parent = host_.parent_of_vertex(child_.target(g));
-        if (parent.kind == Kind::face) {
+        if (parent.kind == Kind::face)
           set_middle(g, h, in_middle, row);
-          continue;
-        }
-        const bool is_behind = parent.index == Level_connectivity::edge(n);
-        if (is_behind) // the other edge is behind the corner before
+        else if (parent.index ==
+                 Level_connectivity::edge(n)) // the other edge is behind the corner before
           set_behind(g, h, n, row);
       }
     }

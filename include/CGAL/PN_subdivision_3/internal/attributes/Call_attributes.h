@@ -80,19 +80,17 @@ CGAL_PN_SUBDIVISION_3_MEMBER(Face_created, face_created,
 #undef CGAL_PN_SUBDIVISION_3_MEMBER
 
 template <class Visitor, class Member, class = void>
-struct Has_member_name : std::true_type
-{};
+constexpr bool has_member_name_v = true;
 template <class Visitor, class Member>
-struct Has_member_name<
-  Visitor, Member, std::void_t<typename Member::template Name<With_names<Visitor, Visitor_names>>>>
-  : std::false_type
-{};
+inline constexpr bool has_member_name_v<
+  Visitor, Member,
+  std::void_t<typename Member::template Name<With_names<Visitor, Visitor_names>>>> = false;
 
 // whether there is a member that does not answer Not_visited
 template <class Visitor, class Member, class = void>
 struct Visits : std::false_type
 {
-  static constexpr bool is_callable = false, is_right = !Has_member_name<Visitor, Member>::value;
+  static constexpr bool is_callable = false, is_right = !has_member_name_v<Visitor, Member>;
 };
 template <class Visitor, class Member>
 struct Visits<Visitor, Member, std::void_t<typename Member::template Answer<Visitor>>>
@@ -134,7 +132,6 @@ struct Call_round_done
 template <class Mesh, class Visitor, class Attributes>
 struct Call_attributes
 {
-  using Size = Level_size;
   using Index = Level_connectivity::Index;
 
   static constexpr Level_origins::Kinds visited{Visits<Visitor, Vertex_created<Mesh>>::value,
@@ -152,7 +149,7 @@ struct Call_attributes
 
   // calls the visitor for the elements of the refined mesh
   template <class Access, class Rules>
-  void visit(const Access& access, const Size& size, const Rules& rules) const
+  void visit(const Access& access, const Level_size& size, const Rules& rules) const
   {
     (void)access, (void)size, (void)rules;
     if constexpr (visited.vertices)

@@ -110,7 +110,6 @@ template <class T>
 class List_store
 {
 public:
-  using Value = T;
   using List = std::vector<T>;
   static constexpr bool has_concurrent_put = !std::is_same_v<T, bool>, is_list = true;
 
@@ -226,11 +225,7 @@ struct Origin_and_face
 };
 inline Control_element control_element(const Origin& origin)
 {
-  using Kind = Control_element::Kind;
-  const Kind kind = origin.kind == Origin::Kind::vertex ? Kind::vertex
-                    : origin.kind == Origin::Kind::edge ? Kind::edge
-                                                        : Kind::face;
-  return {kind, origin.index};
+  return {origin.kind, origin.index};
 }
 template <class T>
 struct Parent : Without_rows

@@ -185,7 +185,8 @@ private:
       row_.clear();
       const Index copy = w == 0 ? e.edge : cut_.second_copy(i);
       if (charts_ != nullptr && charts_->has_straight_bounds() && charts_->is_bound(e))
-        middle(copy);
+        for (const Index h : {2 * copy, 2 * copy + 1})
+          row_.add(cut_.connectivity().target(h), FT(1) / FT(2));
       else
         mask_.edge(copy, row_);
       if (e.sharpness < 1) {
@@ -196,11 +197,6 @@ private:
       }
       f(star == nullptr ? vertex : star->slot(w), row_);
     }
-  }
-
-  void middle(Index e)
-  {
-    for (const Index h : {2 * e, 2 * e + 1}) row_.add(cut_.connectivity().target(h), FT(1) / FT(2));
   }
 
   // row becomes part * blended + (1 - part) * row

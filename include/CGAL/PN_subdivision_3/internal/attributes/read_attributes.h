@@ -19,9 +19,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/parameters/Default_visitor.h>
 
-#include <boost/property_map/property_map.hpp>
 #include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
@@ -33,7 +31,6 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {
 

@@ -45,36 +45,6 @@ auto& point_of(Value&& value)
     return value;
 }
 
-// its normal; zero of a value without normal, so that no caller asks
-template <class Value>
-auto normal_of(const Value& value)
-{
-  if constexpr (has_normal_v<Value>)
-    return value.normal;
-  else
-    return Value{};
-}
-// its roundness; 1 of a value without
-template <class Value>
-auto roundness_of_value(const Value& value)
-{
-  if constexpr (has_normal_v<Value>)
-    return value.roundness;
-  else
-    return typename Value::value_type(1);
-}
-
-// of what a value has
-template <class Value, class FT>
-Value made_value(const Coordinates<FT, 3>& point, [[maybe_unused]] const Coordinates<FT, 3>& normal,
-                 [[maybe_unused]] const FT& roundness)
-{
-  if constexpr (has_normal_v<Value>)
-    return {point, normal, roundness};
-  else
-    return point;
-}
-
 template <class FT, std::size_t dimension>
 inline std::array<FT, dimension> difference(std::array<FT, dimension> a,
                                             const std::array<FT, dimension>& b)

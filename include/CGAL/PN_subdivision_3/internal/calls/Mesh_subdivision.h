@@ -235,10 +235,15 @@ private:
   void put_last_round(Access& access, const Level_size& size, Refiner& refiner, Last& last,
                       Writer& writer, Corner_writer& corners, const Rows_sink* rows) const
   {
-    const auto on_creases = last.crease_values(for_chunks_);
-    if constexpr (Corner_writer::takes_corners)
-      put_corners(access, size, refiner, last, on_creases, writer, corners, rows);
-    else
+    if constexpr (Corner_writer::takes_corners) {
+      typename Refiner::Values values;
+      put_and_grow<Writer>(access, size, refiner,
+                           [&] { values = refiner.refined_values(last, rows); });
+      writer.begin_old_vertices();
+      writer.put_values(0, values.data(), last.number_of_vertices());
+      corners.put_all(child_level(last.round(), for_chunks_), last.refined_creases(), values);
+    } else {
+      const auto on_creases = last.crease_values(for_chunks_);
       put_and_grow<Writer>(access, size, refiner, [&] {
         put_values(refiner, last.round(), writer, rows);
         if constexpr (Corner_writer::takes_wedges) {
@@ -250,30 +255,8 @@ private:
             on_creases, last.number_of_vertices(),
             [&](std::size_t, Index v, const Value& value) { writer.put_values(v, &value, 1); });
       });
-    last.close();
-  }
-
-  template <class Access, class Refiner, class Last, class Writer, class Corner_writer>
-  void put_corners(Access& access, const Level_size& size, Refiner& refiner, Last& last,
-                   const std::vector<std::pair<Index, Value>>& on_creases, Writer& writer,
-                   Corner_writer& corners, const Rows_sink* rows) const
-  {
-    const Index n = last.number_of_vertices();
-    const Creases<FT>& creases = last.refined_creases();
-    boost::container::vector<Value> values(creases.number_of_slots, boost::container::default_init);
-    put_and_grow<Writer>(access, size, refiner, [&] {
-      refiner.evaluate(
-        last.round(), refiner.transfers(last.round()), 0, n,
-        [&](Index first, const Value* new_values, Index number) {
-          std::copy(new_values, new_values + number, values.begin() + first);
-        },
-        rows);
-    });
-    for (const auto& slot : on_creases) values[slot.first] = slot.second;
-    writer.begin_old_vertices();
-    writer.put_values(0, values.data(), n);
-    last.close();
-    corners.put_all(child_level(last.round(), for_chunks_), creases, values);
+      last.close();
+    }
   }
 
   static bool is_any_near_overflow(const std::vector<Value>& values)

@@ -318,19 +318,16 @@ inline constexpr bool is_scheme_v<
 template <class Mesh, class Scheme, class NamedParameters, class Access_tag = Readable>
 constexpr bool check_control_arguments()
 {
-  if constexpr (!check_named_parameters<NamedParameters>())
-    return false;
-  else if constexpr (!check_is_point_map<Mesh, NamedParameters>())
-    return false;
-  else {
-    using Parameters = Surface_parameters<Mesh, NamedParameters>;
-    constexpr bool is_scheme = is_scheme_v<Scheme, typename Parameters::FT>;
-    static_assert(is_scheme, "PN_subdivision_3: the scheme is no model of PNSubdivisionScheme_3");
-    if constexpr (is_scheme)
-      return check_points_and_normals<Mesh, Parameters, Access_tag, true>() &&
-             check_sharpness_and_roundness<Mesh, Parameters>();
-    return false;
-  }
+  if constexpr (check_named_parameters<NamedParameters>())
+    if constexpr (check_is_point_map<Mesh, NamedParameters>()) {
+      using Parameters = Surface_parameters<Mesh, NamedParameters>;
+      constexpr bool is_scheme = is_scheme_v<Scheme, typename Parameters::FT>;
+      static_assert(is_scheme, "PN_subdivision_3: the scheme is no model of PNSubdivisionScheme_3");
+      if constexpr (is_scheme)
+        return check_points_and_normals<Mesh, Parameters, Access_tag, true>() &&
+               check_sharpness_and_roundness<Mesh, Parameters>();
+    }
+  return false;
 }
 
 template <class Mesh, class Scheme, class NamedParameters>
@@ -357,28 +354,24 @@ constexpr bool check_pieces_arguments()
 template <class Mesh, class Scheme, class NamedParameters>
 constexpr bool check_subdivision_arguments()
 {
-  if constexpr (!check_mutable_mesh<Mesh>())
-    return false;
-  else if constexpr (!check_named_parameters<NamedParameters>())
-    return false;
-  else {
-    constexpr bool is_integer = std::is_integral_v<
-      Parameter_type<internal_np::number_of_iterations_t, NamedParameters, unsigned>>;
-    static_assert(is_integer, "PN_subdivision_3: number_of_iterations is not an integer");
-    if constexpr (is_integer)
-      return check_pieces_arguments<Mesh, Scheme, NamedParameters, Writable>();
-    return false;
-  }
+  if constexpr (check_mutable_mesh<Mesh>())
+    if constexpr (check_named_parameters<NamedParameters>()) {
+      constexpr bool is_integer = std::is_integral_v<
+        Parameter_type<internal_np::number_of_iterations_t, NamedParameters, unsigned>>;
+      static_assert(is_integer, "PN_subdivision_3: number_of_iterations is not an integer");
+      if constexpr (is_integer)
+        return check_pieces_arguments<Mesh, Scheme, NamedParameters, Writable>();
+    }
+  return false;
 }
 
 template <class Mesh, class NamedParameters, bool takes_corners = false>
 constexpr bool check_build_arguments()
 {
-  if constexpr (check_mutable_mesh<Mesh>()) {
+  if constexpr (check_mutable_mesh<Mesh>())
     if constexpr (check_is_point_map<Mesh, NamedParameters>())
       return check_points_and_normals<Mesh, Surface_parameters<Mesh, NamedParameters>, Writable,
                                       takes_corners>();
-  }
   return false;
 }
 

@@ -87,26 +87,23 @@ public:
   {
     for (const Crease_star& star : creases_.stars)
       if (creases_.rule(star) == Vertex_rule::crease)
-        name_undecided<FT>([&] { make_crease_tangents(star); }, Name{star});
+        name_undecided<FT>([&] { make_crease_tangents(star); }, name(star));
     turn_at_joints();
     for (const Crease_star& star : creases_.stars)
       if (creases_.rule(star) != Vertex_rule::crease)
         for (const Crease_halfedge& e : creases_.ends_of(star))
-          if (!is_given(e)) name_undecided<FT>([&] { make_end_tangent(e); }, Name{star});
+          if (!is_given(e)) name_undecided<FT>([&] { make_end_tangent(e); }, name(star));
     if (creases_.has_fixed_border)
       for (Crease_edge<FT>& e : creases_.edges)
         if (e.is_border()) e.tangent_from = {zero_vector<FT, 3>(), zero_vector<FT, 3>()};
   }
 
 private:
-  struct Name
+  static auto name(const Crease_star& star)
   {
-    std::string operator()() const
-    {
-      return "the tangents of the creases at vertex " + std::to_string(star.vertex);
-    }
-    const Crease_star& star;
-  };
+    return
+      [v = star.vertex] { return "the tangents of the creases at vertex " + std::to_string(v); };
+  }
 
   // the vector from the vertex of the end to the other end of the edge
   Vector along(const Crease_halfedge& e) const
@@ -148,7 +145,7 @@ private:
   {
     std::vector<Vector> tangents;
     for (const Crease_star* star : free_)
-      name_undecided<FT>([&] { tangents.push_back(joint_tangent(*star)); }, Name{*star});
+      name_undecided<FT>([&] { tangents.push_back(joint_tangent(*star)); }, name(*star));
     for (std::size_t i = 0; i < free_.size(); ++i) {
       creases_.tangent_from(creases_.end(*free_[i], 0)) = opposite_vector(tangents[i]);
       creases_.tangent_from(creases_.end(*free_[i], 1)) = tangents[i];

@@ -73,7 +73,6 @@ private:
   static constexpr bool is_pn = Rules::is_pn;
   static constexpr Index null = Level_connectivity::null;
   using Rule_value = typename Rules::Value;
-  using Vector = Coordinates<FT, 3>;
 
   Index new_vertex(Index crease) const
   {
@@ -82,19 +81,13 @@ private:
 
   void place_results(Index stars, Index edges)
   {
-    const auto wedges = [&](Index refined_star) {
-      return refined_star == null ? Index(1)
-                                  : refined_.creases.stars[refined_star].number_of_wedges;
-    };
     std::size_t n = 0;
-    for (Index i = 0; i < stars; ++i) {
+    const auto place = [&](Index refined_star) {
       first_result_.push_back(n);
-      n += wedges(refined_.star[i]);
-    }
-    for (Index i = 0; i < edges; ++i) {
-      first_result_.push_back(n);
-      n += wedges(star_of_edge(i));
-    }
+      n += refined_star == null ? 1 : refined_.creases.stars[refined_star].number_of_wedges;
+    };
+    for (Index i = 0; i < stars; ++i) place(refined_.star[i]);
+    for (Index i = 0; i < edges; ++i) place(star_of_edge(i));
     results_.resize(n);
   }
   Index star_of_edge(Index crease) const
@@ -125,11 +118,10 @@ private:
     const Vertex_rule child = vertex_rule(refined_sharpness(star.sharpness), merge.ends.size(),
                                           star.is_border && merge.has_inner_end);
     Rule_value value = rules.vertex(star, parent, all);
-    keep_tangents(merge, value);
     if (is_pn) {
       // a corner that becomes a crease vertex passes on one direction of travel
       if (parent == Vertex_rule::corner && child == Vertex_rule::crease)
-        make_opposite_vectors<FT>(value.tangents[0], value.tangents[1]);
+        make_opposite_vectors<FT>(value.tangents[merge.ends[0]], value.tangents[merge.ends[1]]);
       value.normals = merge_normals<FT>(value.normals, merge);
       merge_roundness(merge, value.roundness);
     } else if (!is_same_rule(parent, child)) {
@@ -141,7 +133,7 @@ private:
     for (std::size_t j = 0; j < merge.ends.size(); ++j) {
       const Crease_halfedge& e = creases.end(star, merge.ends[j]);
       const Index half = refined_.second_half(refined_.rank[e.crease], e.side);
-      refined_.creases.edges[half].tangent_from[1 - e.side] = value.tangents[j];
+      refined_.creases.edges[half].tangent_from[1 - e.side] = value.tangents[merge.ends[j]];
     }
   }
 
@@ -154,13 +146,6 @@ private:
     roundness = merged;
   }
 
-  static void keep_tangents(const Wedge_merge& merge, Rule_value& value)
-  {
-    std::vector<Vector> kept;
-    for (const Index i : merge.ends) kept.push_back(value.tangents[i]);
-    value.tangents = kept;
-  }
-
   // \name Edges
   void edge(Rules& rules, Index i)
   {
@@ -169,10 +154,10 @@ private:
     if (!is_pn && e.sharpness < 1)
       value.point = mixed<FT>(value.point, rules.smooth_edge(e).point, FT(e.sharpness));
     const Index rank = refined_.rank[i];
-    if (rank == null) {
+    if (is_pn && rank == null) {
       Wedge_merge merge;
       merge.wedge = {0, 0};
-      if (is_pn) value.normals = merge_normals<FT>(value.normals, merge);
+      value.normals = merge_normals<FT>(value.normals, merge);
     }
     const Index first_side = e.has_after(0) ? 0 : 1;
     put(static_cast<Index>(data_.creases.stars.size()) + i, star_of_edge(i), new_vertex(i), value,
@@ -187,18 +172,17 @@ private:
   // place_of_normal(w) is the position in `value` of the normal of wedge w of the refined star
   template <class Normal_of>
   void put(Index owner, Index refined_star, Index vertex, const Rule_value& value,
-           const Normal_of& place_of_normal)
+           [[maybe_unused]] const Normal_of& place_of_normal)
   {
     Slot_value* result = results_.data() + first_result_[owner];
     const Index wedges =
       refined_star == null ? 1 : refined_.creases.stars[refined_star].number_of_wedges;
     for (Index w = 0; w < wedges; ++w, ++result) {
       result->first = refined_star == null ? vertex : refined_.creases.stars[refined_star].slot(w);
-      if (is_pn)
-        result->second =
-          made_value<Value>(value.point, value.normals[place_of_normal(w)], value.roundness[w]);
+      if constexpr (is_pn)
+        result->second = {value.point, value.normals[place_of_normal(w)], value.roundness[w]};
       else
-        point_of(result->second) = value.point;
+        result->second = value.point;
     }
   }
 

@@ -135,8 +135,16 @@ private:
   using Row = Entry_row<FT>;
 
   Vector point(Index slot) const { return point_of(data_.old[slot]); }
-  Vector normal(Index slot) const { return normal_of(data_.old[slot]); }
-  FT roundness(Index slot) const { return roundness_of_value(data_.old[slot]); }
+  // of points alone the normal is zero, and the roundness 1, for which no caller asks
+  Point_normal<FT, 3> whole(Index slot) const
+  {
+    if constexpr (is_pn)
+      return data_.old[slot];
+    else
+      return {data_.old[slot], Vector{}};
+  }
+  Vector normal(Index slot) const { return whole(slot).normal; }
+  FT roundness(Index slot) const { return whole(slot).roundness; }
   template <std::size_t n>
   FT averaged_roundness(const std::array<Entry, n>& entries,
                         const std::array<Index, n>& slot_ids) const
@@ -173,7 +181,9 @@ private:
   {
     const Crease_halfedge& to_a = data_.creases.end(star, merge.ends[0]);
     const Crease_halfedge& to_b = data_.creases.end(star, merge.ends[1]);
-    const std::array<FT, 3> weights = crease_weights(star.vertex);
+    row_.clear();
+    data_.mask.vertex(star.vertex, row_);
+    const std::array<FT, 3> weights = crease_weights(row_, star.vertex);
     const Vector to_last = opposite_vector(data_.creases.tangent_towards(to_b));
     const Index a = data_.cut.source(data_.creases.halfedge(to_a));
     const Index b = data_.cut.source(data_.creases.halfedge(to_b));
@@ -216,13 +226,6 @@ private:
       if (is_reversed) std::swap(slot_ids[0], slot_ids[1]);
       f(star.wedge(slot), slot_ids);
     }
-  }
-
-  std::array<FT, 3> crease_weights(Index v)
-  {
-    row_.clear();
-    data_.mask.vertex(v, row_);
-    return internal::crease_weights(row_, v);
   }
 
   // row_of(rows) is the row of the rule

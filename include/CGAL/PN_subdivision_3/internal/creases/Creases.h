@@ -20,9 +20,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {

@@ -71,7 +71,7 @@ private:
 // every face hands its share to the slots of its own corners: to the vertex itself and to the ends of
 // an edge equal shares of every face, to a neighbor half of either face beside the edge to it, and to
 // every corner what it has as such.
-template <class FT, class Mask, class FT_of_creases = FT>
+template <class FT, class Mask>
 class Slot_shares
 {
 public:
@@ -79,8 +79,7 @@ public:
   using Row = Entry_row<FT>;
 
   // `level` is the level of the mask, `slot_of` tells the slots of its corners
-  Slot_shares(const Level_connectivity& level, const Corner_slots<FT_of_creases>& slot_of,
-              const Mask& mask)
+  Slot_shares(const Level_connectivity& level, const Corner_slots<FT>& slot_of, const Mask& mask)
     : level_(level)
     , slots_(slot_of)
     , mask_(mask)
@@ -188,7 +187,7 @@ private:
   }
 
   const Level_connectivity& level_;
-  const Corner_slots<FT_of_creases>& slots_;
+  const Corner_slots<FT>& slots_;
   const Mask& mask_;
   Row mask_row_;
   std::vector<Corner> corners_;

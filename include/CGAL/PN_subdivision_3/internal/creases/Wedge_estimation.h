@@ -284,30 +284,20 @@ private:
   // makes estimated normals orthogonal to the tangents of the edges beside their wedges, if that turns the normals little
   void strip_normals(const Crease_star& star, Normal_of normal) const
   {
-    const Vector none = zero_vector<FT, 3>();
-    std::vector<Vector> after(star.number_of_wedges, none), before = after;
-    std::vector<bool> has_after(star.number_of_wedges, false), has_before = has_after;
-    for (const Crease_halfedge& e : creases_.ends_of(star)) {
-      const Crease_edge<FT>& crease = creases_.edge(e);
-      const Vector& t = crease.tangent_from[1 - e.side];
-      if (crease.has_after(e.side)) {
-        after[star.wedge(crease.after[e.side])] = t;
-        has_after[star.wedge(crease.after[e.side])] = true;
-      }
-      if (crease.has_before(e.side)) {
-        before[star.wedge(crease.before[e.side])] = t;
-        has_before[star.wedge(crease.before[e.side])] = true;
-      }
-    }
+    std::vector<std::vector<Vector>> tangents(star.number_of_wedges); // those after, then before
+    for (const Crease_halfedge& e : creases_.ends_of(star))
+      if (creases_.edge(e).has_after(e.side))
+        tangents[star.wedge(creases_.edge(e).after[e.side])].push_back(creases_.tangent_from(e));
+    for (const Crease_halfedge& e : creases_.ends_of(star))
+      if (creases_.edge(e).has_before(e.side))
+        tangents[star.wedge(creases_.edge(e).before[e.side])].push_back(creases_.tangent_from(e));
     for (Index w = 0; w < star.number_of_wedges; ++w) {
-      if (is_given_[star.slot(w)] || (!has_after[w] && !has_before[w])) continue;
       const Index slot = star.slot(w);
+      const std::vector<Vector>& beside = tangents[w];
+      if (is_given_[slot] || beside.empty()) continue;
       const Vector n = normal(slot);
       Vector& stripped = normal(slot);
-      if (has_after[w] && has_before[w])
-        stripped = strip<FT>(n, after[w], before[w]);
-      else
-        stripped = strip<FT>(n, has_after[w] ? after[w] : before[w]);
+      stripped = beside.size() == 2 ? strip<FT>(n, beside[0], beside[1]) : strip<FT>(n, beside[0]);
       const double cosine = length(to_double_3<FT>(stripped));
       stripped = unit_or_zero(stripped, FT(1));
       if (creases_.rule(star) == Vertex_rule::corner && cosine < cos_36)

@@ -32,12 +32,13 @@ template <class T>
 using Short_vector = boost::container::small_vector<T, 4>;
 
 // a dart has the smooth rule
+inline bool is_smooth(Vertex_rule r)
+{
+  return r == Vertex_rule::smooth || r == Vertex_rule::dart;
+}
 inline bool is_same_rule(Vertex_rule a, Vertex_rule b)
 {
-  const auto smooth = [](Vertex_rule r) {
-    return r == Vertex_rule::dart ? Vertex_rule::smooth : r;
-  };
-  return smooth(a) == smooth(b);
+  return a == b || (is_smooth(a) && is_smooth(b));
 }
 
 // The mean of each sharpness s of a star and of its edges for which counts(s) is true; 1 if there is none.
@@ -62,11 +63,6 @@ double weight_of_parent_rule(const Creases<FT>& creases, const Crease_star& star
 {
   return mean_sharpness(creases, star,
                         [](double s) { return s > 0 && !(refined_sharpness(s) > 0); });
-}
-
-inline bool is_smooth(Vertex_rule r)
-{
-  return r == Vertex_rule::smooth || r == Vertex_rule::dart;
 }
 
 // Whether the vertex of a star has a smooth rule before a round or, where sharp and smooth rules are mixed (rules_fade), after it.

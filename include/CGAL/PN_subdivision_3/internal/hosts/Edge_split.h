@@ -79,8 +79,10 @@ public:
   template <class Child, class For_chunks>
   void connect(Child& child, const For_chunks& for_chunks) const
   {
-    for_each_index(for_chunks, level_.number_of_vertices(),
-                   [&](Index v) { connect_vertex(v, child); });
+    for_each_index(for_chunks, level_.number_of_vertices(), [&](Index v) {
+      if (level_.is_isolated(v)) return child.set_isolated(v);
+      child.set_halfedge_of_vertex(v, second_half(level_.halfedge_of_vertex(v)));
+    });
     for_each_index(for_chunks, level_.number_of_edges(), [&](Index e) { connect_edge(e, child); });
   }
 
@@ -88,15 +90,6 @@ private:
   Index half(Index h, Index ordinal) const
   {
     return 2 * halves_.half_of_edge(Level_connectivity::edge(h), ordinal) + (h & 1u);
-  }
-
-  template <class Child>
-  void connect_vertex(Index v, Child& child) const
-  {
-    if (level_.is_isolated(v))
-      child.set_isolated(v);
-    else
-      child.set_halfedge_of_vertex(v, second_half(level_.halfedge_of_vertex(v)));
   }
 
   template <class Child>

@@ -14,6 +14,13 @@
 
 #include <CGAL/tags.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/blocked_range.h>
+#  include <tbb/parallel_for.h>
+#  include <tbb/parallel_invoke.h>
+#  include <tbb/task_group.h>
+#endif
+
 #include <type_traits>
 
 namespace CGAL::PN_subdivision_3::internal {
@@ -42,17 +49,6 @@ private:
   const void* function_;
   Result (*call_)(const void*, Arguments...);
 };
-
-} // namespace CGAL::PN_subdivision_3::internal
-
-#ifdef CGAL_LINKED_WITH_TBB
-#  include <tbb/blocked_range.h>
-#  include <tbb/parallel_for.h>
-#  include <tbb/parallel_invoke.h>
-#  include <tbb/task_group.h>
-#endif
-
-namespace CGAL::PN_subdivision_3::internal {
 
 template <class Concurrency_tag>
 constexpr bool is_parallel_v = std::is_convertible_v<Concurrency_tag, Parallel_tag>;

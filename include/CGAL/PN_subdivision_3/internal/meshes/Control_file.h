@@ -56,32 +56,26 @@ struct Control_file
 // What a PLY file has, by the first four letters of an element and by property; of a list its length, then its values.
 using Ply_columns = std::map<std::string, std::map<std::string, std::vector<double>>>;
 
+// appends what a property of one of the types has read
 template <class... Type>
-struct Ply_types
+std::function<void()> ply_appender(const IO::internal::PLY_read_number* property,
+                                   std::vector<double>& column)
 {
-  // appends what a property has read
-  static std::function<void()> appender(const IO::internal::PLY_read_number* property,
-                                        std::vector<double>& column)
-  {
-    std::function<void()> append = [] {};
-    const auto of_number = [&](const auto* typed) {
-      if (typed != nullptr)
-        append = [&column, typed] { column.push_back(double(typed->buffer())); };
-    };
-    const auto of_list = [&](const auto* typed) {
-      if (typed != nullptr)
-        append = [&column, typed] {
-          column.push_back(double(typed->buffer().size()));
-          column.insert(column.end(), typed->buffer().begin(), typed->buffer().end());
-        };
-    };
-    (of_number(dynamic_cast<const IO::internal::PLY_read_typed_number<Type>*>(property)), ...);
-    (of_list(dynamic_cast<const IO::internal::PLY_read_typed_list<Type>*>(property)), ...);
-    return append;
-  }
-};
-using All_ply_types = Ply_types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
-                                std::int32_t, std::uint32_t, float, double>;
+  std::function<void()> append = [] {};
+  const auto of_number = [&](const auto* typed) {
+    if (typed != nullptr) append = [&column, typed] { column.push_back(double(typed->buffer())); };
+  };
+  const auto of_list = [&](const auto* typed) {
+    if (typed != nullptr)
+      append = [&column, typed] {
+        column.push_back(double(typed->buffer().size()));
+        column.insert(column.end(), typed->buffer().begin(), typed->buffer().end());
+      };
+  };
+  (of_number(dynamic_cast<const IO::internal::PLY_read_typed_number<Type>*>(property)), ...);
+  (of_list(dynamic_cast<const IO::internal::PLY_read_typed_list<Type>*>(property)), ...);
+  return append;
+}
 
 inline void read_ply_element(std::istream& in, IO::internal::PLY_element& element,
                              const std::string& file_name, Ply_columns& columns)
@@ -89,8 +83,9 @@ inline void read_ply_element(std::istream& in, IO::internal::PLY_element& elemen
   auto& of_element = columns[element.name().substr(0, 4)]; // "vertex" or "vertices"
   std::vector<std::function<void()>> append;
   for (std::size_t k = 0; k < element.number_of_properties(); ++k)
-    append.push_back(
-      All_ply_types::appender(element.property(k), of_element[element.property(k)->name()]));
+    append.push_back(ply_appender<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
+                                  std::int32_t, std::uint32_t, float, double>(
+      element.property(k), of_element[element.property(k)->name()]));
   for (std::size_t i = 0; i < element.number_of_items(); ++i) {
     for (std::size_t k = 0; k < append.size(); ++k) element.property(k)->get(in);
     if (in.fail())

@@ -126,9 +126,9 @@ public:
               Edge_map edge_map, Vertex_map vertex_map)
     : scheme_(scheme)
     , access_(access)
-    , edges_(access, used(edge_map), level.number_of_edges())
-    , vertices_(access, used(vertex_map), level.number_of_vertices())
-    , tangents_(access, level, tangent_map(scheme))
+    , edges_(access, used<may_have_any>(edge_map), level.number_of_edges())
+    , vertices_(access, used<may_have_any>(vertex_map), level.number_of_vertices())
+    , tangents_(access, level, used<has_tangents>(crease_tangents(scheme)))
   {}
 
   // the creases of a level, without their tangents
@@ -211,25 +211,15 @@ public:
   }
 
 private:
-  // without creases no map is read
-  template <class Map>
-  using Used_map = std::conditional_t<may_have_any, Map, Not_given>;
-  template <class Map>
-  static Used_map<Map> used([[maybe_unused]] const Map& map)
-  {
-    if constexpr (may_have_any)
-      return map;
-    else
-      return {};
-  }
-
-  // a linear scheme has no use for tangents
+  // without creases no map is read, and a linear scheme has no use for tangents
   static constexpr bool has_tangents = may_have_any && is_pn_v<Scheme>;
-  using Tangent_map = std::conditional_t<has_tangents, Crease_tangent_map<Scheme>, Not_given>;
-  static Tangent_map tangent_map([[maybe_unused]] const Scheme& scheme)
+  template <bool is_used, class Map>
+  using Used_map = std::conditional_t<is_used, Map, Not_given>;
+  template <bool is_used, class Map>
+  static Used_map<is_used, Map> used([[maybe_unused]] const Map& map)
   {
-    if constexpr (has_tangents)
-      return crease_tangents(scheme);
+    if constexpr (is_used)
+      return map;
     else
       return {};
   }
@@ -285,9 +275,9 @@ private:
 
   const Scheme& scheme_;
   const Access& access_;
-  Edge_constraints<Access, Used_map<Edge_map>> edges_;
-  Vertex_constraints<Access, Used_map<Vertex_map>> vertices_;
-  Crease_tangents<FT, Access, Tangent_map> tangents_;
+  Edge_constraints<Access, Used_map<may_have_any, Edge_map>> edges_;
+  Vertex_constraints<Access, Used_map<may_have_any, Vertex_map>> vertices_;
+  Crease_tangents<FT, Access, Used_map<has_tangents, Crease_tangent_map<Scheme>>> tangents_;
 };
 
 // What functions read of a mesh: its level, checked, what its maps tell, and its creases, which lack their tangents.

@@ -213,17 +213,12 @@ private:
       throw std::invalid_argument("PN_subdivision_3: the tangent of " + name() +
                                   " is longer than 1: give unit vectors, or zero where the tangent "
                                   "is to be made");
-    if (is_shorter_than_tangents(t) && !is_zero(t))
+    if (is_shorter_than_tangents(t) && !are_certainly_equal(t, zero_vector<FT, 3>()))
       throw std::invalid_argument(
         "PN_subdivision_3: the tangent of " + name() +
         " is shorter than 1e-6, as of a map that has not been set: give unit vectors, and "
         "CGAL::NULL_VECTOR where the tangent is to be made");
     return t;
-  }
-
-  static bool is_zero(const Coordinates<FT, 3>& t)
-  {
-    return std::all_of(t.begin(), t.end(), [](const FT& x) { return CGAL::certainly(x == FT(0)); });
   }
 
   Undoable_map<Access, Map, Halfedge_of_mesh> map_;

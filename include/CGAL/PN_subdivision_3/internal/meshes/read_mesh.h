@@ -23,7 +23,6 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::PN_subdivision_3::internal {

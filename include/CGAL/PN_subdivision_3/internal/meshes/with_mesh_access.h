@@ -241,13 +241,9 @@ constexpr bool has_concurrent_put_v =
 template <class Mesh, class Function>
 auto with_mesh_access(Mesh& mesh, const Function& f)
 {
-  if constexpr (Refinable_mesh_traits<std::remove_const_t<Mesh>>::has_slots) {
-    Surface_mesh_access<Mesh> access(mesh);
-    return f(access);
-  } else {
-    Bgl_mesh_access<Mesh> access(mesh);
-    return f(access);
-  }
+  constexpr bool has_slots = Refinable_mesh_traits<std::remove_const_t<Mesh>>::has_slots;
+  std::conditional_t<has_slots, Surface_mesh_access<Mesh>, Bgl_mesh_access<Mesh>> access(mesh);
+  return f(access);
 }
 
 } // namespace internal

@@ -84,7 +84,10 @@ public:
     }
     open = estimate_open(open, set_normal);
     open = estimate_open(open, set_normal);
-    for (Index s : open) take_open_normal(s, set_normal);
+    for (Index s : open) {
+      inverted_.assign(level_, s, values_);
+      set_open(s, reciprocal_normal(level_, s, values_, inverted_), set_normal);
+    }
     blend(set_normal);
   }
 
@@ -155,12 +158,6 @@ private:
     return without_arcs;
   }
 
-  void take_open_normal(Index s, Set_normal set_normal)
-  {
-    inverted_.assign(level_, s, values_);
-    set_open(s, reciprocal_normal(level_, s, values_, inverted_), set_normal);
-  }
-
   void set_open(Index s, const Vector& normal, Set_normal set_normal)
   {
     Estimate& e = estimates_[s];
@@ -198,15 +195,14 @@ private:
 
   void blend(Set_normal set_normal)
   {
-    const auto is_done = [this](Index s) { return estimates_[s].is_done; };
     bool all_done = true;
     for (const Estimate& e : estimates_) all_done = all_done && e.is_done;
     if (all_done) return;
     Angle_weighted_normals<FT> angle_weighted(level_, values_);
     for (Index f = 0; f < level_.number_of_faces(); ++f)
-      if (!all_corners(f, is_done)) angle_weighted.add_face(f);
+      if (!are_corners_done(f)) angle_weighted.add_face(f);
     for (Index s = 0; s < estimates_.size(); ++s)
-      if (!is_done(s)) set_normal(s, blended(s, angle_weighted.normal(s)));
+      if (!estimates_[s].is_done) set_normal(s, blended(s, angle_weighted.normal(s)));
   }
 
   // A reflex corner beside others is turned by more than 60 degrees from their normal. The only
@@ -217,11 +213,10 @@ private:
     return dot(inverted_.corners().front().normal, angle_weighted) < 0;
   }
 
-  template <class Predicate>
-  bool all_corners(Index f, const Predicate& predicate) const
+  bool are_corners_done(Index f) const
   {
     for (const Index h : halfedges_around_face(level_, level_.halfedge_of_face(f)))
-      if (!predicate(level_.target(h))) return false;
+      if (!estimates_[level_.target(h)].is_done) return false;
     return true;
   }
 

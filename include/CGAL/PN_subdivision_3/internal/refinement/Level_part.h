@@ -83,7 +83,6 @@ private:
   using Numbers = boost::container::vector<Index>; // null: not taken
 
   static constexpr Index null = Level_connectivity::null;
-  static Index opposite(Index h) { return Level_connectivity::opposite(h); }
 
   void number_faces()
   {
@@ -139,7 +138,7 @@ private:
       h = whole_.next_around_target(h);
       if (!is_inside(h)) continue;
       const Index copy = add_copy(v, null);
-      const Index leaving = new_halfedge(opposite(h));
+      const Index leaving = new_halfedge(Level_connectivity::opposite(h));
       Index valence = 1;
       for (; is_inside(h); h = whole_.next_around_target(h), ++valence)
         piece_.set_target(new_halfedge(h), copy);

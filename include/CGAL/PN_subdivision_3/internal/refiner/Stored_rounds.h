@@ -131,11 +131,7 @@ public:
   {
     if (!levels_.back().round) {
       const auto& values = levels_.front().values;
-      for (Index v = 0; v < values.size(); ++v) {
-        const Value value = values[v];
-        sink(v, &value, 1);
-      }
-      return;
+      return sink(0, values.data(), static_cast<Index>(values.size()));
     }
     for (std::size_t k = 0; k + 1 < levels_.size(); ++k) {
       auto& refined = levels_[k + 1].values;
@@ -154,10 +150,7 @@ public:
   std::vector<Index> evaluate_from(std::vector<Index> changed, List_sink sink) override
   {
     if (!levels_.back().round) {
-      for (const Index& v : changed) {
-        const Value value = levels_.front().values[v];
-        sink(&v, &value, 1);
-      }
+      for (const Index& v : changed) sink(&v, &levels_.front().values[v], 1);
       return changed;
     }
     for (std::size_t k = 0; k + 1 < levels_.size(); ++k) {
@@ -167,7 +160,7 @@ public:
           for (Index i = 0; i < n; ++i) refined[vertices[i]] = values[i];
         });
       for (const auto& [slot, value] : on_creases) {
-        if (is_same_value<FT>(Value(refined[slot]), value)) continue;
+        if (is_same_value<FT>(refined[slot], value)) continue;
         refined[slot] = value;
         changed.push_back(slot);
       }
@@ -247,7 +240,7 @@ private:
     auto& stored = levels_.front().values;
     std::vector<Index> changed;
     for (Index s = 0; s < values.size(); ++s) {
-      if (set.size() != control.size() && is_same_value<FT>(Value(stored[s]), values[s])) continue;
+      if (set.size() != control.size() && is_same_value<FT>(stored[s], values[s])) continue;
       stored[s] = values[s];
       changed.push_back(s);
     }

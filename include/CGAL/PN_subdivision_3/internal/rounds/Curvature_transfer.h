@@ -57,10 +57,7 @@ Coordinates<FT, 3> least_norm_solution(std::array<Coordinates<FT, 3>, 3> columns
         }
     }
   FT largest(0);
-  for (const auto& column : columns) {
-    const FT square = dot(column, column);
-    if (square > largest) largest = square;
-  }
+  for (const auto& column : columns) largest = (std::max)(largest, dot(column, column));
   Coordinates<FT, 3> x{};
   for (std::size_t k = 0; k < 3; ++k) {
     const FT square = dot(columns[k], columns[k]);
@@ -211,10 +208,10 @@ public:
     ring_.resize(ring.size());
     for (std::size_t j = 0; j < ring.size(); ++j)
       for (std::size_t c = 0; c < 3; ++c) {
-        largest = (std::max)(largest, absolute_value(real(FT(origin[c] + ring[j].point[c]))));
-        ring_[j].point[c] = real(FT(ring[j].point[c] - ring[0].point[c]));
-        ring_[j].normal[c] = real(ring[j].normal[c]);
-        size = (std::max)(size, std::abs(size_of(ring_[j].point[c])));
+        largest = (std::max)(largest, absolute_value(as<Real>(FT(origin[c] + ring[j].point[c]))));
+        ring_[j].point[c] = as<Real>(FT(ring[j].point[c] - ring[0].point[c]));
+        ring_[j].normal[c] = as<Real>(ring[j].normal[c]);
+        size = (std::max)(size, std::abs(as<Size>(ring_[j].point[c])));
       }
     constexpr int harmless = 64;
     exponent_ = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
@@ -245,18 +242,12 @@ public:
   }
 
 private:
-  static Real real(const FT& x)
-  {
-    if constexpr (std::is_floating_point_v<FT> || std::is_same_v<FT, Real>)
-      return x;
-    else
-      return close_double(x);
-  }
   // a size whose exponent is asked
   using Size = std::conditional_t<std::is_floating_point_v<Real>, Real, double>;
-  static Size size_of(const Real& x)
+  template <class To, class From>
+  static To as(const From& x)
   {
-    if constexpr (std::is_floating_point_v<Real>)
+    if constexpr (std::is_floating_point_v<From> || std::is_same_v<From, To>)
       return x;
     else
       return close_double(x);
@@ -327,12 +318,13 @@ public:
       throw std::invalid_argument("PN_subdivision_3: the transfer of curvature is computed in "
                                   "double, and its results are not "
                                   "intervals: take another scheme or number type");
+    std::vector<Index> vertices; // of the rings
     std::vector<std::size_t> begin{0};
     for (const Index v : separated) {
-      append_ring(v, vertices_);
-      begin.push_back(vertices_.size());
+      append_ring(v, vertices);
+      begin.push_back(vertices.size());
     }
-    std::vector<Point_normal<FT, 3>> values(vertices_.size());
+    std::vector<Point_normal<FT, 3>> values(vertices.size());
     std::vector<char> is_changed(separated.size(), 0);
     for_chunks.in_precision<FT>(static_cast<Index>(separated.size()), [&](Index first, Index last) {
       std::map<std::size_t, Normal_transfer<FT>> transfers; // for each size of a ring
@@ -340,7 +332,7 @@ public:
       for (Index i = first; i < last; ++i) {
         const std::size_t size = begin[i + 1] - begin[i];
         ring.resize(size);
-        evaluate(&vertices_[begin[i]], static_cast<Index>(size), ring.data());
+        evaluate(&vertices[begin[i]], static_cast<Index>(size), ring.data());
         auto transfer = transfers.find(size);
         if (transfer == transfers.end())
           transfer =
@@ -356,8 +348,7 @@ public:
     for (std::size_t i = 0; i < separated.size(); ++i)
       if (is_changed[i] != 0)
         for (std::size_t j = begin[i]; j < begin[i + 1]; ++j)
-          normals_.emplace_back(vertices_[j], values[j].normal);
-    std::vector<Index>().swap(vertices_);
+          normals_.emplace_back(vertices[j], values[j].normal);
     std::sort(normals_.begin(), normals_.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
   }
@@ -374,7 +365,6 @@ public:
   }
 
 private:
-  std::vector<Index> vertices_; // of the rings
   std::vector<std::pair<Index, Coordinates<FT, 3>>> normals_;
 };
 

@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/parameters/Default_visitor.h>
 
 #include <boost/container/vector.hpp>
 #include <boost/type_traits/detected_or.hpp>
@@ -23,7 +24,7 @@ namespace CGAL::PN_subdivision_3::internal {
 // An element of the control level.
 struct Origin
 {
-  enum class Kind : Level_connectivity::Index { vertex, edge, face };
+  using Kind = Control_element::Kind;
 
   Kind kind;
   Level_connectivity::Index index;

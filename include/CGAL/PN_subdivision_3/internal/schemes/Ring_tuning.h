@@ -38,23 +38,18 @@ Number capped(const Number& x, const Number& bound)
   return x;
 }
 
-inline const Scheme_parameter& checked_cap(const Scheme_parameter& cap)
-{
-  if (!(cap.to_double() > 0 && cap.to_double() <= 1))
-    throw std::invalid_argument(
-      "PN_subdivision_3: the cap of a modified scheme must be greater than 0 and at most 1");
-  return cap;
-}
-
 // What becomes of the eigenvalues of the ring matrix of a separated vertex, and from which round on.
 struct Ring_tuning
 {
   Ring_tuning() = default;
   Ring_tuning(const Scheme_parameter& a_cap, unsigned a_first_round, Tuned_valences some_valences)
-    : cap(checked_cap(a_cap))
+    : cap(a_cap)
     , first_round(a_first_round)
     , valences(some_valences)
   {
+    if (!(cap.to_double() > 0 && cap.to_double() <= 1))
+      throw std::invalid_argument(
+        "PN_subdivision_3: the cap of a modified scheme must be greater than 0 and at most 1");
     if (first_round == 0)
       throw std::invalid_argument(
         "PN_subdivision_3: the first round of a modified scheme must be at least 1");
@@ -220,17 +215,8 @@ public:
     if (separated.empty()) valence_.clear();
   }
 
-  // the separated vertices in ascending order
-  std::vector<Index> vertices() const
-  {
-    std::vector<Index> result;
-    for (Index v = 0; v < valence_.size(); ++v)
-      if (valence_[v] != 0) result.push_back(v);
-    return result;
-  }
-
-  // vertices of at least that valence
-  std::vector<Index> vertices_of_valence(Index least) const
+  // the separated vertices of at least that valence, in ascending order
+  std::vector<Index> vertices(Index least = 1) const
   {
     std::vector<Index> result;
     if (weights_.empty() || weights_.rbegin()->first < least) return result;
@@ -274,8 +260,7 @@ public:
   template <class Separated>
   Long_rings(const Level_connectivity& level, const Separated& separated)
   {
-    for (const Index v : separated.vertices_of_valence(longest_walked + 1))
-      rings_.emplace(v, Ring(level, v));
+    for (const Index v : separated.vertices(longest_walked + 1)) rings_.emplace(v, Ring(level, v));
   }
 
   // calls f(w) for the neighbors of the target of h, clockwise, from the source of h on
