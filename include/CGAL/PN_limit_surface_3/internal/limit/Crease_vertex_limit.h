@@ -304,8 +304,8 @@ private:
       {{half, point_of(ring.front()), tangent},
        {half, point_of(ring[dart.crease_places().front()]), onwards}}};
     const auto along = [&](std::size_t p) -> FT { // whose rows refine it as well
-      return averaged_roundness(
-        entries, [&](std::size_t j) { return roundness_of_value(ring[j == 0 ? 0 : p]); });
+      return averaged_roundness(entries,
+                                [&](std::size_t j) { return roundness_of(j == 0 ? 0 : p); });
     };
     const FT roundness =
       (CGAL::max)(along(dart.crease_places().front()), along(dart.crease_places().back()));
@@ -319,6 +319,14 @@ private:
     far_tangent = opposite_vector(rule.tangent());
     turn_tangent(next.front());
     ring.swap(next);
+  }
+
+  FT roundness_of([[maybe_unused]] std::size_t place) const
+  {
+    if constexpr (is_pn)
+      return ring[place].roundness;
+    else
+      return FT(1);
   }
 
   // makes the tangent orthogonal to the normal
