@@ -26,16 +26,6 @@
 namespace CGAL::PN_subdivision_3 {
 namespace internal {
 
-template <class NamedParameters>
-constexpr bool may_be_variant()
-{
-  if constexpr (are_named_parameters_v<NamedParameters>)
-    return is_given_v<curvature_transfer_t, NamedParameters> ||
-           is_given_v<tuned_t, NamedParameters>;
-  else
-    return false;
-}
-
 // by the scheme, or by the variant of it that the call asks for
 template <class Concurrency_tag, class Scheme, class Tuned, class Transfer, class PolygonMesh,
           class NamedParameters>
@@ -43,7 +33,10 @@ void subdivide_by_variant(PolygonMesh& mesh, const NamedParameters& np)
 {
   check_are_read<NamedParameters, Read_of_control_mesh, attributes_t, tuned_t,
                  curvature_transfer_t>();
-  if constexpr (may_be_variant<NamedParameters>()) {
+  if constexpr (!are_named_parameters_v<NamedParameters>) // which it refuses
+    subdivide<Concurrency_tag>(mesh, Scheme(), np);
+  else if constexpr (is_given_v<curvature_transfer_t, NamedParameters> ||
+                     is_given_v<tuned_t, NamedParameters>) {
     const auto shared = parameters::shared(np); // read by both
     if constexpr (is_given_v<curvature_transfer_t, NamedParameters>)
       if (parameters::get_parameter(np, curvature_transfer_t()))

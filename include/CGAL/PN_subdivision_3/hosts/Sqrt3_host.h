@@ -262,20 +262,13 @@ private:
   template <class Child>
   void connect_edge(Index h, Child& child) const
   {
-    if (level_.is_border(h)) return connect_border(opposite(h), child);
-    if (level_.is_border(opposite(h))) return connect_border(h, child);
+    if (level_.is_border(h)) h = opposite(h);
+    if (level_.is_border(opposite(h)))
+      return has_refined_border() ? connect_refined_border(h, child)
+                                  : connect_kept_border(h, child);
     const Apex x = apex_over(h), y = apex_over(opposite(h));
     connect_flipped(h, x, y, child);
     connect_flipped(opposite(h), y, x, child);
-  }
-
-  template <class Child>
-  void connect_border(Index h, Child& child) const
-  {
-    if (has_refined_border())
-      connect_refined_border(h, child);
-    else
-      connect_kept_border(h, child);
   }
 
   // from `h1`, `h2`, `h3` to their targets

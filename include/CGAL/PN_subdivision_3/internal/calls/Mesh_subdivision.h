@@ -198,8 +198,9 @@ private:
     using Writers = Normal_writers<Access, Normal_map>;
     using Writer =
       Mesh_writer<Value, Access, Point_map, typename Writers::Vertex_map, Roundness_map>;
-    Writer writer(access, points, Writers::vertex_map(normals), is_any_near_overflow(values),
-                  roundness);
+    const bool is_any_far_out = std::any_of(
+      values.begin(), values.end(), [](const Value& v) { return is_near_overflow(point_of(v)); });
+    Writer writer(access, points, Writers::vertex_map(normals), is_any_far_out, roundness);
     typename Writers::Corner_writer corners(access, level, normals);
     auto attribute_rounds =
       attribute_rounds_of_call<FT, Host>(attributes, access, level, creases, of_mesh, for_chunks_);
@@ -257,12 +258,6 @@ private:
       });
       last.close();
     }
-  }
-
-  static bool is_any_near_overflow(const std::vector<Value>& values)
-  {
-    return std::any_of(values.begin(), values.end(),
-                       [](const Value& v) { return is_near_overflow(point_of(v)); });
   }
 
   const Scheme& scheme_;

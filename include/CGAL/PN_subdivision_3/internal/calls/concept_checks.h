@@ -168,8 +168,7 @@ constexpr bool check_is_point_map()
   using Map = typename GetVertexPointMap<Mesh, NamedParameters>::type;
   if constexpr (Check_map<Points_of_kernel>::check<Map, Mesh, NamedParameters, void>())
     return check_kernel<typename GetGeomTraits<std::remove_const_t<Mesh>, NamedParameters>::type>();
-  else
-    return false;
+  return false;
 }
 
 // points and normals, of vertices or, if the function takes them, of corners
@@ -347,8 +346,7 @@ constexpr bool check_pieces_arguments()
 {
   if constexpr (check_control_arguments<Mesh, Scheme, NamedParameters, Access_tag>())
     return check_crease_tangents<Mesh, Scheme, Surface_parameters<Mesh, NamedParameters>>();
-  else
-    return false;
+  return false;
 }
 
 template <class Mesh, class Scheme, class NamedParameters>

@@ -141,7 +141,7 @@ public:
       first_face = last_face;
     }
     add_vertices(first_face);
-    add_edges();
+    for_each_halfedge(0, [this](Index h) { edges_.add(Level_connectivity::edge(h)); });
     for (const Index v : isolated_vertices) vertices_.add(v);
     for (Element_list* elements : {&vertices_, &edges_, &faces_}) elements->sort();
   }
@@ -172,10 +172,6 @@ private:
   void add_vertices(std::size_t first_face)
   {
     for_each_halfedge(first_face, [this](Index h) { vertices_.add(level_.target(h)); });
-  }
-  void add_edges()
-  {
-    for_each_halfedge(0, [this](Index h) { edges_.add(Level_connectivity::edge(h)); });
   }
   void add_faces(Index v)
   {
