@@ -357,16 +357,11 @@ private:
       internal::with_mesh_access(mesh, [&](const auto& access) {
         auto given = Parameters::attributes(np);
         const auto& attributes = internal::unwrapped(given);
-        const auto read = [&](const auto& normals) {
-          this->template read<internal::is_given_v<internal::to_limit_t, NamedParameters>>(
-            access, scheme, Parameters::const_point_map(mesh, np), normals,
-            Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np),
-            internal::read_roundness<FT, Parameters>(access, np), rounds, attributes);
-        };
-        if constexpr (is_pn)
-          read(Parameters::normal_map(np));
-        else
-          read(internal::Not_given());
+        this->template read<internal::is_given_v<internal::to_limit_t, NamedParameters>>(
+          access, scheme, Parameters::const_point_map(mesh, np),
+          Parameters::template used_normal_map<is_pn>(np), Parameters::edge_constraint_map(np),
+          Parameters::vertex_constraint_map(np),
+          internal::read_roundness<FT, Parameters>(access, np), rounds, attributes);
       });
     }
   }

@@ -106,8 +106,9 @@ private:
       sink(demand, control, creases, bounds.get());
     };
     with_slot_level<FT>(
-      access, scheme, points, normal_map<Scheme>(), Parameters::edge_constraint_map(np_),
-      Parameters::vertex_constraint_map(np_), rounds_of_all(access.size().faces), take);
+      access, scheme, points, Parameters::template used_normal_map<is_pn_v<Scheme>>(np_),
+      Parameters::edge_constraint_map(np_), Parameters::vertex_constraint_map(np_),
+      rounds_of_all(access.size().faces), take);
   }
 
   static constexpr unsigned most_runs = 64;
@@ -119,16 +120,6 @@ private:
     unsigned rounds = 0;
     for (std::size_t n = 4 * faces; 0 < n && n <= most_faces; n *= 4) ++rounds;
     return rounds;
-  }
-
-  // a linear scheme has no use for normals
-  template <class Scheme>
-  auto normal_map() const
-  {
-    if constexpr (is_pn_v<Scheme>)
-      return Parameters::normal_map(np_);
-    else
-      return Not_given();
   }
 
   Tessellation_demand demand(double box) const
