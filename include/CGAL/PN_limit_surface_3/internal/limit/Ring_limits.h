@@ -18,7 +18,6 @@
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -174,7 +173,8 @@ private:
     const bool is_exact = rules_.is_interpolating() || !is_pn_v<Scheme>;
     if (depth != 0 && !is_exact)
       result.error = limit_error(rules_.error_factor(), rules_.error_ratio(),
-                                 distance(point, state.last_limit), state.last_step);
+                                 quick_length(to_double_3(difference(point, state.last_limit))),
+                                 state.last_step);
     bool is_last = (is_exact || depth != 0) && result.error <= demand_.tolerance;
     if constexpr (has_normals(kinds)) {
       if (demand_.surface_normals && rules_.has_tangents()) {
@@ -204,12 +204,6 @@ private:
     return true;
   }
 
-  static double distance(const Coordinates<FT, 3>& a, const Coordinates<FT, 3>& b)
-  {
-    return quick_length({close_double(FT(a[0] - b[0])), close_double(FT(a[1] - b[1])),
-                         close_double(FT(a[2] - b[2]))});
-  }
-
   // the surface normal; whether it meets the tolerance, or no further round will make it better
   bool note_normal(std::size_t c, unsigned depth)
   {
@@ -226,7 +220,7 @@ private:
     if (is_pn_v<Scheme> && depth != 0 && had_normal) {
       // a turn may be small by chance, two in a row hardly are
       const double ratio = rules_.normal_ratio();
-      const double turn = quick_length({n[0] - last[0], n[1] - last[1], n[2] - last[2]});
+      const double turn = quick_length(difference(n, last));
       error =
         (std::max)(error, 1.5 * ratio / (1 - ratio) * (std::max)(turn, ratio * state.last_turn));
       state.last_turn = turn;
