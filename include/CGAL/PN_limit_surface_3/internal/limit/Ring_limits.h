@@ -255,7 +255,8 @@ private:
     add_multiple<FT, 3>(center, FT(1), origin(c));
     const auto part = remaining_part(planes_.divided(to_double_3(center)));
     Curvatures<double> k =
-      is_spline_ ? spline_curvatures(rules_.roundness_at(limits_[c]))
+      is_spline_ ? curvatures(spline_jet(Scheme::Host::refined_degree == 4, planes_.ring(),
+                                         rules_.roundness_at(limits_[c])))
                  : g.extraordinary_curvatures(transfer_.has_value(), part ? &*part : nullptr);
     k.gaussian = std::ldexp(k.gaussian, -2 * planes_.exponent());
     k.mean = std::ldexp(k.mean, -planes_.exponent());
@@ -278,17 +279,6 @@ private:
         return Normal_transfer<double>(degree, rules_.transfer_valence())(ring, origin_of_ring);
       }
     return std::nullopt;
-  }
-
-  // the curvatures of the ring of `planes_`, whose neighbors are in front of its diagonal vertices
-  Curvatures<double> spline_curvatures(double roundness) const
-  {
-    using Index = Level_connectivity::Index;
-    static constexpr Index quads[] = {0, 1, 6, 2, 7, 3, 8, 4, 5};
-    static constexpr Index triangles[] = {0, 1, 2, 3, 4, 5, 6};
-    const bool is_quads = Scheme::Host::refined_degree == 4;
-    return Regular_jet<double>(is_quads ? 4 : 3)(is_quads ? quads : triangles,
-                                                 planes_.ring().data(), roundness);
   }
 
   const Rules& rules_;
