@@ -272,8 +272,7 @@ private:
     const bool has_surface_normals = demand != nullptr && demand->surface_normals;
     const bool has_normals = is_pn || has_surface_normals;
     const auto normal = [&]([[maybe_unused]] const Value& value, const Limit* limit) {
-      if (limit != nullptr)
-        return vector(internal::limit_normal<Scheme>(*limit, has_surface_normals));
+      if (limit != nullptr) return vector(internal::limit_normal(*limit, has_surface_normals));
       if constexpr (is_pn)
         return vector(value.normal);
       else
