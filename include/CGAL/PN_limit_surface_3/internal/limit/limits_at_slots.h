@@ -37,7 +37,6 @@
 #include <cstddef>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -218,10 +217,7 @@ private:
   std::unique_ptr<Rules> make(Index degree) const
   {
     const Level_connectivity level = single_face(degree);
-    Ring_pair rings;
-    rings.ring.resize(degree);
-    std::iota(rings.ring.begin(), rings.ring.end(), Index(0));
-    rings.next_ring = rings.ring;
+    const Ring_pair rings{first_indices(degree), first_indices(degree)};
     Ring_layout layout;
     layout.first = 0;
     layout.number = degree;
