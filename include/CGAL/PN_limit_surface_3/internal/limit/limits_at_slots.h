@@ -15,7 +15,7 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_planes.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/made_levels.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules_cache.h>
 #include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
