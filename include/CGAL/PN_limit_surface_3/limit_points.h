@@ -72,7 +72,7 @@ Limit_report vertex_limit_points(const PolygonMesh& mesh, const Scheme& scheme, 
     using Limit = typename boost::property_traits<LimitMap>::value_type;
     const auto put_all = [&](const auto& access, const auto& level, const auto& creases,
                              auto& results, const auto&) {
-      put_mean_normals<Scheme>(creases, results);
+      put_mean_normals(creases, results);
       for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
         put(limits, access.vertex(v), to_limit_point<Limit>(results[v]));
     };

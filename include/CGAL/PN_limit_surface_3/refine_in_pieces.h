@@ -272,8 +272,7 @@ private:
     const bool has_surface_normals = demand != nullptr && demand->surface_normals;
     const bool has_normals = is_pn || has_surface_normals;
     const auto normal = [&]([[maybe_unused]] const Value& value, const Limit* limit) {
-      if (limit != nullptr)
-        return vector(internal::limit_normal<Scheme>(*limit, has_surface_normals));
+      if (limit != nullptr) return vector(internal::limit_normal(*limit, has_surface_normals));
       if constexpr (is_pn)
         return vector(value.normal);
       else
@@ -357,16 +356,11 @@ private:
       internal::with_mesh_access(mesh, [&](const auto& access) {
         auto given = Parameters::attributes(np);
         const auto& attributes = internal::unwrapped(given);
-        const auto read = [&](const auto& normals) {
-          this->template read<internal::is_given_v<internal::to_limit_t, NamedParameters>>(
-            access, scheme, Parameters::const_point_map(mesh, np), normals,
-            Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np),
-            internal::read_roundness<FT, Parameters>(access, np), rounds, attributes);
-        };
-        if constexpr (is_pn)
-          read(Parameters::normal_map(np));
-        else
-          read(internal::Not_given());
+        this->template read<internal::is_given_v<internal::to_limit_t, NamedParameters>>(
+          access, scheme, Parameters::const_point_map(mesh, np),
+          Parameters::template used_normal_map<is_pn>(np), Parameters::edge_constraint_map(np),
+          Parameters::vertex_constraint_map(np),
+          internal::read_roundness<FT, Parameters>(access, np), rounds, attributes);
       });
     }
   }

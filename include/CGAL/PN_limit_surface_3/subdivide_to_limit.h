@@ -122,8 +122,7 @@ private:
     const Limit_demand demand = limit_demand<FT>(options_, box_size(refined));
     auto limits = limits_of(refined, limit_creases, demand, rounds + 1);
 
-    if constexpr (!Writers::Corner_writer::takes_corners)
-      put_mean_normals<Scheme>(limit_creases, limits);
+    if constexpr (!Writers::Corner_writer::takes_corners) put_mean_normals(limit_creases, limits);
     const auto put = [&](auto vertex_normals) {
       Mesh_writer<Limit_value, Access, Point_map, decltype(vertex_normals)> writer(
         access, points, vertex_normals, false);
@@ -191,9 +190,8 @@ private:
   {
     if constexpr (Corner_writer::takes_corners) {
       if (puts_normals())
-        corners.put_all(level, creases,
-                        limit_normals<Scheme, FT>(limits, options_.surface_normals));
-      if constexpr (needs_means) put_mean_normals<Scheme>(creases, limits);
+        corners.put_all(level, creases, limit_normals<FT>(limits, options_.surface_normals));
+      if constexpr (needs_means) put_mean_normals(creases, limits);
     }
   }
 
@@ -217,7 +215,7 @@ private:
     const auto put_range = [&](Index begin, Index end) {
       for (Index v = begin; v < end; ++v) {
         const Limit_value value{point_of(moves ? limits[v].value : refined[v]),
-                                limit_normal<Scheme>(limits[v], options_.surface_normals)};
+                                limit_normal(limits[v], options_.surface_normals)};
         writer.put_values(v, &value, 1);
       }
     };

@@ -62,26 +62,26 @@ public:
                                  const Scheme& scheme, OutputMesh& out, Out_access& out_access,
                                  const Out_parameters& np_out) const
   {
-    require_empty(out_access);
+    const Level_size size = out_access.size();
+    if (size.vertices != 0 || size.edges != 0 || size.faces != 0)
+      throw std::invalid_argument("PN_subdivision_3: the mesh of the tessellation has vertices "
+                                  "already: it must be empty");
     Tessellation_result report;
     Tessellation_runs<FT> runs(most_runs);
     const auto build_out = [&](const Split_edges<FT>& all, const Tessellation_mesh<FT>& mesh) {
       using Out = Surface_parameters<OutputMesh, Out_parameters>;
       build(all, mesh, out_access, Out::point_map(out, np_out), Out::normal_map(np_out));
     };
-    const auto run = [&](const auto& s) {
-      bool goes_on = false;
-      read(access, s, Parameters::const_point_map(control, np_),
-           [&](const Tessellation_demand& demand, auto& level, auto& creases, auto* bounds) {
-             goes_on = run_tessellation<FT, may_carry_attributes<NamedParameters>()>(
-               scheme_of_rounds(s), demand, for_chunks_, table_, level, creases, bounds, runs,
-               report, build_out);
-           });
-      return goes_on;
-    };
     with_roundness_of_call<Parameters>(access, scheme, np_, [&](const auto& s) {
-      while (run(s)) {
-      }
+      bool goes_on = false;
+      do {
+        read(access, s, Parameters::const_point_map(control, np_),
+             [&](const Tessellation_demand& demand, auto& level, auto& creases, auto* bounds) {
+               goes_on = run_tessellation<FT, may_carry_attributes<NamedParameters>()>(
+                 scheme_of_rounds(s), demand, for_chunks_, table_, level, creases, bounds, runs,
+                 report, build_out);
+             });
+      } while (goes_on);
     });
     return report;
   }
@@ -106,8 +106,9 @@ private:
       sink(demand, control, creases, bounds.get());
     };
     with_slot_level<FT>(
-      access, scheme, points, normal_map<Scheme>(), Parameters::edge_constraint_map(np_),
-      Parameters::vertex_constraint_map(np_), rounds_of_all(access.size().faces), take);
+      access, scheme, points, Parameters::template used_normal_map<is_pn_v<Scheme>>(np_),
+      Parameters::edge_constraint_map(np_), Parameters::vertex_constraint_map(np_),
+      rounds_of_all(access.size().faces), take);
   }
 
   static constexpr unsigned most_runs = 64;
@@ -119,16 +120,6 @@ private:
     unsigned rounds = 0;
     for (std::size_t n = 4 * faces; 0 < n && n <= most_faces; n *= 4) ++rounds;
     return rounds;
-  }
-
-  // a linear scheme has no use for normals
-  template <class Scheme>
-  auto normal_map() const
-  {
-    if constexpr (is_pn_v<Scheme>)
-      return Parameters::normal_map(np_);
-    else
-      return Not_given();
   }
 
   Tessellation_demand demand(double box) const
@@ -152,15 +143,6 @@ private:
         "PN_subdivision_3: distances are proven of coordinates in double only: "
         "leave proven_bound out");
     return demand;
-  }
-
-  template <class Access>
-  static void require_empty(const Access& access)
-  {
-    const Level_size size = access.size();
-    if (size.vertices != 0 || size.edges != 0 || size.faces != 0)
-      throw std::invalid_argument("PN_subdivision_3: the mesh of the tessellation has vertices "
-                                  "already: it must be empty");
   }
 
   template <class Access, class Point_map, class Normal_map>

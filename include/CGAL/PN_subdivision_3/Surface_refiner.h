@@ -333,10 +333,7 @@ private:
                   internal::check_attributes<PolygonMesh, NamedParameters, false>()) {
       internal::with_mesh_access(mesh, [&](const auto& access) {
         using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-        if constexpr (is_pn)
-          this->read(access, mesh, scheme, Parameters::normal_map(np), np);
-        else
-          this->read(access, mesh, scheme, internal::Not_given(), np);
+        this->read(access, mesh, scheme, Parameters::template used_normal_map<is_pn>(np), np);
       });
       update();
     }

@@ -244,8 +244,10 @@ std::size_t number_of_defects(const Control_mesh& control_mesh, const Scheme& sc
     auto level = PN::internal::checked_level(access);
     const auto values = PN::internal::read_values<Average>(
       access, level, control.mesh.points(), control.normals, PN::internal::normal_estimate(scheme));
-    const Refiner refiner(scheme, std::move(level), {values.begin(), values.end()}, rounds, number,
-                          rings, PN::internal::For_chunks());
+    PN::internal::No_creases creases(level.number_of_vertices());
+    const Refiner refiner(scheme, std::move(level), std::move(creases),
+                          {values.begin(), values.end()}, {}, rounds, number, rings,
+                          PN::internal::For_chunks());
     for (std::size_t i = 0; i < number; ++i) {
       Elements vertices;
       const auto begin = [&](PN::Level_connectivity& level_of_piece, Elements& v, Elements&) {

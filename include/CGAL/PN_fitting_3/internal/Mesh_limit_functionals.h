@@ -277,16 +277,12 @@ private:
               const typename Ring_rules_cache<Scheme, double>::Rules& ring_rules,
               const Functionals_of_ring& of_ring) const
   {
-    static constexpr Index quads[] = {0, 1, 6, 2, 7, 3, 8, 4, 5};
-    static constexpr Index triangles[] = {0, 1, 2, 3, 4, 5, 6};
-    constexpr bool is_quads = Scheme::Host::refined_degree == 4;
     if (level.is_border_vertex(v) || !ring_rules.has_tangents() ||
         Average::is_zero(of_ring.limit().normal))
       return std::nullopt;
     const std::vector<Point_normal<double, 3>> ring(of_ring.top().begin(), of_ring.top().end());
     if (is_spline_at(level, v))
-      return Regular_jet<double>(is_quads ? 4 : 3)
-        .surface_jet(is_quads ? quads : triangles, ring.data(), of_ring.limit().roundness);
+      return spline_jet(Scheme::Host::refined_degree == 4, ring, of_ring.limit().roundness);
     const double lambda2 = ring_rules.lambda() * ring_rules.lambda();
     const Ring_geometry geometry(ring, of_ring.limit(), ring_rules.tangents(),
                                  of_ring.limit().roundness);

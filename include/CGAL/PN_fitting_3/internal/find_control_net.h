@@ -28,7 +28,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -181,8 +180,7 @@ interpolate_creased(const Fitted_surface<Scheme>& surface, std::vector<Slot_valu
                     const Creases<double>& creases, const Interpolation_data<3>& data)
 {
   using Index = Level_connectivity::Index;
-  std::vector<Index> vertex_of_slot(surface.level.number_of_vertices());
-  std::iota(vertex_of_slot.begin(), vertex_of_slot.end(), Index(0));
+  std::vector<Index> vertex_of_slot = first_indices(surface.level.number_of_vertices());
   const auto extra = vertices_of_extra_slots(creases, surface.level.number_of_vertices());
   vertex_of_slot.insert(vertex_of_slot.end(), extra.begin(), extra.end());
   Valued_level<Slot_value<Scheme>> level{surface.level, std::move(values)};

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -321,6 +322,14 @@ void for_each_index(const For_chunks& for_chunks, Level_connectivity::Index n, c
   for_chunks(n, [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i) f(i);
   });
+}
+
+// all indices below n
+inline std::vector<Level_connectivity::Index> first_indices(std::size_t n)
+{
+  std::vector<Level_connectivity::Index> result(n);
+  std::iota(result.begin(), result.end(), 0u);
+  return result;
 }
 
 } // namespace internal

@@ -313,8 +313,11 @@ public:
     const Eigen::Vector3d& normal = data_.frame_normal(v);
     if (data_.level.is_isolated(v) || normal.isZero(0)) return {};
     takes_normals_ = data_.fits_normals && !data_.vertices[v].normal.isZero(0);
+    vertex_ = v;
     for (int degree : {3, 2}) {
-      start(v);
+      neighbors_.clear();
+      ring_.assign(1, v);
+      number_of_rings_ = 0;
       while (number_of_rings_ < max_rings && grow(normal)) {
         if (neighbors_.size() < least_number_of_neighbors(degree)) continue;
         const double scale = set_samples(v, normal);
@@ -335,14 +338,6 @@ private:
   {
     if (takes_normals_) return degree == 3 ? 3 : 2;
     return degree == 3 ? 12 : 6;
-  }
-
-  void start(Index v)
-  {
-    vertex_ = v;
-    neighbors_.clear();
-    ring_.assign(1, v);
-    number_of_rings_ = 0;
   }
 
   // Adds a ring; false if it is empty. What faces the other way belongs to another part of the

@@ -101,11 +101,8 @@ private:
     Refiner refiner(scheme_, Level_connectivity(level.level), Creases<FT>(creases),
                     {level.values.begin(), level.values.end()}, for_chunks_, next_round - 1);
     for (; is_anything_ending(refiner.creases()); ++next_round) refiner.refine();
-    Numbers vertices; // old ones keep their numbers
-    if (some != nullptr)
-      vertices = *some;
-    else
-      for (Index v = 0; v < level.level.number_of_vertices(); ++v) vertices.push_back(v);
+    const Numbers vertices = // old ones keep their numbers
+      some != nullptr ? *some : first_indices(level.level.number_of_vertices());
     Level refined{refiner.level(), {refiner.values().begin(), refiner.values().end()}};
     Creases<FT> now = refiner.creases();
     std::vector<std::pair<Index, Index>> spread; // from a slot to a slot that it comes from
@@ -133,15 +130,11 @@ private:
   {
     Numbers vertices;
     auto star = creases.stars.begin(); // in the order of the vertices
-    const auto add = [&](Index v) {
+    for (const Index v : some_ != nullptr ? *some_ : first_indices(level.number_of_vertices())) {
       while (star != creases.stars.end() && star->vertex < v) ++star;
       const bool is_star = star != creases.stars.end() && star->vertex == v;
       if (!is_star || creases.rule(*star) == Vertex_rule::dart) vertices.push_back(v);
-    };
-    if (some_ != nullptr)
-      for (const Index v : *some_) add(v);
-    else
-      for (Index v = 0; v < level.number_of_vertices(); ++v) add(v);
+    }
     return vertices;
   }
   bool is_asked_for(const Crease_star& star) const

@@ -22,7 +22,6 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -232,8 +231,7 @@ auto Limit_evaluation<Scheme, FT, kinds>::operator()(const Level& level, const N
   std::vector<Result> results(level.level.number_of_vertices());
   Numbers all;
   if (some == nullptr) {
-    all.resize(results.size());
-    std::iota(all.begin(), all.end(), Index(0));
+    all = first_indices(results.size());
     some = &all;
   }
   const auto evaluate = [&](const Level& part, const No_creases&, const Numbers& vertices,

@@ -63,7 +63,7 @@ void check_limits(const Results& results, const Name& name)
 
 // what becomes the normal of a vertex: that of the surface, if it is asked for and exists, otherwise the
 // control normal; zero with a linear scheme
-template <class Scheme, class Average>
+template <class Average>
 Coordinates<typename Average::FT, 3> limit_normal(const Limit_result<Average>& result,
                                                   bool surface_normals)
 {
@@ -72,7 +72,7 @@ Coordinates<typename Average::FT, 3> limit_normal(const Limit_result<Average>& r
     const Coordinates<double, 3>& n = result.surface_normal;
     return {FT(n[0]), FT(n[1]), FT(n[2])};
   }
-  if constexpr (is_pn_v<Scheme>)
+  if constexpr (has_normal_v<typename Average::Value>)
     return result.value.normal;
   else
     return zero_vector<FT, 3>();
@@ -95,8 +95,7 @@ void write_limits(const Access& access, Point_map points, Normal_map normals,
   for (Index v = 0; v < n; ++v) {
     if (moves) new_points.set_vector(v, point_of(results[v].value));
     if constexpr (is_there_v<Normal_map>)
-      if (puts_normals)
-        new_normals.set_vector(v, limit_normal<Scheme>(results[v], surface_normals));
+      if (puts_normals) new_normals.set_vector(v, limit_normal(results[v], surface_normals));
   }
   new_points.commit();
   new_normals.commit();

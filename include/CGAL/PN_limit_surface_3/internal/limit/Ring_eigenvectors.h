@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -117,9 +118,7 @@ private:
   }
   static Real dot(const Vector& a, const Vector& b)
   {
-    Real sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-    return sum;
+    return std::inner_product(a.begin(), a.end(), b.begin(), Real(0));
   }
   static void add(Vector& a, Real factor, const Vector& b)
   {
@@ -157,9 +156,7 @@ private:
   // takes the part in the eigenvector of 1 away
   void remove_constant(Vector& x) const
   {
-    Real sum = 0;
-    for (const Real w : x) sum += w;
-    add(x, -sum, limit_);
+    add(x, -std::accumulate(x.begin(), x.end(), Real(0)), limit_);
   }
 
   void find_tangents(const Ring_layout& layout)

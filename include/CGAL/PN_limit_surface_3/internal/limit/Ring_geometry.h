@@ -70,8 +70,10 @@ struct Curvatures
 // the curvatures of the surface (u, z) with the normal on the side that z points to; mean curvature is positive where
 // the surface bends away from it
 template <class FT>
-Curvatures<FT> curvatures(const Jet_2<FT>& x, const Jet_2<FT>& y, const Jet_2<FT>& z)
+Curvatures<FT> curvatures(const Surface_jet<FT>& jet)
 {
+  const auto& [x, y] = jet.u;
+  const Jet_2<FT>& z = jet.z;
   using Vector = Coordinates<FT, 3>;
   const Vector a{x.a, y.a, z.a}, b{x.b, y.b, z.b};
   Vector n = cross(a, b);
@@ -111,8 +113,7 @@ public:
   Curvatures<FT> operator()(const Index* ring, const Value* values,
                             const FT& roundness = FT(1)) const
   {
-    const Surface_jet<FT> jet = surface_jet(ring, values, roundness);
-    return curvatures(jet.u[0], jet.u[1], jet.z);
+    return curvatures(surface_jet(ring, values, roundness));
   }
 
   Surface_jet<FT> surface_jet(const Index* ring, const Value* values,
@@ -175,6 +176,16 @@ private:
 
   std::vector<Jet_2<FT>> weights_;
 };
+
+// The jet of a regular spline surface, from a ring whose neighbors are in front of its diagonal vertices.
+inline Surface_jet<double>
+spline_jet(bool is_quads, const std::vector<Point_normal<double, 3>>& ring, double roundness)
+{
+  static constexpr Level_connectivity::Index quads[] = {0, 1, 6, 2, 7, 3, 8, 4, 5},
+                                             triangles[] = {0, 1, 2, 3, 4, 5, 6};
+  return Regular_jet<double>(is_quads ? 4 : 3)
+    .surface_jet(is_quads ? quads : triangles, ring.data(), roundness);
+}
 
 // First and second order of a surface at the limit of a ring, from the values of the ring. They are
 // computed in double.

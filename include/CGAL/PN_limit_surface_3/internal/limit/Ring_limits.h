@@ -18,7 +18,6 @@
 #include <CGAL/PN_subdivision_3/internal/numbers/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/rounds/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/levels/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/numbers/Unit_normal_traits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -174,7 +173,8 @@ private:
     const bool is_exact = rules_.is_interpolating() || !is_pn_v<Scheme>;
     if (depth != 0 && !is_exact)
       result.error = limit_error(rules_.error_factor(), rules_.error_ratio(),
-                                 distance(point, state.last_limit), state.last_step);
+                                 quick_length(to_double_3(difference(point, state.last_limit))),
+                                 state.last_step);
     bool is_last = (is_exact || depth != 0) && result.error <= demand_.tolerance;
     if constexpr (has_normals(kinds)) {
       if (demand_.surface_normals && rules_.has_tangents()) {
@@ -204,12 +204,6 @@ private:
     return true;
   }
 
-  static double distance(const Coordinates<FT, 3>& a, const Coordinates<FT, 3>& b)
-  {
-    return quick_length({close_double(FT(a[0] - b[0])), close_double(FT(a[1] - b[1])),
-                         close_double(FT(a[2] - b[2]))});
-  }
-
   // the surface normal; whether it meets the tolerance, or no further round will make it better
   bool note_normal(std::size_t c, unsigned depth)
   {
@@ -226,7 +220,7 @@ private:
     if (is_pn_v<Scheme> && depth != 0 && had_normal) {
       // a turn may be small by chance, two in a row hardly are
       const double ratio = rules_.normal_ratio();
-      const double turn = quick_length({n[0] - last[0], n[1] - last[1], n[2] - last[2]});
+      const double turn = quick_length(difference(n, last));
       error =
         (std::max)(error, 1.5 * ratio / (1 - ratio) * (std::max)(turn, ratio * state.last_turn));
       state.last_turn = turn;
@@ -261,7 +255,8 @@ private:
     add_multiple<FT, 3>(center, FT(1), origin(c));
     const auto part = remaining_part(planes_.divided(to_double_3(center)));
     Curvatures<double> k =
-      is_spline_ ? spline_curvatures(rules_.roundness_at(limits_[c]))
+      is_spline_ ? curvatures(spline_jet(Scheme::Host::refined_degree == 4, planes_.ring(),
+                                         rules_.roundness_at(limits_[c])))
                  : g.extraordinary_curvatures(transfer_.has_value(), part ? &*part : nullptr);
     k.gaussian = std::ldexp(k.gaussian, -2 * planes_.exponent());
     k.mean = std::ldexp(k.mean, -planes_.exponent());
@@ -284,17 +279,6 @@ private:
         return Normal_transfer<double>(degree, rules_.transfer_valence())(ring, origin_of_ring);
       }
     return std::nullopt;
-  }
-
-  // the curvatures of the ring of `planes_`, whose neighbors are in front of its diagonal vertices
-  Curvatures<double> spline_curvatures(double roundness) const
-  {
-    using Index = Level_connectivity::Index;
-    static constexpr Index quads[] = {0, 1, 6, 2, 7, 3, 8, 4, 5};
-    static constexpr Index triangles[] = {0, 1, 2, 3, 4, 5, 6};
-    const bool is_quads = Scheme::Host::refined_degree == 4;
-    return Regular_jet<double>(is_quads ? 4 : 3)(is_quads ? quads : triangles,
-                                                 planes_.ring().data(), roundness);
   }
 
   const Rules& rules_;

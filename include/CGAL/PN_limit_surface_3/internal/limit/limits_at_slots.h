@@ -15,7 +15,7 @@
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_limits.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_planes.h>
 #include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules.h>
-#include <CGAL/PN_limit_surface_3/internal/limit/made_levels.h>
+#include <CGAL/PN_limit_surface_3/internal/limit/Ring_rules_cache.h>
 #include <CGAL/PN_limit_surface_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
@@ -37,7 +37,6 @@
 #include <cstddef>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -122,20 +121,20 @@ CGAL_PN_SUBDIVISION_3_LIMITS_OF(extern, Linear_of_sqrt3, No_creases)
 #endif
 
 // Puts, at vertices with several wedges, the mean of the wedges' normals.
-template <class Scheme, class FT, class Result>
+template <class FT, class Result>
 void put_mean_normals(const Creases<FT>& creases, std::vector<Result>& results)
 {
+  constexpr bool is_pn = has_normal_v<decltype(Result::value)>;
   for (const Crease_star& star : creases.stars) {
     if (star.number_of_wedges == 1) continue;
     Result& mean = results[star.vertex];
     for (Level_connectivity::Index w = 1; w < star.number_of_wedges; ++w) {
       const Result& other = results[star.slot(w)];
-      if constexpr (is_pn_v<Scheme>)
-        add_multiple<FT, 3>(mean.value.normal, FT(1), other.value.normal);
+      if constexpr (is_pn) add_multiple<FT, 3>(mean.value.normal, FT(1), other.value.normal);
       mean.has_surface_normal = mean.has_surface_normal && other.has_surface_normal;
       add_multiple<double, 3>(mean.surface_normal, 1, other.surface_normal);
     }
-    if constexpr (is_pn_v<Scheme>)
+    if constexpr (is_pn)
       name_undecided<FT>(
         [&] {
           mean.value.normal = unit_or_zero<FT, 3>(mean.value.normal, FT(star.number_of_wedges));
@@ -144,18 +143,18 @@ void put_mean_normals(const Creases<FT>& creases, std::vector<Result>& results)
     mean.surface_normal = unit_or_zero<double, 3>(mean.surface_normal, star.number_of_wedges);
   }
 }
-template <class Scheme, class Result>
+template <class Result>
 void put_mean_normals(No_creases, std::vector<Result>&)
 {}
 
 // the normals that are asked for
-template <class Scheme, class FT, class Result>
+template <class FT, class Result>
 std::vector<Coordinates<FT, 3>> limit_normals(const std::vector<Result>& results,
                                               bool surface_normals)
 {
   std::vector<Coordinates<FT, 3>> normals;
   normals.reserve(results.size());
-  for (const Result& r : results) normals.push_back(limit_normal<Scheme>(r, surface_normals));
+  for (const Result& r : results) normals.push_back(limit_normal(r, surface_normals));
   return normals;
 }
 
@@ -218,10 +217,7 @@ private:
   std::unique_ptr<Rules> make(Index degree) const
   {
     const Level_connectivity level = single_face(degree);
-    Ring_pair rings;
-    rings.ring.resize(degree);
-    std::iota(rings.ring.begin(), rings.ring.end(), Index(0));
-    rings.next_ring = rings.ring;
+    const Ring_pair rings{first_indices(degree), first_indices(degree)};
     Ring_layout layout;
     layout.first = 0;
     layout.number = degree;
@@ -282,12 +278,11 @@ void put_limits(const Access& access, const Level_connectivity& level, const Lev
   typename Writers::Corner_writer corners(access, level, normals);
   if constexpr (Writers::Corner_writer::takes_corners) {
     if (is_pn_v<Scheme> || options.surface_normals)
-      corners.put_all(
-        level, creases,
-        limit_normals<Scheme, typename Parameters::FT>(results, options.surface_normals));
+      corners.put_all(level, creases,
+                      limit_normals<typename Parameters::FT>(results, options.surface_normals));
   }
   if constexpr (!Writers::Corner_writer::takes_corners || Maps_writer::is_any_given)
-    put_mean_normals<Scheme>(creases, results);
+    put_mean_normals(creases, results);
   of_limits.write(results, level.number_of_vertices());
   of_mesh.put_tangents(creases, level.size());
   results.resize(level.number_of_vertices());

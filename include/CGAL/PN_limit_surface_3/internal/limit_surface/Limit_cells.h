@@ -209,9 +209,9 @@ private:
     return !is_corner.empty() && is_corner[v] != 0 ? Piece_vertex::corner : Piece_vertex::border;
   }
 
-  template <class Values>
-  Cell cut(const Level_connectivity& level, const Level_creases& creases, const Values& values,
-           const Cell_slots& slot_of, Index base, unsigned rounds) const
+  Cell cut(const Level_connectivity& level, const Level_creases& creases,
+           const std::vector<Value>& values, const Cell_slots& slot_of, Index base,
+           unsigned rounds) const
   {
     std::vector<Index> centers;
     for_each_halfedge_of_face(level, level.face(base),
@@ -223,8 +223,7 @@ private:
       cell.creases = part.creases(creases);
       origins = part.slot_origins(cell.creases, slot_of);
     }
-    cell.level.values.reserve(origins.size());
-    for (const Index i : origins) cell.level.values.push_back(values[i]);
+    cell.level.values = values_of_part(values, origins);
     for (Index g = 0; g < part.level.number_of_halfedges(); ++g)
       if (part.halfedge(g) == base) cell.base = g;
     cell.level.level = std::move(part.level);

@@ -131,7 +131,8 @@ private:
     Evaluations(const Scheme_evaluation& of, const Surface_demand& demand)
       : of_(of)
       , demand_(demand)
-      , limits_demand_(limits_demand(demand))
+      , limits_demand_{demand.tolerance / 4, demand.normal_tolerance,
+                       (std::max)(1u, demand.most_rounds), true, true} // points and surface normals
       , limits_(of.cells_.scheme(), limits_demand_, For_chunks())
     {}
 
@@ -173,16 +174,6 @@ private:
       q.u = u >= 1 ? u - 1 : u;
       q.v = u < 1 && v >= 1 ? v - 1 : v;
       return u >= 1 ? 1 : v >= 1 ? 2 : 0;
-    }
-
-    static Limit_demand limits_demand(const Surface_demand& demand)
-    {
-      Limit_demand d;
-      d.tolerance = demand.tolerance / 4;
-      d.normal_tolerance = demand.normal_tolerance;
-      d.max_depth = (std::max)(1u, demand.most_rounds);
-      d.surface_normals = true;
-      return d;
     }
 
     // returns the queries that the cell is too coarse for

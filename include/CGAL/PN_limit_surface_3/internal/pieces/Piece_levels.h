@@ -212,13 +212,6 @@ private:
   const For_chunks& for_chunks_;
 };
 
-inline Face_marks owned_faces(const Global_ids& faces)
-{
-  Face_marks is_owned(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) is_owned[f] = faces.is_owned(f) ? 1 : 0;
-  return is_owned;
-}
-
 // What the numbers of the elements depend on, from a level that is held up to the last one.
 template <class Host>
 class Global_levels
@@ -291,7 +284,8 @@ public:
 inline Face_marks owned_with_rings(const Level_connectivity& level, const Piece_elements& elements,
                                    unsigned rings)
 {
-  Face_marks marks = owned_faces(elements.faces);
+  Face_marks marks(elements.faces.size());
+  for (std::size_t f = 0; f < marks.size(); ++f) marks[f] = elements.faces.is_owned(f) ? 1 : 0;
   for (unsigned i = 0; i < rings; ++i) add_ring(level, marks);
   return marks;
 }

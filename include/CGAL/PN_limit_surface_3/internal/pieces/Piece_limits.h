@@ -62,7 +62,7 @@ public:
     last_level.for_each_corner([&](Index h, Index wedge, Index slot) {
       out.put_corner(h, wedge, level.values[slot], &limits[slot]);
     });
-    put_mean_normals<Scheme>(part.creases, limits);
+    put_mean_normals(part.creases, limits);
     return put(last_level, part.elements.vertices, level.values, limits, demand, out);
   }
 

@@ -98,13 +98,6 @@ public:
       }
     more_last_rings_ = last_rings > rings_ ? last_rings - rings_ : 0;
   }
-  Piece_refiner(const Scheme& scheme, Level_connectivity&& control, Values&& values,
-                unsigned rounds, std::size_t number_of_pieces, unsigned rings,
-                const For_chunks& for_chunks)
-    : Piece_refiner(scheme, std::move(control), No_creases(control.number_of_vertices()),
-                    std::move(values), Attribute_rounds(), rounds, number_of_pieces, rings,
-                    for_chunks)
-  {}
 
   const Global_level& result() const override { return wholes_->back(); }
   const Level_connectivity& base() const override { return base_.level(); }
@@ -119,14 +112,11 @@ public:
   void refine(std::size_t piece, unsigned rings, const Output& out) const override
   {
     const bool has_isolated = piece == 0;
+    if (base_round_ == rounds_ || attributes_)
+      return put(last_part(piece, has_isolated), has_isolated, rings, out);
     Part part = first_part(piece, has_isolated);
     for (unsigned k = base_round_ + 1; k < rounds_; ++k) part = refined(part, k, has_isolated);
-    if (base_round_ == rounds_)
-      put(part, has_isolated, rings, out);
-    else if (part.attributes)
-      put(refined(part, rounds_, has_isolated), has_isolated, rings, out);
-    else
-      put_last_round(part, has_isolated, rings, out);
+    put_last_round(part, has_isolated, rings, out);
   }
 
   Limit_report refine_to_limit(std::size_t, unsigned, const Limit_demand&,
@@ -356,10 +346,7 @@ private:
     const Last_level last_level(part.level, part.elements, part.creases, has_isolated, rings,
                                 part.attributes, out);
     const auto& vertices = last_level.vertices();
-    for (Index v = 0; v < vertices.size(); ++v) {
-      const Value value = part.values[vertices[v]];
-      out.put(v, value, nullptr);
-    }
+    for (Index v = 0; v < vertices.size(); ++v) out.put(v, part.values[vertices[v]], nullptr);
     if constexpr (is_creased) {
       std::vector<typename Last_level::Slot_value> on_creases;
       for (const Crease_star& star : part.creases.stars)

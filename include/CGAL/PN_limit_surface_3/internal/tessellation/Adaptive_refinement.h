@@ -226,15 +226,11 @@ private:
     Face_marks marks;
     marks.reserve(level.faces.size());
     for (const Adaptive_face& face : level.faces) marks.push_back(face.is_split ? 1 : 0);
-    cut_adaptive_level(level, std::move(marks), rings(level));
-  }
-  // what a round needs to come out right in the rings that the next one needs, and the limits of the new vertices
-  unsigned rings(const Level& level) const
-  {
+    // what a round needs to come out right in the rings that the next one needs, and the limits of the new vertices
     unsigned rings =
       facts_of(scheme_).limit_neighborhood.regular_rings == 0 ? facts_of(scheme_).ghost_rings : 0;
     if (rings == 0) rings = cut_rings(scheme_);
-    return rings + (reads_wedges(level.creases) ? 1 : 0);
+    cut_adaptive_level(level, std::move(marks), rings + (reads_wedges(level.creases) ? 1 : 0));
   }
 
   // whether a vertex may need all wedges of its neighbors, which then must not lack faces

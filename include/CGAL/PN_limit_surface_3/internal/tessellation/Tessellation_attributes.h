@@ -69,8 +69,7 @@ public:
     const auto& connectivity = level.level.level;
     const std::size_t n = attributes.of_vertices, m = attributes.of_corners;
     const double size = demand_.tolerance * 0x1p30;
-    std::vector<Index> vertices;
-    for (Index v = 0; v < connectivity.number_of_vertices(); ++v) vertices.push_back(v);
+    std::vector<Index> vertices = first_indices(connectivity.number_of_vertices());
     for (const Index v : vertices_of_extra_slots(level.creases, connectivity.number_of_vertices()))
       vertices.push_back(v);
     level.planes.resize((n + 2) / 3);

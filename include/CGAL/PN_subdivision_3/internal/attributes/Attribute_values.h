@@ -25,7 +25,6 @@
 #include <any>
 #include <cstddef>
 #include <memory>
-#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -72,14 +71,6 @@ public:
   // The values of a part of the level: value i is value sources[i], any value where this is null.
   virtual std::unique_ptr<Row_values> part(const std::vector<Index>& sources) const = 0;
 };
-
-// all control elements
-inline std::vector<Level_connectivity::Index> first_indices(std::size_t n)
-{
-  std::vector<Level_connectivity::Index> result(n);
-  std::iota(result.begin(), result.end(), 0u);
-  return result;
-}
 
 template <class FT, class Kind>
 class Rows final : public Row_values<FT>

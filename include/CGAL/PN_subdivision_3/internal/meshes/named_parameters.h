@@ -119,6 +119,15 @@ struct Surface_parameters
   {
     return normals_of<go_with_roundness>(given_normals(np));
   }
+  // none where they are not used, as by a linear scheme
+  template <bool are_used>
+  static auto used_normal_map([[maybe_unused]] const NamedParameters& np)
+  {
+    if constexpr (are_used)
+      return normal_map(np);
+    else
+      return Not_given();
+  }
   static Roundness_map roundness_map(const NamedParameters& np)
   {
     return parameter_or<vertex_roundness_map_t>(
