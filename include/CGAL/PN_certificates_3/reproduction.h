@@ -193,14 +193,6 @@ auto deviation_of(const Range& range, const char* kind, Point_map points,
   return all.result();
 }
 
-inline double checked_tolerance(double tolerance)
-{
-  if (!(tolerance >= 0 && std::isfinite(tolerance)))
-    throw std::invalid_argument(
-      "PN_subdivision_3: the tolerance must be a finite number that is not negative");
-  return tolerance;
-}
-
 } // namespace internal
 
 /*!
@@ -332,8 +324,11 @@ Uncertain<bool> is_on(const Point& p, const Shape& shape, double tolerance)
 {
   using Number = internal::Number_of_point<Point>;
   const auto measure = internal::shape_for<Point>(shape);
-  return measure.is_near(measure.residual(internal::position_of(p)),
-                         Number(internal::checked_tolerance(tolerance)));
+  const auto r = measure.residual(internal::position_of(p));
+  if (!(tolerance >= 0 && std::isfinite(tolerance)))
+    throw std::invalid_argument(
+      "PN_subdivision_3: the tolerance must be a finite number that is not negative");
+  return measure.is_near(r, Number(tolerance));
 }
 
 /*!

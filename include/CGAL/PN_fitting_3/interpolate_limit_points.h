@@ -170,7 +170,7 @@ interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
         return interpolate_limit_points<Concurrency_tag>(mesh, s, others);
       });
   else {
-    internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
+    internal::check_interpolation_arguments<Scheme>();
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
     using FT = typename Parameters::FT;
     const internal::Interpolation_options options = internal::interpolation_options(np);

@@ -226,7 +226,7 @@ Limit_interpolation prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme
         return prescribe_limit_data<Concurrency_tag>(mesh, s, others);
       });
   else {
-    internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
+    internal::check_interpolation_arguments<Scheme>();
     const internal::Interpolation_options options = internal::interpolation_options(np);
     internal::check_tolerance(options.tolerance);
     internal::check_tolerance(options.curvature_tolerance);

@@ -66,10 +66,8 @@ auto points_of(const Values& values, Level_connectivity::Index number)
 {
   std::vector<Coordinates<typename Average::FT, 3>> points;
   points.reserve(number);
-  for (Level_connectivity::Index v = 0; v < number; ++v) {
-    const typename Average::Value value = values[v]; // may be stored in another way
-    points.push_back(point_of(value));
-  }
+  for (Level_connectivity::Index v = 0; v < number; ++v) // values may be stored in another way
+    points.push_back(point_of(typename Average::Value(values[v])));
   return points;
 }
 
@@ -184,7 +182,6 @@ public:
     for (Index f = 0; f < level_.number_of_faces(); ++f) add_face(f);
   }
 
-  const Level_connectivity& level() const { return level_; }
   const std::vector<Vector>& points() const { return points_; }
   bool is_closed() const { return level_.number_of_faces() > 0 && !level_.has_border(); }
   // the volume of a closed level; 0 if it is no more than rounding

@@ -83,9 +83,6 @@ Number number_of_binary(const FT& x)
   return sum;
 }
 
-template <class FT>
-constexpr bool is_fraction_v = std::is_same_v<typename Fraction_traits<FT>::Is_fraction, Tag_true>;
-
 // an interval around an exact number: by the doubles that it begins with, and what they leave
 template <class Number, class FT>
 Number interval_of_exact(const FT& x)
@@ -106,8 +103,6 @@ Number interval_of_exact(const FT& x)
 template <class Number, class FT>
 Number measure_number(const FT& x)
 {
-  constexpr bool is_taken =
-    std::is_constructible_v<Number, const FT&> && !is_interval_v<FT> && is_exact_v<FT>;
   if constexpr (std::is_same_v<Number, FT>)
     return x;
   else if constexpr (std::is_same_v<FT, float>)
@@ -118,13 +113,14 @@ Number measure_number(const FT& x)
     return interval_of_exact<Number>(x);
   else if constexpr (is_interval_v<Number>)
     return Number(CGAL::to_interval(x));
-  else if constexpr (is_taken)
+  else if constexpr (std::is_constructible_v<Number, const FT&> && !is_interval_v<FT> &&
+                     is_exact_v<FT>)
     return Number(x);
   else if constexpr (Is_lazy<FT>::value)
     return measure_number<Number>(x.exact());
   else {
     static_assert(
-      is_fraction_v<FT>,
+      std::is_same_v<typename Fraction_traits<FT>::Is_fraction, Tag_true>,
       "PN_subdivision_3: the numbers of the shape are not exact, or cannot be converted "
       "to those of the points: take doubles, fractions or the kernel of the points");
     std::ostringstream text;

@@ -157,16 +157,12 @@ private:
     return r;
   }
 
-  // a normal of vertex i at the next one, or at the one before
-  Vector carried_on(const Vector& n, std::size_t i) const
+  // a normal of a vertex at the one at the other end of an edge
+  Vector carried(const Vector& n, std::size_t from, std::size_t edge, std::size_t to) const
   {
-    return rotated(rotated(n, tangent_[i], edge_[i]), edge_[i], tangent_[after(i)]);
+    return rotated(rotated(n, tangent_[from], edge_[edge]), edge_[edge], tangent_[to]);
   }
-  Vector carried_back(const Vector& n, std::size_t i) const
-  {
-    const std::size_t j = before(i);
-    return rotated(rotated(n, tangent_[i], edge_[j]), edge_[j], tangent_[j]);
-  }
+  Vector carried_on(const Vector& n, std::size_t i) const { return carried(n, i, i, after(i)); }
 
   Vector unit_outward(std::size_t i) const
   {
@@ -223,7 +219,7 @@ private:
       if (closed_ || k + 1 < m) carry_between(turning_[k], turning_[k + 1 < m ? k + 1 : 0]);
     if (closed_) return;
     for (std::size_t i = turning_.front(); i > 0; --i)
-      carried_[i - 1] = across_tangent(carried_back(carried_[i], i), i - 1);
+      carried_[i - 1] = across_tangent(carried(carried_[i], i, i - 1, i - 1), i - 1);
     for (std::size_t i = turning_.back(); i + 1 < size(); ++i)
       carried_[i + 1] = across_tangent(carried_on(carried_[i], i), i + 1);
   }
@@ -302,15 +298,13 @@ private:
   Vector tangent(std::size_t i) const
   {
     const std::size_t n = points_.size();
-    if (n == 1) return zero();
+    if (n == 1) return zero_vector<FT, 2>();
     if (closed_) return at(edge((i + n - 1) % n), edge(i));
     if (i > 0 && i + 1 < n) return at(edge(i - 1), edge(i));
     const Edge end = i == 0 ? edge(0) : edge(n - 2);
     if (n == 2) return end.direction;
     return reflected(at(i == 0 ? end : edge(n - 3), i == 0 ? edge(1) : end), end.direction);
   }
-
-  static Vector zero() { return {FT(0), FT(0)}; }
 
   Edge edge(std::size_t i) const
   {
@@ -323,11 +317,11 @@ private:
   static Vector at(const Edge& before, const Edge& after)
   {
     const FT w = FT(1) / (FT(1) + after.length / before.length);
-    Vector t = zero();
+    Vector t = zero_vector<FT, 2>();
     add_multiple<FT, 2>(t, FT(1) - w, before.direction);
     add_multiple<FT, 2>(t, w, after.direction);
     const FT tolerance = Unit_normal_traits<FT>::vanishing_tolerance();
-    if (dot(t, t) <= tolerance * tolerance) return zero();
+    if (dot(t, t) <= tolerance * tolerance) return zero_vector<FT, 2>();
     normalize_control_normal<FT, 2>(t);
     return t;
   }
@@ -336,7 +330,7 @@ private:
   // edge itself is taken.
   static Vector reflected(const Vector& t, const Vector& edge)
   {
-    if (t == zero()) return edge;
+    if (t == zero_vector<FT, 2>()) return edge;
     Vector r = {-t[0], -t[1]};
     add_multiple<FT, 2>(r, FT(2) * dot(t, edge), edge);
     return r;

@@ -148,16 +148,13 @@ void multiply_by_size(int exponent, Vectors<dimension>& points)
                                   " is out of the range of the number type: scale the points down");
     }
 }
-inline void multiply_by_size(int exponent, Limit_interpolation& report)
-{
-  for (double* length : {&report.residual, &report.error, &report.tolerance, &report.slip})
-    *length = std::ldexp(*length, exponent);
-  report.curvature_residual = std::ldexp(report.curvature_residual, -exponent);
-}
 template <class FT, int dimension>
 void multiply_by_size(Interpolation_data<dimension>& data, Interpolation_result<dimension>& result)
 {
-  multiply_by_size(data.exponent, result.report);
+  Limit_interpolation& report = result.report;
+  for (double* length : {&report.residual, &report.error, &report.tolerance, &report.slip})
+    *length = std::ldexp(*length, data.exponent);
+  report.curvature_residual = std::ldexp(report.curvature_residual, -data.exponent);
   multiply_by_size<FT, dimension>(data.exponent, data.points);
   multiply_by_size<FT, dimension>(data.exponent, result.points);
 }

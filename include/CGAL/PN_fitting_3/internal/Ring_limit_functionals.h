@@ -121,8 +121,9 @@ public:
       const Value last = limit_;
       refine(++depth_);
       limit_ = limit_at(depth_);
-      error_ = limit_error(rule.error_factor, rule.error_ratio, distance(limit_.point, last.point),
-                           last_step);
+      const double step =
+        (to_eigen<dimension>(limit_.point) - to_eigen<dimension>(last.point)).norm();
+      error_ = limit_error(rule.error_factor, rule.error_ratio, step, last_step);
       if (error_ <= precision.tolerance && depth_ >= precision.min_depth) break;
     }
     if (!precision.with_blocks) return;
@@ -141,6 +142,8 @@ public:
   const Block& block(std::size_t p) const { return blocks_[p]; }
 
 private:
+  using Square = Eigen::Matrix<double, dimension, dimension>;
+
   bool is_exact_at_once() const
   {
     return rule_->limit.size() == 1 ||
@@ -164,12 +167,6 @@ private:
       levels_[depth][p] = average(rule_->rows_of_points[p], rule_->rows_of_normals[p], depth - 1);
   }
 
-  static double distance(const Coordinates<double, dimension>& a,
-                         const Coordinates<double, dimension>& b)
-  {
-    return (to_eigen<dimension>(a) - to_eigen<dimension>(b)).norm();
-  }
-
   // the functionals of the ring after the last round
   void set_functionals()
   {
@@ -190,7 +187,6 @@ private:
   // the tangents of the points themselves; remove_limit_from_tangents() makes them relative to o
   void set_tangents()
   {
-    using Square = Eigen::Matrix<double, dimension, dimension>;
     const std::vector<Value>& ring = levels_[depth_];
     const Vector n = to_eigen<dimension>(limit_.normal);
     const bool has_normal = !Average::is_zero(limit_.normal);
@@ -213,8 +209,7 @@ private:
   void remove_limit_from_tangents()
   {
     for (int a = 0; a < tangents; ++a) {
-      Eigen::Matrix<double, dimension, dimension> sum =
-        Eigen::Matrix<double, dimension, dimension>::Zero();
+      Square sum = Square::Zero();
       for (const Block& b : blocks_) sum += b.template middleRows<dimension>(dimension * (1 + a));
       for (Block& b : blocks_)
         b.template middleRows<dimension>(dimension * (1 + a)) -=

@@ -94,7 +94,7 @@ Interpolation_data<3> read_points_and_normals(const Access& access, const Scheme
     read_values<PN_average<FT, 3>>(access, level, points, normals, normal_estimate(scheme)));
 }
 
-template <class PolygonMesh, class Scheme, class NamedParameters>
+template <class Scheme>
 constexpr void check_interpolation_arguments()
 {
   static_assert(check_no_grid_rows<Scheme>());
@@ -257,10 +257,10 @@ Creases<double> in_double(const Creases<FT>& creases)
   }
 }
 
-template <class Scheme, class FT, class Value>
+template <class Scheme, class Value>
 auto slots_in_double(const std::vector<Value>& values)
 {
-  std::vector<typename Average_of_scheme<Scheme, double>::Value> result(values.size());
+  std::vector<Slot_value<Scheme>> result(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     point_of(result[i]) = to_double_3(point_of(values[i]));
     if constexpr (is_pn_v<Scheme>) {
@@ -365,7 +365,7 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
   divide_by_size(data);
   set_demand(options, data);
   auto result = interpolate_creased(fitted_creases(given_scheme, level, for_chunks),
-                                    slots_in_double<Scheme, FT>(values), in_double(creases), data);
+                                    slots_in_double<Scheme>(values), in_double(creases), data);
   multiply_by_size<FT>(data, result);
 
   Undoable_vertices<Access, std::decay_t<decltype(points)>> new_points(access, points);

@@ -188,7 +188,6 @@ inline bool is_torus(const Region& r)
          (r.has_tangent_end || r.patches.size() >= 10);
 }
 
-// whether a region has more vertices on its shape than any facets would have, so that it is no accident
 inline bool is_evident(const Context& c, const Region& r)
 {
   if (!has_sensible_size(c, r) || !bends(c, r)) return false;
@@ -240,25 +239,17 @@ inline bool take_flats_out(const Context& c, Grower& grower, Region& r)
     const bool are_few = flats.size() <= 2 || 10 * flats.size() <= r.patches.size();
     if (rest.empty() || !are_few || !(r.turn.widest > 1.75 * next)) break;
     for (const Index p : flats) grower.ban(p);
-    if (!grow_rest(c, grower, r, rest)) {
-      grower.lift_bans();
-      return false;
-    }
+    if (!grow_rest(c, grower, r, rest)) return false;
   }
-  grower.lift_bans();
   return true;
 }
 
 inline bool has_evidence(const Context& c, Grower& grower, Region& r)
 {
   measure(c, r);
-  return take_flats_out(c, grower, r) && is_evident(c, r);
-}
-
-inline bool still_has_evidence(const Context& c, Region& r)
-{
-  measure(c, r);
-  return is_evident(c, r);
+  const bool has_round = take_flats_out(c, grower, r);
+  grower.lift_bans();
+  return has_round && is_evident(c, r);
 }
 
 } // namespace CGAL::PN_subdivision_3::internal::recognition

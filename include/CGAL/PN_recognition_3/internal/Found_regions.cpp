@@ -33,7 +33,8 @@ inline bool Found_regions::is_known(Kind kind, const Seeds& seeds) const
 
 inline void Found_regions::try_shape(Shape s, const Seeds& seeds, Guess guess)
 {
-  const double t = first_tolerance(seeds);
+  const double least = c_.tolerance(),
+               t = (std::max)(2 * least, (std::min)(50 * least, 0.02 * least_width(seeds)));
   if (is_known(s.kind, seeds)) return;
   if (!are_on(s, seeds, t) && (guess == Guess::exact || !fit_to(seeds, s) || !are_on(s, seeds, t)))
     return;
@@ -43,12 +44,6 @@ inline void Found_regions::try_shape(Shape s, const Seeds& seeds, Guess guess)
   if (!grower_.settle(r, seeds, t)) return;
   const bool holds = has_evidence(c_, grower_, r);
   if (holds || r.patches.size() >= 12) remember(std::move(r), holds);
-}
-
-inline double Found_regions::first_tolerance(const Seeds& seeds) const
-{
-  const double t = c_.tolerance();
-  return (std::max)(2 * t, (std::min)(50 * t, 0.02 * least_width(seeds)));
 }
 
 inline double Found_regions::least_width(const Seeds& seeds) const
@@ -124,7 +119,8 @@ inline std::vector<Region> choose_regions(const Context& c, std::vector<Region> 
     if (rest.size() < r.patches.size()) {
       if (5 * rest.size() < 3 * r.patches.size()) continue;
       r.patches = rest;
-      if (!still_has_evidence(c, r)) continue;
+      measure(c, r);
+      if (!is_evident(c, r)) continue;
     }
     for (const Index p : r.patches) is_taken[p] = true;
     result.push_back(std::move(r));

@@ -8,7 +8,6 @@
 #ifndef CGAL_PN_RECOGNITION_3_INTERNAL_PART_H
 #define CGAL_PN_RECOGNITION_3_INTERNAL_PART_H
 
-#include <CGAL/PN_recognition_3/internal/linear_algebra.h>
 #include <CGAL/PN_recognition_3/internal/recognition_interface.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/for_chunks.h>
 
@@ -243,11 +242,10 @@ private:
   unsigned now_ = 0;
 };
 
-// Whether a region has more vertices on its shape than any facets would have, so that it is no accident. Measures the region,
-// and takes flats out of the region.
+// whether a measured region has more vertices on its shape than any facets would have, so that it is no accident
+bool is_evident(const Context& c, const Region& r);
+// is_evident() of a region that it measures and takes flats out of
 bool has_evidence(const Context& c, Grower& grower, Region& r);
-// has_evidence() of a region that has lost facets
-bool still_has_evidence(const Context& c, Region& r);
 
 // Tries guesses and keeps the regions that have evidence.
 class Found_regions
@@ -272,7 +270,6 @@ public:
   void try_shape(Shape s, const Seeds& seeds, Guess guess = Guess::exact);
 
 private:
-  double first_tolerance(const Seeds& seeds) const;
   double least_width(const Seeds& seeds) const;
   bool are_on(const Shape& s, const Seeds& seeds, double t) const;
   bool goes_on(const Shape& s, const Seeds& seeds, double t) const;

@@ -74,8 +74,6 @@ private:
     return run.kind == Kind::line ? std::abs(run.direction[0] * y - run.direction[1] * x)
                                   : std::abs(std::hypot(x, y) - run.radius);
   }
-  bool fit(Arc_run& run) const { return run.kind == Kind::line ? fit_line(run) : fit_circle(run); }
-
   bool fit_line(Arc_run& run) const
   {
     // across its longest chord
@@ -157,7 +155,7 @@ private:
       2 * tolerance_,
       (std::min)(50 * tolerance_, 0.02 * (std::min)(length(run.first), length(run.first + 1))));
     for (int k = 0; k < 8; ++k) {
-      if (!fit(run)) return false;
+      if (!(run.kind == Kind::line ? fit_line(run) : fit_circle(run))) return false;
       const Arc_run next = grown(run, t);
       if (next.edges() < 2) return false;
       const bool repeats = t == tolerance_ && next.first == run.first && next.last == run.last;
