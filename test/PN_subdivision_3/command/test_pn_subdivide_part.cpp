@@ -8,6 +8,7 @@
 
 // Parts without being asked, --part, and what --check says of them: files as openscad writes them, of known planes and cylinders.
 
+#include "Extent.h"
 #include "Part_files.h"
 #include "Refined_files.h"
 
