@@ -16,6 +16,7 @@
 #include <CGAL/PN_certificates_3/internal/measure_number.h>
 #include <CGAL/PN_curves/internal/Curve_points.h>
 #include <CGAL/PN_subdivision_3/internal/average/input_checks.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/Uncertain.h>
 
@@ -181,7 +182,7 @@ auto deviation_of(const Range& range, const char* kind, Point_map points,
   const auto measure = shape_for<Point>(shape);
   Deviation_of_all<FT, Deviation<Deviation_number<FT>, Element>, decltype(measure)> all(measure);
   std::size_t i = 0;
-  const auto name = [&] { return kind + std::to_string(i); };
+  const auto name = [&] { return numbered_name(kind, i); };
   for (const auto& item : range) {
     const auto p = checked_coordinates<Point>(get(points, item), "position", name);
     all.add_point(element(item, i), p);
@@ -323,12 +324,11 @@ template <class Point, class Shape>
 Uncertain<bool> is_on(const Point& p, const Shape& shape, double tolerance)
 {
   using Number = internal::Number_of_point<Point>;
-  const auto measure = internal::shape_for<Point>(shape);
-  const auto r = measure.residual(internal::position_of(p));
   if (!(tolerance >= 0 && std::isfinite(tolerance)))
     throw std::invalid_argument(
       "PN_subdivision_3: the tolerance must be a finite number that is not negative");
-  return measure.is_near(r, Number(tolerance));
+  const auto measure = internal::shape_for<Point>(shape);
+  return measure.is_near(measure.residual(internal::position_of(p)), Number(tolerance));
 }
 
 /*!
@@ -356,7 +356,7 @@ auto mesh_deviation(const PolygonMesh& mesh, const Shape& shape,
   internal::check_are_read<NamedParameters>();
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
   using Vertex = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
-  return internal::deviation_of(vertices(mesh), "vertex ", Parameters::const_point_map(mesh, np),
+  return internal::deviation_of(vertices(mesh), "vertex", Parameters::const_point_map(mesh, np),
                                 Parameters::normal_map(np), shape,
                                 [](Vertex v, std::size_t) { return v; });
 }
@@ -384,7 +384,7 @@ auto curve_deviation(const Range& curve, const Shape& shape,
 {
   internal::check_are_read<NamedParameters>();
   using Points = internal::Curve_points<Range, NamedParameters>;
-  return internal::deviation_of(curve, "point ", Points::point_map(np), Points::normal_map(np),
+  return internal::deviation_of(curve, "point", Points::point_map(np), Points::normal_map(np),
                                 shape, [](const auto&, std::size_t i) { return i; });
 }
 

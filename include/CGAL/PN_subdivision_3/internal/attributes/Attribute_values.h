@@ -237,9 +237,8 @@ private:
         const Element_parent parent = host_.parent_of_vertex(child_.target(g));
         if (parent.kind == Kind::face)
           set_middle(g, h, in_middle, row);
-        else if (parent.index ==
-                 Level_connectivity::edge(n)) // the other edge is behind the corner before
-          set_behind(g, h, n, row);
+        else if (parent.index == Level_connectivity::edge(n))
+          set_behind(g, h, n, row); // the other edge is behind the corner before
       }
     }
   }
